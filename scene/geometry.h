@@ -1,5 +1,5 @@
-// Positions, rotations and affine transforms in space. Written out rather than taken from Eigen, whose vector
-// instructions differ between processors: a recorded pose must give the same direction on each of them.
+// Positions, rotations and affine transforms in space. They do not use Eigen, whose vector instructions differ between
+// processors: a recorded pose must give the same direction on every processor.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 
-/// A rotation as a unit quaternion, in the order of glTF and OpenXR.
+/// A rotation as a unit quaternion, with the components in the order of glTF and OpenXR.
 struct Quaternion {
   double x = 0.0;
   double y = 0.0;
@@ -43,8 +43,8 @@ struct Pose {
   Quaternion orientation;
 };
 
-/// An affine transform: the images of the directions +X, +Y and +Z, and of the origin. For a pose, the directions are
-/// unit vectors and perpendicular.
+/// An affine transform: the images of the directions +X, +Y and +Z, and of the origin. For a pose, these directions are
+/// perpendicular unit vectors.
 struct Transform {
   Vec3 x{1.0, 0.0, 0.0};
   Vec3 y{0.0, 1.0, 0.0};
@@ -52,10 +52,10 @@ struct Transform {
   Vec3 origin;
 };
 
-/// The image of a direction: `t.origin` has no effect.
+/// Returns the image of a direction. `t.origin` has no effect.
 inline Vec3 map_direction(const Transform& t, Vec3 v) { return t.x * v.x + t.y * v.y + t.z * v.z; }
 
-/// `b` first, then `a`.
+/// The composition that applies `b` first, then `a`.
 inline Transform operator*(const Transform& a, const Transform& b) {
   return {map_direction(a, b.x), map_direction(a, b.y), map_direction(a, b.z), map_direction(a, b.origin) + a.origin};
 }
@@ -68,7 +68,7 @@ inline Transform transform_of(const Pose& pose) {
           .origin = pose.position_m};
 }
 
-/// The coordinates of a point in a frame, whose directions are unit vectors and perpendicular.
+/// Returns the coordinates of a point in a frame whose directions are perpendicular unit vectors.
 inline Vec3 coordinates_in(const Transform& frame, Vec3 point) {
   const Vec3 from_origin = point - frame.origin;
   return {dot(frame.x, from_origin), dot(frame.y, from_origin), dot(frame.z, from_origin)};

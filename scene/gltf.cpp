@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array sections{"asset", "scene", "scenes", "nodes", "extensionsRequired"};
 
-// Required extensions that leave the origin of each node where it is, by the beginning of their names.
+// Prefixes of the names of required extensions that do not move nodes.
 constexpr std::array harmless_extensions{"KHR_materials_",
                                          "KHR_texture_",
                                          "EXT_texture_",
@@ -23,7 +23,7 @@ constexpr std::array harmless_extensions{"KHR_materials_",
                                          "KHR_meshopt_compression",
                                          "EXT_meshopt_compression",
                                          "EXT_mesh_features",
-                                         "EXT_mesh_gpu_instancing",  // scene.cpp refuses it on a haptic node
+                                         "EXT_mesh_gpu_instancing",  // an error in scene.cpp on a haptic node
                                          "EXT_structural_metadata",
                                          "KHR_animation_pointer",
                                          "KHR_node_visibility",
@@ -37,17 +37,17 @@ std::uint32_t little_endian(std::string_view four_bytes) {
   return value;
 }
 
-// Replaces a value by 0. Line ends stay, for the line numbers in messages of the parser.
+// Replaces a value by 0. Keeps line ends, so that the parser reports the right line numbers.
 void blank(std::string& json, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i)
     if (json[i] != '\n') json[i] = i == begin ? '0' : ' ';
 }
 
-// Makes one pass over the text before it is parsed: checks the limits, because the parser would exhaust stack or
-// memory; refuses repeated keys, of which the parser would take the last; and blanks the sections that are skipped.
+// Makes one pass over the text before it is parsed. Checks the limits, because the parser could exhaust stack or
+// memory; checks for repeated keys, of which the parser would use the last; and blanks the sections that are skipped.
 void prepare(std::string& json, const std::string& file) {
   std::vector<std::set<std::string_view>> keys;  // keys of each open object; empty for an open array
-  std::string_view string;                       // the last one
+  std::string_view string;                       // the last string
   std::string_view section;
   std::size_t section_begin = 0, values = 0, nodes = 0;
   bool is_skipped = false;
@@ -62,7 +62,7 @@ void prepare(std::string& json, const std::string& file) {
       case ':':
         if (keys.empty() || is_skipped) continue;
         if (!keys.back().insert(string).second)
-          refuse(file, "its JSON has the key {} twice in one object, at byte {}", in_quotes(string), i);
+          refuse(file, "its JSON has the key {} twice in one object, at byte {}; remove one", in_quotes(string), i);
         if (keys.size() > 1) continue;
         section = string;
         section_begin = i + 1;
@@ -94,7 +94,8 @@ void prepare(std::string& json, const std::string& file) {
   }
 }
 
-// The reason of a parser's error, without the name of the error and the text that was read last: it may be long.
+// Returns the reason in an error text of the parser, without the name of the error and the last read text, which may be
+// long.
 std::string reason(std::string_view error) {
   const std::size_t name_end = error.find("] ");
   if (name_end != error.npos) error.remove_prefix(name_end + 2);
@@ -108,16 +109,19 @@ JsonExtent find_json(std::string_view header, std::uint64_t file_bytes, const st
   JsonExtent extent{.offset = 0, .size = 0};
   std::uint64_t json_bytes = file_bytes;
   if (header.starts_with("glTF")) {
-    if (header.size() < glb_header_bytes) refuse(file, "the binary glTF header is incomplete");
+    if (header.size() < glb_header_bytes) refuse(file, "the binary glTF header is incomplete; export the file again");
     const std::uint32_t version = little_endian(header.substr(4));
     const std::uint32_t claimed_bytes = little_endian(header.substr(8));
     if (version != 2) refuse(file, "the binary glTF header has version {}; allowed: 2", version);
     if (claimed_bytes != file_bytes)
-      refuse(file, "the binary glTF header declares {} bytes, but the file has {}", claimed_bytes, file_bytes);
-    if (header.substr(16) != "JSON") refuse(file, "the first chunk of a binary glTF must be JSON");
+      refuse(file, "the binary glTF header declares {} bytes, but the file has {}; export it again", claimed_bytes,
+             file_bytes);
+    if (header.substr(16) != "JSON")
+      refuse(file, "the first chunk of the binary glTF is not JSON; export the file again");
     json_bytes = little_endian(header.substr(12));
     if (json_bytes > file_bytes - glb_header_bytes)
-      refuse(file, "the JSON chunk declares {} bytes, but only {} remain", json_bytes, file_bytes - glb_header_bytes);
+      refuse(file, "the JSON chunk declares {} bytes, but only {} remain; export it again", json_bytes,
+             file_bytes - glb_header_bytes);
     extent.offset = glb_header_bytes;
   }
   if (json_bytes > gltf_limits::json_bytes)

@@ -1,4 +1,4 @@
-// The text of a glTF 2.0 file: limits, and parsing by tinygltf.
+// Parses the JSON of a glTF 2.0 file by tinygltf, within limits.
 #pragma once
 
 // IWYU pragma: begin_exports
@@ -12,7 +12,7 @@
 
 namespace hrt {
 
-/// Limits on the parts of a file that are read, to bound the memory that a hostile file takes.
+/// Limits of the sections that are read. They bound the memory that a hostile file takes.
 namespace gltf_limits {
 inline constexpr std::size_t json_bytes = std::size_t{64} << 20;
 inline constexpr std::size_t json_values = 1'000'000;
@@ -29,19 +29,19 @@ struct JsonExtent {
   std::size_t size;
 };
 
-/// Bytes at the beginning of a file that find_json() needs.
+/// Number of bytes at the beginning of a file that find_json() needs.
 inline constexpr std::size_t glb_header_bytes = 20;
 
-/// Finds the JSON: in a binary file, recognised by its magic number, the first chunk; else the whole file. `header` is
-/// the first glb_header_bytes bytes, or all of a shorter file. Throws SceneError.
+/// Finds the JSON: the first chunk of a binary file, which is recognised by its magic number, or the whole of a text
+/// file. `header` is the first glb_header_bytes bytes, or all of a shorter file. Throws SceneError.
 JsonExtent find_json(std::string_view header, std::uint64_t file_bytes, const std::string& file);
 
-/// Parses the sections that place nodes: asset, scene, scenes, nodes, extensionsRequired. The others are skipped, so
-/// that no buffer or image is opened or decoded. Throws SceneError if the text is not glTF 2.0, requires an extension
-/// that may move nodes, has a repeated key in one of these sections, or exceeds gltf_limits.
+/// Parses the sections asset, scene, scenes, nodes and extensionsRequired. The others are skipped, so that no buffer or
+/// image is opened or decoded. Throws SceneError if the text is not glTF 2.0, requires an extension that may move
+/// nodes, has a repeated key in one of these sections, or exceeds gltf_limits.
 ///
-/// The model is not validated further: indices may be out of range and nodes may form cycles. tinygltf takes a value
-/// of a wrong type for an absent one and cuts whole numbers off at 32 bits.
+/// The model is not validated further: indices may be out of range and nodes may form cycles. tinygltf ignores values
+/// of a wrong type, and truncates integers to 32 bits.
 tinygltf::Model parse_gltf(std::string json, const std::string& file);
 
 }  // namespace hrt

@@ -14,13 +14,13 @@ namespace hrt {
 namespace {
 
 constexpr std::size_t max_text = 255;
-constexpr double min_number = 0.001;  // metres or degrees per second, the limit of a session for a radius
+constexpr double min_number = 0.001;  // metres, or degrees per second
 constexpr double max_radius_m = 10.0;
 constexpr double speed_limit_deg_s = 1e5;
 constexpr const char* nested_key = "haptic";
 constexpr std::string_view flat_prefix = "haptic_";
 
-// A role and the properties that it takes.
+// A role, and the keys of the properties that apply to it.
 struct Role {
   std::string_view name;
   HapticRole role;
@@ -65,18 +65,18 @@ HapticProperties haptic_properties(const tinygltf::Value& extras, const std::str
   const auto text = [&](const char* key) -> std::optional<std::string> {
     const auto found = values.find(key);
     if (found == values.end()) return std::nullopt;
-    if (!found->second->IsString()) refuse(where, "{} is not a string", label(key));
+    if (!found->second->IsString()) refuse(where, "{} is not a string; write it in quotes", label(key));
     const auto& value = found->second->Get<std::string>();
     if (value.empty() || value.size() > max_text)
       refuse(where, "{} has {} bytes; allowed: 1 to {}", label(key), value.size(), max_text);
     if (value != printable(value))
-      refuse(where, "{} is {}; control characters are not allowed", label(key), in_quotes(value));
+      refuse(where, "{} is {}; remove the control characters", label(key), in_quotes(value));
     return value;
   };
   const auto number = [&](const char* key, double max) -> std::optional<double> {
     const auto found = values.find(key);
     if (found == values.end()) return std::nullopt;
-    if (!found->second->IsNumber()) refuse(where, "{} is not a number", label(key));
+    if (!found->second->IsNumber()) refuse(where, "{} is not a number; write one without quotes", label(key));
     const double value = found->second->GetNumberAsDouble();
     if (!(value >= min_number && value <= max))
       refuse(where, "{} is {:g}; allowed: {:g} to {:g}", label(key), value, min_number, max);
@@ -98,7 +98,7 @@ HapticProperties haptic_properties(const tinygltf::Value& extras, const std::str
                           .max_speed_deg_s = number("max_speed_deg_s", speed_limit_deg_s),
                           .served_by = text("served_by")};
   if (result.role == HapticRole::plate && !result.radius_m)
-    refuse(where, "{} is missing: a plate needs its radius in metres", label("radius_m"));
+    refuse(where, "{} is missing; set it to the radius of the plate in metres", label("radius_m"));
   return result;
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double max_node_coordinate_m = 1e6;
 
-// False for NaN too.
+// Returns false for NaN, too.
 bool in_range(Vec3 v) {
   return std::abs(v.x) < max_node_coordinate_m && std::abs(v.y) < max_node_coordinate_m &&
          std::abs(v.z) < max_node_coordinate_m;

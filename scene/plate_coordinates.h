@@ -7,23 +7,24 @@
 
 namespace hrt {
 
-/// Closer to the start than this (along the plate) there is no direction: a tracker's noise is larger.
+/// Minimum distance from the start, along the plate, at which a direction is defined. Nearer, it would be noise of the
+/// tracker.
 inline constexpr double min_distance_m = 1e-3;
 
-/// The plate's geometry that locate_finger() needs.
+/// The properties of the plate that locate_finger() needs.
 struct PlateSurface {
   double radius_m = 0.0;         ///< > 0
-  double lift_height_m = 0.015;  ///< a tracked fingertip higher than this above the plate has left it, > 0
+  double lift_height_m = 0.015;  ///< height of the tracked fingertip above the plate from which it is lifted, > 0
 };
 
-/// Seen from a reach's start, along the plate.
+/// Direction and distance of a point, seen from the start of a reach, along the plate.
 struct Bearing {
   double direction_deg;  ///< in (-180, 180]; 0 at the start itself
-  double distance_m;     ///< along the plate, >= 0
-  bool at_start;         ///< nearer than min_distance_m: the direction is undefined
+  double distance_m;     ///< >= 0
+  bool at_start;         ///< true if the point is nearer than min_distance_m, so that the direction is undefined
 };
 
-/// Bearing of a point from the start, both in plate coordinates. [real-time]
+/// Returns the bearing of a point from the start, both in plate coordinates. [real-time]
 Bearing bearing_from(Vec3 start_m, Vec3 point_m);
 
 struct FingerOnPlate {
@@ -35,10 +36,9 @@ struct FingerOnPlate {
 /// True if every number is finite and below 1e6 m, and the quaternion is of unit length within 1e-3.
 bool is_valid(const Pose& pose);
 
-/// World pose of the plate and world position of the fingertip (OpenXR: the joint's position) to plate
-/// coordinates; both may move. `plate` is the pose of the plate's mount: it does not turn with the ridges.
-/// Returns false, and leaves `out` as it was, unless the pose is valid and the position finite and below
-/// 1e6 m. [real-time]: no lock, allocation, exception or I/O; bounded time.
+/// Converts the world position of a fingertip to plate coordinates. `plate` is the world pose of the plate's mount,
+/// which does not turn with the ridges. Returns false and does not change `out` if the pose is not valid, or if the
+/// position is not finite or not below 1e6 m. [real-time]: no lock, allocation, exception or I/O; bounded time.
 bool locate_finger(const PlateSurface& surface, const Pose& plate, Vec3 fingertip_m, FingerOnPlate& out);
 
 }  // namespace hrt

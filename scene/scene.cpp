@@ -13,11 +13,11 @@
 namespace hrt {
 namespace {
 
-// Largest cosine of the angle between a plate's +Y and -Z; covers the rounding of single-precision files.
+// Largest cosine of the angle between a plate's +Y and -Z. It allows the rounding errors of single-precision files.
 constexpr double max_shear = 1e-4;
-constexpr double max_plate_coordinate_m = 1000.0;  // the limit of a session
+constexpr double max_plate_coordinate_m = 1000.0;  // as in hrt_session_config
 
-// True for a transform that maps space onto a plane, a line or a point.
+// Returns true if the transform maps space onto a plane, a line or a point.
 bool is_degenerate(const Transform& t) {
   constexpr double min_length = 1e-9;
   constexpr double min_volume = 1e-9;
@@ -28,8 +28,9 @@ bool is_degenerate(const Transform& t) {
   return !(std::abs(dot(cross(t.x * (1.0 / x), t.y * (1.0 / y)), t.z * (1.0 / z))) > min_volume);
 }
 
-// Each of 4x^2, 4y^2, 4z^2, 4w^2 is a sum of the diagonal with signs; dividing by the root of the largest keeps every
-// digit. The axes are right-handed, unit and perpendicular; w >= 0.
+// Converts a rotation matrix, whose axes are right-handed, perpendicular unit vectors, to a quaternion with w >= 0.
+// Each of 4x^2, 4y^2, 4z^2, 4w^2 is a signed sum of the diagonal elements; dividing by the root of the largest one
+// avoids cancellation.
 Quaternion quaternion_of(const Transform& axes) {
   const double xx = axes.x.x;
   const double yy = axes.y.y;
@@ -86,7 +87,7 @@ class SceneReader {
     return model_.scenes[static_cast<std::size_t>(index)];
   }
 
-  // Parents before children, siblings in the file's order. The depth is limited, so recursion is safe.
+  // Visits parents before their children, and siblings in the order of the file. The depth of recursion is limited.
   void visit_all(const std::vector<int>& siblings) {
     for (const int index : siblings) {
       if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
@@ -98,14 +99,15 @@ class SceneReader {
         refuse(where(), "the node appears twice in the scene: it has two parents, or is its own descendant");
       is_visited_[static_cast<std::size_t>(index)] = true;
       if (path_.size() > gltf_limits::node_depth)
-        refuse(where(), "the node is too deep; allowed: up to {} levels", gltf_limits::node_depth);
+        refuse(where(), "the node has too many ancestors; allowed: up to {} levels", gltf_limits::node_depth);
       if (is_haptic(node.extras)) take(node, haptic_properties(node.extras, where()));
       visit_all(node.children);
       path_.pop_back();
     }
   }
 
-  // The names of the first `depth` nodes of path_, joined with '/'. A node without a name is its index in brackets.
+  // Returns the names of the first `depth` nodes of path_, joined with '/'. The index of a node without a name is
+  // written in brackets.
   std::string path(std::size_t depth) const {
     std::string result;
     for (std::size_t i = 0; i < depth; ++i) {
@@ -123,7 +125,7 @@ class SceneReader {
   }
   std::string where() const { return where(path()); }
 
-  // The transform of the node of path_ at a depth relative to its parent.
+  // Returns the transform of the node of path_ at `depth`, relative to its parent.
   Transform local_transform(std::size_t depth) const {
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(path_[depth])];
     const auto node_is_refused = [&](const std::string& what) { refuse(where(path(depth + 1)), "{}", what); };
@@ -138,13 +140,14 @@ class SceneReader {
     Transform local;
     if (const std::vector<double>& m = node.matrix; !m.empty()) {  // column by column
       if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
-        node_is_refused("matrix has a fourth row other than 0 0 0 1");
+        node_is_refused("matrix has a fourth row other than 0 0 0 1; export an affine transform");
       local = {.x{m[0], m[1], m[2]}, .y{m[4], m[5], m[6]}, .z{m[8], m[9], m[10]}, .origin{m[12], m[13], m[14]}};
     } else {
       Pose pose;
       if (const std::vector<double>& p = node.translation; !p.empty()) pose.position_m = {p[0], p[1], p[2]};
       if (const std::vector<double>& q = node.rotation; !q.empty()) pose.orientation = {q[0], q[1], q[2], q[3]};
-      if (!is_unit(pose.orientation)) node_is_refused("rotation is not a unit quaternion");
+      if (!is_unit(pose.orientation))
+        node_is_refused("rotation is not a unit quaternion; allowed: length 1 within 0.001");
       local = transform_of({pose.position_m, normalized(pose.orientation)});
       if (const std::vector<double>& s = node.scale; !s.empty()) {
         local.x = local.x * s[0];
@@ -152,7 +155,9 @@ class SceneReader {
         local.z = local.z * s[2];
       }
     }
-    if (is_degenerate(local)) node_is_refused(node.matrix.empty() ? "scale is 0 in an axis" : "matrix has no inverse");
+    if (is_degenerate(local))
+      node_is_refused(node.matrix.empty() ? "scale is 0 in an axis; set it to another value"
+                                          : "matrix has no inverse; allowed: only invertible ones");
     return local;
   }
 
@@ -188,19 +193,21 @@ class SceneReader {
   void check_position(std::string_view node_path, Vec3 p, const char* origin) const {
     for (const double coordinate_m : {p.x, p.y, p.z})
       if (!(std::abs(coordinate_m) < max_plate_coordinate_m))
-        refuse(where(node_path), "its position is 1000 m or more from {}; is the file in metres?", origin);
+        refuse(where(node_path), "its position is 1000 m or more from {}; check that the file is in metres", origin);
   }
 
   void check_is_first(const std::string& other_path) const {
     if (!other_path.empty())
-      refuse(where(), "extras.haptic.role is the same as that of {}; only one node may have it", in_quotes(other_path));
+      refuse(where(), "extras.haptic.role is the same as that of {}; set it for one node only", in_quotes(other_path));
   }
 
   void take_plate(const Transform& world, const HapticProperties& properties) {
     const Vec3 up = world.y * (1.0 / length(world.y));
     const Vec3 back = world.z * (1.0 / length(world.z));
     if (!(std::abs(dot(up, back)) < max_shear))
-      refuse(where(), "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular");
+      refuse(where(),
+             "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular; remove the "
+             "shear");
     const Vec3 sideways = cross(up, back);
     plate_frame_.x = sideways * (1.0 / length(sideways));
     plate_frame_.y = up;
@@ -264,7 +271,7 @@ class SceneReader {
                in_quotes(*wanted));
       return found->second;
     }
-    // Any real target may stand in for several virtual ones: the nearest in direction has the smallest gap.
+    // A real target may be assigned to several virtual ones. The nearest in direction has the smallest gap.
     std::optional<std::size_t> nearest;
     double min_gap_deg = 0.0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -283,11 +290,11 @@ class SceneReader {
   const std::string& file_;
   const bool instancing_is_required_;
   std::vector<bool> is_visited_;  // for each node
-  std::vector<int> path_;         // to the node being visited: its ancestors, the root first, then the node
+  std::vector<int> path_;         // indices of the present node's ancestors, the root first, and of the node
   std::size_t haptic_nodes_ = 0;
   Scene scene_{};
   Transform plate_frame_;
-  std::vector<std::optional<std::string>> served_by_;  // as the file has it, for each of Scene::targets
+  std::vector<std::optional<std::string>> served_by_;  // property of the file, for each of Scene::targets
   std::map<std::string, std::size_t> index_of_;        // into Scene::targets, by name
 };
 
@@ -302,9 +309,9 @@ Scene load_scene(const std::filesystem::path& path) {
   const std::string file = printable(path.string());
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) refuse(file, "the file does not exist");
-  // A device or a pipe may have no end.
-  if (!std::filesystem::is_regular_file(status)) refuse(file, "it is not a regular file");
+  if (!std::filesystem::exists(status)) refuse(file, "the file does not exist; check its path");
+  // Reading from a device or a pipe may never end.
+  if (!std::filesystem::is_regular_file(status)) refuse(file, "it is not a regular file; name a .gltf or .glb file");
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   if (error || !stream) refuse(file, "the file cannot be read; check its permissions");
@@ -314,7 +321,7 @@ Scene load_scene(const std::filesystem::path& path) {
   json.resize(extent.size);
   stream.seekg(static_cast<std::streamoff>(extent.offset));
   if (!stream.read(json.data(), static_cast<std::streamsize>(json.size())))
-    refuse(file, "the file became shorter while it was read");
+    refuse(file, "the file became shorter while it was read; load it again");
   return scene_of(std::move(json), file);
 }
 

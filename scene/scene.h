@@ -1,8 +1,8 @@
-// Reads a plate, a start and targets from a glTF 2.0 file. README.md has the conventions and the properties that a
-// designer sets. Units are metres and degrees.
+// Reads a plate, a start and targets from a glTF 2.0 file. README.md describes the conventions and the properties of
+// nodes. Units are metres and degrees.
 //
-// load_scene() may be called in several threads at once. It allocates, reads no file but the one named, and opens no
-// buffer or image.
+// load_scene() may be called concurrently. It reads only the given file, and does not open the buffers and images to
+// which the file refers.
 #pragma once
 
 #include <cstddef>
@@ -21,13 +21,13 @@ namespace hrt {
 struct ScenePlate {
   Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
   double radius_m;
-  std::optional<double> max_speed_deg_s;  ///< speed of its servo, if the file has it
+  std::optional<double> max_speed_deg_s;  ///< maximum speed of its servo, if the file has it
   std::string node_path;                  ///< names from the root, joined with '/'
 };
 
 enum class TargetKind {
   real_object,     ///< the hand touches it
-  virtual_object,  ///< the user sees it; the hand is steered to the real target that stands in for it
+  virtual_object,  ///< the user sees it; the hand is steered to the real target that is assigned to it
 };
 
 struct SceneTarget {
@@ -37,22 +37,22 @@ struct SceneTarget {
   Vec3 position_m;                       ///< the same in plate coordinates; y is the height above the plate
   double direction_deg;                  ///< direction from the start, in (-180, 180]
   double distance_m;                     ///< distance from the start along the plate, >= min_distance_m
-  std::optional<double> radius_m;        ///< if the file has it
-  std::optional<std::size_t> served_by;  ///< index in Scene::targets of the real target; every virtual target has one
+  std::optional<double> radius_m;        ///< radius of the object, if the file has it
+  std::optional<std::size_t> served_by;  ///< index in Scene::targets of the assigned real target; set if virtual
   std::string node_path;
 };
 
 struct Scene {
   ScenePlate plate;
   Vec3 start_m;                           ///< in plate coordinates, on the plate: y = 0
-  std::optional<std::string> start_path;  ///< the start's node, if the file has one
+  std::optional<std::string> start_path;  ///< path of the start's node, if the file has one
   std::vector<SceneTarget> targets;       ///< in the order of the file's node tree
 };
 
 /// Reads a .gltf or .glb file, recognised by content. Throws SceneError, std::bad_alloc.
 Scene load_scene(const std::filesystem::path& file);
 
-/// The same from memory. `name` is the file's name in messages.
+/// Reads the content of a file. `name` is the file's name in error texts.
 Scene load_scene(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace hrt

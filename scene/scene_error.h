@@ -1,4 +1,4 @@
-// Messages of refusal.
+// The error of files that cannot be used, and its texts.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `text` with control characters as '?'.
+/// Returns `text` with control characters replaced by '?'.
 inline std::string printable(std::string_view text) {
   std::string result(text);
   std::replace_if(
@@ -25,13 +25,13 @@ inline std::string printable(std::string_view text) {
   return result;
 }
 
-/// `text` in double quotes for a message: printable, truncated after 80 characters of UTF-8.
+/// Returns `text` in double quotes for an error text: printable, truncated after 80 characters of UTF-8.
 inline std::string in_quotes(std::string_view text) {
   const std::string shown = fmt::format("{:.80}", text);
   return fmt::format("\"{}{}\"", printable(shown), shown.size() < text.size() ? "..." : "");
 }
 
-/// Throws SceneError: `where` is the file, or a node of it.
+/// Throws SceneError. `where` names the file, or a node of it.
 template <class... Parts>
 [[noreturn]] void refuse(std::string_view where, fmt::format_string<Parts...> what, Parts&&... parts) {
   throw SceneError(fmt::format("{}: {}", where, fmt::format(what, std::forward<Parts>(parts)...)));

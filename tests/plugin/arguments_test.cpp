@@ -1,5 +1,4 @@
-// Every call refuses what is null, has a wrong size, or is the handle of nothing, by the argument's name, and
-// changes no output.
+// Every call rejects null pointers, wrong struct sizes and invalid handles, names the argument, and changes no output.
 #include <array>
 #include <set>
 #include <string>
@@ -32,7 +31,7 @@ concept Sized = requires(T value) { value.struct_size; };
 template <class T>
 concept Handle = requires(T value) { value.value; } && sizeof(T) == 8;
 
-/// Makes the call with each argument in turn spoilt; `given` are arguments that it would read.
+/// Makes the call with each argument in turn invalid. `given` are valid arguments.
 template <class... P>
 class Refusals {
  public:
@@ -217,8 +216,8 @@ void ArgumentsTest::try_set_up() {
   ASSERT_OK(hrt_scene_destroy(scene));
 }
 
-// A new call needs a line above.
-TEST_F(ArgumentsTest, OfEveryCallAreRefusedByName) {
+// Add a line above for a new call.
+TEST_F(ArgumentsTest, InvalidArgumentsOfEveryCallAreRejectedByName) {
   try_reaches();
   try_people();
   try_set_up();

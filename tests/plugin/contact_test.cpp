@@ -1,4 +1,4 @@
-// Contacts: the finger has met the real object, and the tracker's frame turns out to be off.
+// Contacts with the real object, which reveal an error of the tracker's frame.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -23,7 +23,7 @@ hrt_contact contact_at(const PlatePoint& place, double sd_m) {
   return contact;
 }
 
-/// 100 mm from the start.
+/// A contact at 100 mm from the start.
 hrt_contact contact_in(double direction_deg, double sd_m = 0.001) {
   return contact_at(point_ahead(start, direction_deg, 100.0), sd_m);
 }
@@ -65,10 +65,10 @@ class ContactTest : public SessionTest {
   }
 };
 
-// A frame that is turned by 2 degrees: the finger is seen straight ahead, and is at -2. 2 mm of prior and 1
-// mm of the contact: four fifths of the turn are found, 0.4 degrees are left. The bias gives up what is
-// found, so that their sum stays.
-TEST_F(ContactTest, ATurnedFrameIsFound) {
+// The frame is rotated by 2 degrees: the finger is tracked at 0 and is at -2 degrees. With a prior SD of 2 mm and a
+// contact of 1 mm, four fifths of the rotation are corrected, and 0.4 degrees remain. The bias is reduced by the
+// correction, so that the sum is unchanged.
+TEST_F(ContactTest, OneContactCorrectsFourFifthsOfARotatedFrame) {
   EXPECT_NEAR(reach_straight_ahead().miss_deg, 0.0, 0.05);
   const double bias_deg = config_of(session).person.mean[HRT_PERSON_BIAS];
   ASSERT_OK(touch(contact_in(-2.0)));
@@ -80,7 +80,7 @@ TEST_F(ContactTest, ATurnedFrameIsFound) {
   EXPECT_EQ(summary.flags & HRT_COMMAND_CONTACTS, 0u);
 }
 
-TEST_F(ContactTest, BeforeTheEndAndAfterItAreTheSame) {
+TEST_F(ContactTest, ContactBeforeOrAfterTheEndGivesTheSameCorrection) {
   reach_straight_ahead();
   ASSERT_OK(touch(contact_in(-2.0)));
   const hrt_session_config after = config_of(session);
@@ -88,13 +88,13 @@ TEST_F(ContactTest, BeforeTheEndAndAfterItAreTheSame) {
   begin_straight_ahead();
   slide();
   ASSERT_OK(touch(contact_in(-2.0)));
-  EXPECT_TRUE(has_no_contacts(config_of(session))) << "the reach continues as it began";
+  EXPECT_TRUE(has_no_contacts(config_of(session))) << "the contact is applied at the end of the reach";
   end();
   EXPECT_TRUE(same(config_of(session), after));
 }
 
-// A person whom no reach may change keeps their bias.
-TEST_F(ContactTest, ABiasThatNoReachHasTaughtStays) {
+// With HRT_ADAPTATION_REACH, the configured bias does not change.
+TEST_F(ContactTest, ContactKeepsTheBiasUnlessEstimatesAreCarried) {
   hrt_session_config config = registered();
   config.adaptation = HRT_ADAPTATION_REACH;
   config.person.bias_deg = 3.0;
@@ -106,9 +106,9 @@ TEST_F(ContactTest, ABiasThatNoReachHasTaughtStays) {
   EXPECT_FALSE(has_no_contacts(config_of(session)));
 }
 
-// The finger, seen at 100 mm, is at the near side of an object of 20 mm: at 80 +- 20. D has 2 %, which is 2
-// mm.
-TEST_F(ContactTest, IsTheRealTargetsNearSideByDefault) {
+// The finger is tracked at 100 mm. The near side of an object of 20 mm radius is at 80 mm, with an SD of 20 mm. The SD
+// of D is 0.02, which is 2 mm at 100 mm.
+TEST_F(ContactTest, DefaultPositionIsTheNearSideOfTheRealTarget) {
   begin_straight_ahead(0.02);
   slide();
   ASSERT_OK(hrt_reach_touched(session, nullptr));
@@ -122,7 +122,7 @@ TEST_F(ContactTest, IsTheRealTargetsNearSideByDefault) {
   EXPECT_NEAR(config_of(session).registration.contact_covariance[9], 4e-4 * (1.0 - 4e-6 / 1.04e-4), 1e-7) << "10 mm";
 }
 
-TEST_F(ContactTest, APlaceInTheWorldIsTakenToThePlate) {
+TEST_F(ContactTest, ConvertsAWorldPositionToPlateCoordinates) {
   hrt_session_config config = registered();
   config.plate.position_m[0] = 1.0;
   config.plate.scale = 1.25;
@@ -136,8 +136,8 @@ TEST_F(ContactTest, APlaceInTheWorldIsTakenToThePlate) {
   EXPECT_NEAR(reach_straight_ahead().miss_deg, -1.6, 0.05);
 }
 
-// The paper's controller too sees the finger where it is: 1.6 degrees beside a target at 100 mm.
-TEST_F(ContactTest, HoldsUnderBothGuidances) {
+// The paper's controller also uses corrected positions: 1.6 degrees from a target at 100 mm.
+TEST_F(ContactTest, CorrectsPositionsUnderFixedDirection) {
   hrt_session_config config = paper_config();
   config.flags = HRT_SESSION_REGISTERED;
   config.tracker.noise_m = 0.0001;
@@ -147,8 +147,8 @@ TEST_F(ContactTest, HoldsUnderBothGuidances) {
   EXPECT_NEAR(reach_straight_ahead().distance_to_target_m, 0.1 * 1.6 / deg_per_rad, 0.0003);
 }
 
-// 3.717 deviations of 2 mm are 7.4 mm.
-TEST_F(ContactTest, ARegistrationThatItContradictsIsFlagged) {
+// The limit is 3.717 SD of 2 mm, which is 7.4 mm.
+TEST_F(ContactTest, FlagsAContactThatContradictsTheRegistration) {
   for (const bool contradicts : {false, true}) {
     create(registered());
     begin_straight_ahead();
@@ -163,7 +163,7 @@ TEST_F(ContactTest, ARegistrationThatItContradictsIsFlagged) {
   }
 }
 
-TEST_F(ContactTest, RefusalsNameTheReasonAndChangeNothing) {
+TEST_F(ContactTest, RejectedContactsNameTheReasonAndChangeNothing) {
   expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
   begin_straight_ahead();
   expect_error(touch(contact_in(0.0)), HRT_ERROR_INSUFFICIENT_DATA);
@@ -184,7 +184,7 @@ TEST_F(ContactTest, RefusalsNameTheReasonAndChangeNothing) {
   ASSERT_OK(touch(contact_at({25.0, 50.0}, 0.001)));
   expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
   ASSERT_OK(hrt_reach_cancel(session));
-  EXPECT_TRUE(has_no_contacts(config_of(session))) << "a cancelled reach teaches nothing";
+  EXPECT_TRUE(has_no_contacts(config_of(session))) << "a cancelled reach discards its contact";
   expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
   reach_straight_ahead();
   const hrt_session_config config = config_of(session);
@@ -214,8 +214,8 @@ class KnownContactTest : public ContactTest {
   hrt_session_config known{};
 };
 
-// As a drift of 0.2 % has it.
-TEST_F(KnownContactTest, AProfileKeepsItWiderForTheSamePose) {
+// Drift adds an SD of 0.002 to each element of the correction.
+TEST_F(KnownContactTest, ProfileWithTheSamePoseRestoresContactsAndAddsDrift) {
   const hrt_session_config back = loaded(save_profile(), registered());
   EXPECT_TRUE(same(back.registration.contact_correction, known.registration.contact_correction));
   for (int row = 0, at = 0; row < 4; ++row)
@@ -224,14 +224,14 @@ TEST_F(KnownContactTest, AProfileKeepsItWiderForTheSamePose) {
                   known.registration.contact_covariance[at] + (row == column ? 4e-6 : 0.0), 1e-18);
 }
 
-TEST_F(KnownContactTest, AProfileWithoutAnyLeavesIt) {
+TEST_F(KnownContactTest, ProfileWithoutContactsKeepsThoseOfTheSession) {
   ASSERT_OK(load_profile(R"({"format":"haptic retargeting profile","version":1})"));
   const hrt_session_config back = config_of(session);
   EXPECT_TRUE(same(back.registration.contact_correction, known.registration.contact_correction));
   EXPECT_TRUE(same(back.registration.contact_covariance, known.registration.contact_covariance));
 }
 
-TEST_F(KnownContactTest, AProfileOfAnotherPoseKeepsNone) {
+TEST_F(KnownContactTest, ProfileWithAnotherPoseDiscardsContacts) {
   const std::string profile = save_profile();
   for (const int coordinate : {0, 1, 2}) {
     hrt_session_config elsewhere = registered();
@@ -243,7 +243,7 @@ TEST_F(KnownContactTest, AProfileOfAnotherPoseKeepsNone) {
   }
 }
 
-TEST_F(KnownContactTest, AnotherPoseForgetsIt) {
+TEST_F(KnownContactTest, SettingAnotherPoseDiscardsContacts) {
   hrt_session_config config = known;
   config.paper.horizon = 4;
   ASSERT_OK(hrt_session_set(session, &config));
@@ -253,8 +253,8 @@ TEST_F(KnownContactTest, AnotherPoseForgetsIt) {
   EXPECT_TRUE(has_no_contacts(config_of(session)));
 }
 
-// A scene says where the plate is, and so replaces what was registered.
-TEST_F(KnownContactTest, ASceneForgetsIt) {
+// The pose of the scene's plate replaces the registered one.
+TEST_F(KnownContactTest, RegisteringASceneDiscardsContacts) {
   known.registration.time_ns = 5;
   known.plate.covariance[0] = 1e-4;
   ASSERT_OK(hrt_session_set(session, &known));
@@ -269,13 +269,13 @@ TEST_F(KnownContactTest, ASceneForgetsIt) {
   for (const double covariance : config.plate.covariance) EXPECT_EQ(covariance, 0.0);
 }
 
-TEST_F(KnownContactTest, ANewRegistrationForgetsIt) {
+TEST_F(KnownContactTest, NewRegistrationDiscardsContacts) {
   GuidedPerson person = quiet_person();
   set_up(session, HRT_SETUP_REGISTRATION, &person);
   EXPECT_TRUE(has_no_contacts(config_of(session)));
 }
 
-TEST_F(KnownContactTest, WhatNoContactGivesIsRefused) {
+TEST_F(KnownContactTest, ImpossibleCorrectionsAreRejected) {
   const auto refuses = [&](const std::function<void(hrt_session_config&)>& spoil, const char* part) {
     hrt_session_config config = known;
     spoil(config);

@@ -1,4 +1,4 @@
-// The host's memory, counted and refused on request.
+// An allocator of the host that counts, and fails on request.
 #pragma once
 
 #include <malloc.h>
@@ -15,7 +15,8 @@
 
 namespace hrt::test {
 
-/// An allocator that counts, and that fails at the n-th request, or from it on, or beyond a budget of bytes.
+/// Counts requests, blocks and bytes. Fails at request number `fail_at` (and at all later ones with `fail_on`), and
+/// beyond `budget` bytes.
 class CountingAllocator {
  public:
   CountingAllocator() {

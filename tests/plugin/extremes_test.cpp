@@ -1,4 +1,4 @@
-// Whatever is configured and sampled within the documented ranges, every number that comes out is finite.
+// For all configurations and samples within the documented ranges, every output is finite.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,7 +18,7 @@ using C = hrt_session_config;
 using F = plugin::Fields<C>;
 using Range = plugin::Field<C, double>;
 
-// Ranges of all numbers except the stops, which depend on each other.
+// Ranges of all numbers except the stops, whose ranges depend on each other.
 const std::vector<Range> ranges = [] {
   std::vector<Range> found;
   plugin::for_each_field<C>([&](const auto& field) {
@@ -28,7 +28,7 @@ const std::vector<Range> ranges = [] {
   return found;
 }();
 
-// From an offset on, all of these are doubles. The offset of the first that is not finite, or 0.
+// Returns the offset of the first double that is not finite, or 0. From `offset`, all members are doubles.
 template <class Struct>
 std::size_t first_not_finite(const Struct& value, std::size_t offset) {
   for (; offset < sizeof value; offset += sizeof(double)) {
@@ -50,7 +50,7 @@ class Extremes : public SessionTest {
     return values[below(n)];
   }
 
-  /// Often an end of the range, or next to 0 where the range begins there.
+  /// Draws a number in the range, often one of its limits, or a small number if the range begins at 0.
   double within(double low, double high) {
     switch (below(4)) {
       case 0:
@@ -65,7 +65,7 @@ class Extremes : public SessionTest {
     }
   }
 
-  /// Every field at random: all of them, or a few that differ from the defaults.
+  /// Draws a configuration: all fields at random, or the defaults with a few random fields.
   hrt_session_config configuration() {
     hrt_session_config config = session_config();
     const auto share = one_of<std::size_t>({1, 2, 8});
@@ -97,7 +97,7 @@ class Extremes : public SessionTest {
     return config;
   }
 
-  /// A person within the documented bounds, whose traits are independent.
+  /// Draws a person within the documented ranges, with independent traits.
   void believe(hrt_session_config* config) {
     for (int trait = 0; trait < HRT_PERSON_TRAITS; ++trait)
       config->person.mean[trait] = within(F::person_mean_elements[trait].low, F::person_mean_elements[trait].high);
@@ -131,7 +131,7 @@ class Extremes : public SessionTest {
     return hrt_reach_begin(session, &reach);
   }
 
-  /// Fingers that rest, slide, leap and vanish.
+  /// Moves the finger: it rests, slides, jumps or is not tracked.
   void move(hrt_sample* sample) {
     sample->flags = one_of<std::uint32_t>({HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_DIRECTION,
                                            HRT_SAMPLE_WORLD_POSITION, HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE,
@@ -157,7 +157,7 @@ class Extremes : public SessionTest {
     sample->time_ns = sample->time_ns > last_ns - advance_ns ? last_ns : sample->time_ns + advance_ns;
   }
 
-  /// After a reach, the session's configuration is finite, can be set again, and is a valid profile.
+  /// Checks that after a reach the session's configuration is finite, can be set again, and is a valid profile.
   void check_what_is_kept() {
     hrt_session_config config = config_of(session);
     for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(range.of(config)));
@@ -175,7 +175,7 @@ class Extremes : public SessionTest {
       move(&sample);
       hrt_command command = update(sample);
       ASSERT_EQ(command.flags & HRT_COMMAND_FAULT, 0u) << "in sample " << i;
-      command.paper.step = 0;  // the only field that is no double
+      command.paper.step = 0;  // the only field that is not a double
       ASSERT_EQ(first_not_finite(command, offsetof(hrt_command, plate_orientation_deg)), 0u);
     }
     const hrt_reach_summary summary = end();
@@ -184,8 +184,7 @@ class Extremes : public SessionTest {
     check_what_is_kept();
   }
 
-  /// Rests and slides as a set-up asks, in directions that follow the plate by so much. Whether it comes to
-  /// an end.
+  /// Follows a set-up with slides whose directions are `weight` times the plate orientation. Returns true if it ends.
   bool set_up(double weight, double noise_m) {
     auto step = output<hrt_setup_step>();
     double side = 0.0;
@@ -206,7 +205,7 @@ class Extremes : public SessionTest {
   std::mt19937_64 bits_{1};
 };
 
-TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
+TEST_F(Extremes, RandomCalibrationsGiveFiniteNumbers) {
   int fitted = 0;
   hrt_setup_config config = hrt_setup_config_init();
   config.max_slides = 16;
@@ -231,7 +230,7 @@ TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
   EXPECT_GT(fitted, 4);
 }
 
-TEST_F(Extremes, OfEveryFieldGiveFiniteNumbers) {
+TEST_F(Extremes, RandomConfigurationsAndSamplesGiveFiniteNumbers) {
   int reached = 0;
   for (int i = 0; i < 6000 && !HasFailure(); ++i) {
     SCOPED_TRACE("configuration " + std::to_string(i));
@@ -249,8 +248,8 @@ TEST_F(Extremes, OfEveryFieldGiveFiniteNumbers) {
   EXPECT_GT(reached, 4000);
 }
 
-// One field at a time, at its lower and its upper end.
-TEST_F(Extremes, OfOneFieldGiveFiniteNumbers) {
+// One field at a time, at its lower and its upper limit.
+TEST_F(Extremes, EachFieldAtItsLimitsGivesFiniteNumbers) {
   for (const Range& range : ranges) {
     for (const double value : {range.low, range.high, std::nextafter(range.low, range.high)}) {
       for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {

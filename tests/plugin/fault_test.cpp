@@ -1,5 +1,5 @@
-// Outputs of the library if the controller computes something that is not a number. The controller of this
-// program is a test double: no input is known that makes the real one fail.
+// Outputs of the library if the controller computes NaN. The controller of this program is a test double, because no
+// input is known for which the real one does.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,7 +26,7 @@ namespace {
 
 class FaultTest : public SessionTest {
  protected:
-  // A slide of a second; the controller fails in its second half if asked to.
+  // A slide of 1 s. If `fails`, the controller returns NaN in its second half.
   hrt_reach_summary reach(bool fails) {
     for (int i = 0; i < 100; ++i) {
       plans_fail = fails && i >= 50;
@@ -51,12 +51,12 @@ class FaultTest : public SessionTest {
   Log log_;
 };
 
-TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
+TEST_F(FaultTest, NonFiniteCommandHoldsThePlateSetsFaultAndIsLoggedOnce) {
   begin_reach();
   const hrt_session_config before = config_of(session);
   EXPECT_NE(reach(true).flags & HRT_COMMAND_FAULT, 0u);
   EXPECT_GT(faults_, 10);
-  EXPECT_EQ(config_of(session).person.covariance[0], before.person.covariance[0]) << "it taught something";
+  EXPECT_EQ(config_of(session).person.covariance[0], before.person.covariance[0]) << "the estimates changed";
   EXPECT_EQ(log_.text, "") << "a call of a reach is real-time";
   ASSERT_OK(hrt_session_set(session, &before));
   EXPECT_TRUE(
@@ -67,14 +67,14 @@ TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
   EXPECT_EQ(std::count(log_.text.begin(), log_.text.end(), '\n'), 1);
 }
 
-TEST_F(FaultTest, DestroyedSessionLogsIt) {
+TEST_F(FaultTest, DestroyingTheSessionLogsTheFault) {
   begin_reach();
   reach(true);
   destroy();
   EXPECT_NE(log_.text.find("a defect of the library"), std::string::npos);
 }
 
-TEST_F(FaultTest, SoundControllerLogsNothing) {
+TEST_F(FaultTest, FiniteCommandsLogNothing) {
   begin_reach();
   EXPECT_EQ(reach(false).flags & HRT_COMMAND_FAULT, 0u);
   destroy();

@@ -22,13 +22,13 @@
 
 namespace hrt::test {
 
-inline constexpr std::int64_t step_ns = 100 * ms;  ///< of the paper's model
+inline constexpr std::int64_t step_ns = 100 * ms;  ///< step of the paper's model
 
-/// Fails the test with the library's own words unless the call succeeds.
+/// Fails the test with the text of hrt_last_error() unless the call succeeds.
 #define ASSERT_OK(call) ASSERT_EQ((call), HRT_OK) << hrt_last_error()
 #define EXPECT_OK(call) EXPECT_EQ((call), HRT_OK) << hrt_last_error()
 
-/// Expects an error whose text mentions `part`, which is the field or the value that is refused.
+/// Expects an error whose text contains `part`: the name or the value of the rejected field.
 inline void expect_error(hrt_result result, hrt_result expected, const std::string& part = "") {
   EXPECT_EQ(result, expected) << hrt_result_string(result) << ": " << hrt_last_error();
   EXPECT_NE(std::string(hrt_last_error()).find(part), std::string::npos)
@@ -42,7 +42,7 @@ Output output() {
   return out;
 }
 
-/// Bit by bit.
+/// True if two structs are equal bit by bit.
 template <class Struct>
 bool same(const Struct& a, const Struct& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
@@ -61,7 +61,7 @@ inline hrt_session_config config_of(hrt_session session) {
   return config;
 }
 
-/// The controller of the paper, for a person taken as known.
+/// Configures the controller of the paper, without estimation of the user's parameters.
 inline hrt_session_config paper_config() {
   hrt_session_config config = session_config();
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
@@ -70,7 +70,7 @@ inline hrt_session_config paper_config() {
   return config;
 }
 
-/// Hears the library's log while it lives, or that of a session: "LEVEL text", a line each.
+/// Collects the lines of the library's log, or of a session's, during its lifetime: "LEVEL text".
 class Log {
  public:
   explicit Log(hrt_session session = {}) : session_(session) {
@@ -85,7 +85,7 @@ class Log {
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 
-  std::string text;  // a recording's thread may add to it until the recording has stopped
+  std::string text;  // the thread of a recording may add lines until the recording has stopped
 
  private:
   void set(const hrt_host* host) { EXPECT_OK(session_.value ? hrt_host_set_log(session_, host) : hrt_host_set(host)); }
@@ -100,7 +100,7 @@ inline hrt_target_config target_config(std::uint32_t role, double direction_deg,
   return config;
 }
 
-/// On the plate, `forward_m` along the mid-line away from the user.
+/// A target on the plate, `forward_m` ahead of the centre along the mid-line.
 inline hrt_target_config placed(std::uint32_t role, double right_m, double forward_m) {
   hrt_target_config config = target_config(role, 0.0);
   config.place = HRT_PLACE_PLATE_POSITION;
@@ -125,7 +125,7 @@ inline hrt_sample direction_sample(std::int64_t time_ns, double direction_deg) {
   return sample;
 }
 
-/// `forward_m` along the mid-line away from the user.
+/// A sample on the plate, `forward_m` ahead of the centre along the mid-line.
 inline hrt_sample position_sample(std::int64_t time_ns, double right_m, double forward_m) {
   auto sample = output<hrt_sample>();
   sample.flags = HRT_SAMPLE_PLATE_POSITION;
@@ -140,7 +140,7 @@ class SessionTest : public ::testing::Test {
   void SetUp() override { create(session_config()); }
   void TearDown() override { destroy(); }
 
-  /// The session, if there is one.
+  /// Destroys the session, if there is one.
   void destroy() {
     if (session.value != 0) {
       EXPECT_OK(hrt_session_destroy(session));
@@ -177,7 +177,7 @@ class SessionTest : public ::testing::Test {
     return hrt_reach_begin(session, &config);
   }
 
-  /// A reach to a real target 5 degrees to the right while the virtual one is 5 to the left.
+  /// Begins a reach with the real target 5 degrees to the right and the virtual one 5 degrees to the left.
   void begin_reach() { ASSERT_OK(begin(add(HRT_TARGET_REAL, -5.0), add(HRT_TARGET_VIRTUAL, 5.0))); }
 
   hrt_command update(const hrt_sample& sample) {
@@ -186,7 +186,7 @@ class SessionTest : public ::testing::Test {
     return command;
   }
 
-  /// A finger that slides straight ahead from the start, 10 cm in 1.5 s.
+  /// Passes samples of a finger that slides straight ahead from the start, 10 cm in 1.5 s.
   hrt_command slide(std::int64_t from_ms = 0, std::int64_t until_ms = 2210) {
     hrt_command command{};
     for (std::int64_t t = from_ms; t < until_ms; t += 10) {
@@ -218,7 +218,7 @@ class SessionTest : public ::testing::Test {
   hrt_session session{0};
 };
 
-/// The same with the controller of the paper.
+/// A session with the controller of the paper.
 class PaperTest : public SessionTest {
  protected:
   void SetUp() override { create(paper_config()); }

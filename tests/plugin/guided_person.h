@@ -1,5 +1,5 @@
-// A simulated participant who does what a set-up asks for: touches marks, rests and slides. The plate is somewhere in
-// the world, under a tracker that reports a joint at an offset from the skin, with latency and noise.
+// A simulated participant who follows the instructions of a set-up: touches marks, rests and slides. The tracker
+// reports the position of a joint in the world, at an offset from the skin, with latency and noise.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,7 +16,7 @@ namespace hrt::test {
 
 class GuidedPerson {
  public:
-  /// Person `index` of the family with a linear illusion.
+  /// Creates person `index` of the family "linear".
   explicit GuidedPerson(std::uint32_t index)
       : condition(draw_person(people_families().front(), 1.5, 77, index)), draws_(78, 0, index, 0), index_(index) {
     condition.person.habit_deg = 0.0;
@@ -27,15 +27,15 @@ class GuidedPerson {
       (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitX()))
           .toRotationMatrix();
   Eigen::Vector3d position_m{0.3, 0.9, -0.4};
-  Eigen::Vector3d offset_m{0.002, -0.008, -0.012};  ///< from the joint to the skin, in its axes
+  Eigen::Vector3d offset_m{0.002, -0.008, -0.012};  ///< from the joint to the skin, in the axes of the joint
   double touch_sd_m = 0.0015;
   double noise_m = 0.001;
-  double scale = 1.0;  ///< of the tracker's unit of length
+  double scale = 1.0;  ///< length in the tracker's unit of 1 m
   int latency_ms = 40;
   int frame_ms = 11;
-  bool in_plate = false;  ///< the tracker has plate coordinates, and no joint
+  bool in_plate = false;  ///< true: the tracker reports the fingertip in plate coordinates, without a joint
 
-  /// The report of tracker and servo, one frame after the last one.
+  /// Advances by one frame, and returns the sample of tracker and servo.
   hrt_sample follow(const hrt_setup_step& step) {
     if (!hand_) hand_.emplace(condition.person, mm_per_m * touch_sd_m, 78, index_);
     hand_->set_person(condition.person);
@@ -59,7 +59,7 @@ class GuidedPerson {
   }
 
   std::int64_t time_ns() const { return time_ms_ * 1'000'000; }
-  /// The finger is off the plate, in the middle of what it does, for so long.
+  /// Lifts the finger now for `duration_ms`.
   void lift(int duration_ms) { lifted_until_ms_ = time_ms_ + duration_ms; }
 
  private:
@@ -103,7 +103,7 @@ class GuidedPerson {
   std::vector<Held> seen_;
 };
 
-/// One without noise, whose tracker is not late.
+/// Returns a person without noise, under a tracker without latency.
 inline GuidedPerson quiet_person() {
   GuidedPerson person(1);
   person.condition.person = Person{};
@@ -113,7 +113,7 @@ inline GuidedPerson quiet_person() {
   return person;
 }
 
-/// Leads the person through a whole set-up.
+/// Runs a set-up with the person until it is over.
 inline hrt_setup_result set_up(hrt_session session, std::uint32_t what, GuidedPerson* person,
                                const hrt_setup_config& config = hrt_setup_config_init()) {
   EXPECT_EQ(hrt_setup_begin(session, what, &config), HRT_OK) << hrt_last_error();

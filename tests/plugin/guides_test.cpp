@@ -1,6 +1,6 @@
-// Guided slides: what is left of the registration's error at real targets. The trackers here are turned, sheared, or
-// bent as a field; another part of the skin touches at each landing; the noise is correlated in time. Nothing of it is
-// the fit's model but the turn.
+// Guided slides, which correct the registration at real targets. The trackers' frames are rotated, sheared or distorted
+// by a field; the point of contact on the skin changes at each touch; the noise is correlated in time. The fit only
+// models the rotation.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ Eigen::Vector2d target_m(double direction_deg) {
   return start_m + reach_m * Eigen::Vector2d(-sin_deg(direction_deg), cos_deg(direction_deg));
 }
 
-// A tracker, and a finger under it.
+// A tracker with a distorted frame, and a finger.
 struct Tracked {
   enum class Frame { turned, sheared, field };
 
@@ -40,7 +40,7 @@ struct Tracked {
     skin_m = {0.0015 * draws.normal(), 0.0015 * draws.normal()};
   }
 
-  // In a fixed order, which that of a constructor's arguments is not: every compiler has the same draws.
+  // Two statements, because the order of evaluation of arguments depends on the compiler, and so would the draws.
   Eigen::Vector2d two_normals() {
     const double away = draws.normal();
     return {draws.normal(), away};
@@ -53,7 +53,7 @@ struct Tracked {
            field_m * Eigen::Vector2d(std::sin(along + phases[0]), std::sin(across + phases[1]));
   }
 
-  // As seen from the start by a finger that does not lift.
+  // Tracked position relative to that of the start, without a lift between them.
   Eigen::Vector2d from_start(const Eigen::Vector2d& at) const { return bent(at) - bent(start_m); }
 
   Eigen::Vector2d seen(const Eigen::Vector2d& at) {
@@ -87,7 +87,7 @@ class GuidesTest : public SessionTest {
     }
   }
 
-  /// The person rests, and slides along the guide to where the step says, or to `instead`.
+  /// Runs the set-up: the person rests, and slides along the guide to the requested position, or to `instead`.
   hrt_setup_result set_up(Tracked& tracked,
                           const std::function<Eigen::Vector2d(int done, Eigen::Vector2d)>& instead = {}) {
     EXPECT_OK(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr));
@@ -125,7 +125,7 @@ class GuidesTest : public SessionTest {
     return result;
   }
 
-  /// Error of the bearing from the start, as the session has it, in degrees.
+  /// Error of the bearing from the start, with the session's correction, in degrees.
   double error_deg(const Tracked& tracked, double direction_deg) const {
     const hrt_session_config config = config_of(session);
     const double* d = config.registration.contact_correction;
@@ -143,9 +143,9 @@ class GuidesTest : public SessionTest {
   int lifted_frame = 1'000'000;
 };
 
-// Standard deviations of bearings, and 95 % intervals. Before, a registration by six marks has them 0.9 degrees off in
-// a turned frame, and 2 in the others.
-TEST_F(GuidesTest, BearingsAreGoodAndCovered) {
+// SDs of bearings, and their 95 % intervals. Before the guides, a registration by six marks has bearing errors of 0.9
+// degrees in a rotated frame, and of 2 degrees in the others.
+TEST_F(GuidesTest, BearingErrorsAreSmallAndWithinTheirIntervals) {
   struct Noise {
     double sd_m, correlation_s, allowed_deg;
   };
@@ -174,8 +174,8 @@ TEST_F(GuidesTest, BearingsAreGoodAndCovered) {
     }
 }
 
-// A bias that reaches in a frame turned by 2 degrees have shown of an unbiased person is the frame's.
-TEST_F(GuidesTest, ABiasThatWasTheFramesIsTheFrames) {
+// Reaches in a frame rotated by 2 degrees have estimated a bias for an unbiased person; the guides remove it.
+TEST_F(GuidesTest, RotatedFrameReplacesTheBiasThatReachesEstimated) {
   make_session();
   Tracked tracked(Tracked::Frame::turned, 300);
   tracked.stretch = Eigen::Matrix2d{{0.0, -2.0 * radian}, {2.0 * radian, 0.0}};
@@ -188,12 +188,12 @@ TEST_F(GuidesTest, ABiasThatWasTheFramesIsTheFrames) {
   EXPECT_NEAR(config_of(session).person.mean[HRT_PERSON_BIAS], 0.0, 0.5);
 }
 
-TEST_F(GuidesTest, WhatIsWrongIsNamed) {
+TEST_F(GuidesTest, WrongSlidesAndConfusedObjectsAreReported) {
   int named = 0;
   for (std::uint32_t i = 0; i < 40; ++i) {
     make_session();
     Tracked tracked(Tracked::Frame::turned, 100 + i);
-    // One slide of 18 ends 10 mm beside the object.
+    // One slide of 18 ends 10 mm from the object.
     const int wrong = 2 * static_cast<int>(i % 9);
     set_up(tracked, [&](int done, const Eigen::Vector2d& to) -> Eigen::Vector2d {
       return done == wrong ? Eigen::Vector2d(to.x() + 0.01, to.y()) : to;
@@ -204,7 +204,7 @@ TEST_F(GuidesTest, WhatIsWrongIsNamed) {
   for (std::uint32_t i = 0; i < 20; ++i) {
     make_session();
     Tracked tracked(Tracked::Frame::turned, 200 + i);
-    // The second object and the third, 10 degrees apart, are confused.
+    // The user confuses the second and the third object, which are 10 degrees apart.
     set_up(tracked, [](int done, const Eigen::Vector2d& to) {
       return done < 6 ? to : target_m(done < 12 ? directions_deg[2] : directions_deg[1]);
     });
@@ -212,8 +212,8 @@ TEST_F(GuidesTest, WhatIsWrongIsNamed) {
   }
 }
 
-// After a lift another part of the skin touches, so the slides to this object begin again.
-TEST_F(GuidesTest, ALiftedFingerBeginsAnew) {
+// After a lift, the point of contact on the skin differs, so the slides to this object are repeated.
+TEST_F(GuidesTest, LiftedFingerRepeatsTheSlidesToTheObject) {
   make_session();
   Tracked tracked(Tracked::Frame::turned, 0);
   lifted_frame = 400;
@@ -222,7 +222,7 @@ TEST_F(GuidesTest, ALiftedFingerBeginsAnew) {
   EXPECT_NE(config_of(session).flags & HRT_SESSION_START_FELT, 0u);
 }
 
-TEST_F(GuidesTest, NeedsARegistrationAndATarget) {
+TEST_F(GuidesTest, RequiresARegistrationAndARealTarget) {
   create(session_config());
   expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE);
   make_session();
@@ -239,8 +239,8 @@ TEST_F(GuidesTest, NeedsARegistrationAndATarget) {
   expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE);
 }
 
-// A frame that is seen 8 mm beside, in which nothing else is wrong, turns no reach from a start that is felt.
-TEST_F(GuidesTest, AStartThatIsFeltIsWhereTheFingerRests) {
+// An offset of the frame by 8 mm does not rotate reaches from a start that is found by touch.
+TEST_F(GuidesTest, FeltStartRemovesAnOffsetOfTheFrame) {
   for (const bool felt : {false, true}) {
     hrt_session_config config = session_config();
     config.flags = felt ? HRT_SESSION_START_FELT : 0;

@@ -1,4 +1,4 @@
-// Learning from reach to reach: simulated people with unknown parameters, seen through the C ABI alone.
+// Estimation of the user's parameters from reach to reach, with simulated people, through the C ABI.
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 #include "fixture.h"
@@ -20,7 +20,7 @@ class LearningTest : public SessionTest {
 
   hrt_session_config config() const { return config_of(session); }
 
-  /// One reach of a person with w_T 0.2, whose directions are known exactly.
+  /// One reach of a person with w_T = 0.2, whose directions are tracked exactly.
   hrt_reach_summary reach_of(double motor_variance_deg2, std::uint32_t reach) {
     EXPECT_OK(begin(real_, virtual_));
     SimulatedParticipant participant({.tactile_weight = 0.2, .motor_variance_deg2 = motor_variance_deg2}, virtual_deg);
@@ -42,8 +42,8 @@ hrt_session_config adapting(std::uint32_t adaptation) {
   return config;
 }
 
-// From 0.5, which is assumed, to what the person has.
-TEST_F(LearningTest, MotorVarianceComesToBeThePersons) {
+// The estimate starts at the configured value, 0.5.
+TEST_F(LearningTest, MotorVarianceConvergesToThePersons) {
   for (const double truth : {0.3, 1.0, 2.0}) {
     set(adapting(HRT_ADAPTATION_CARRIED));
     double mean = 0.0;
@@ -55,12 +55,12 @@ TEST_F(LearningTest, MotorVarianceComesToBeThePersons) {
   }
 }
 
-TEST_F(LearningTest, SummarySaysHowWellTheMotorVarianceIsKnown) {
+TEST_F(LearningTest, SummaryHasTheSdOfTheMotorVariance) {
   set(adapting(HRT_ADAPTATION_REACH));
   hrt_reach_summary summary = reach_of(1.0, 0);
   EXPECT_GT(summary.paper.motor_variance_deg2, 0.6);
   EXPECT_LT(summary.paper.motor_variance_sd_deg2, 0.2);
-  EXPECT_EQ(config().paper.motor_variance_deg2, 0.5) << "carried, and should not be";
+  EXPECT_EQ(config().paper.motor_variance_deg2, 0.5) << "the estimate must not be written to the configuration";
 
   set(adapting(HRT_ADAPTATION_OFF));
   summary = reach_of(1.0, 0);
@@ -68,7 +68,7 @@ TEST_F(LearningTest, SummarySaysHowWellTheMotorVarianceIsKnown) {
   EXPECT_EQ(summary.paper.motor_variance_sd_deg2, 0.0);
 }
 
-TEST_F(LearningTest, OneReachCarriesLittle) {
+TEST_F(LearningTest, OneReachChangesTheMotorVarianceByAFactorOfTwoAtMost) {
   hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
   assumed.paper.motor_variance_deg2 = 0.1;
   set(assumed);
@@ -76,7 +76,7 @@ TEST_F(LearningTest, OneReachCarriesLittle) {
   EXPECT_EQ(config().paper.motor_variance_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 
-  // The bounds of what is carried, whatever was configured.
+  // The limits of carried estimates, from extreme configured values.
   assumed.paper.motor_variance_deg2 = 1e-9;
   set(assumed);
   reach_of(4.0, 0);
@@ -86,7 +86,7 @@ TEST_F(LearningTest, OneReachCarriesLittle) {
   reach_of(4.0, 0);
   EXPECT_EQ(config().paper.motor_variance_deg2, 5.0);
 
-  // A reach in which nothing was seen carries nothing.
+  // A reach without observations changes no estimate.
   assumed.paper.motor_variance_deg2 = 0.7;
   set(assumed);
   begin_reach();
@@ -96,8 +96,8 @@ TEST_F(LearningTest, OneReachCarriesLittle) {
   EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 }
 
-// With nothing seen but a first direction, w_T becomes less sure; not less than can be configured.
-TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
+// After a reach with one observed direction, the SD of w_T increases, but stays within its range.
+TEST_F(LearningTest, CarriedEstimatesAreWithinTheirRanges) {
   hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
   assumed.person.tactile_weight_sd = 0.49;
   set(assumed);
@@ -111,8 +111,8 @@ TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
   set(config());
 }
 
-// The person goes for 5 + 2 = 7 degrees: the same commands as for a target at 7 without a bias.
-TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
+// With a bias of 2 degrees and a target at 5, the commands are those for a target at 7 without a bias.
+TEST_F(LearningTest, BiasActsLikeAShiftedTarget) {
   const auto reach = [&](double target_deg, double bias_deg) {
     hrt_session_config config = paper_config();
     config.person.bias_deg = bias_deg;

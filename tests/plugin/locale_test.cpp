@@ -1,5 +1,4 @@
-// The host's locale has a comma for the decimal point: nothing that the library reads or writes may follow
-// it.
+// The host's locale has a decimal comma. Texts that the library reads and writes must not depend on it.
 #include <clocale>
 #include <cstdlib>
 #include <string>
@@ -26,7 +25,7 @@ class LocaleTest : public RecordingTest {
   }
 };
 
-TEST_F(LocaleTest, ProfilesKeepTheirNumbers) {
+TEST_F(LocaleTest, ProfilesAreUnchangedByADecimalComma) {
   hrt_session_config config = session_config();
   config.paper.sensory_variance_deg2 = 2.7;
   config.tracker.noise_m = 1.25e-5;
@@ -38,7 +37,7 @@ TEST_F(LocaleTest, ProfilesKeepTheirNumbers) {
   EXPECT_TRUE(same(config_of(session), config));
 }
 
-TEST_F(LocaleTest, RecordingsReplay) {
+TEST_F(LocaleTest, RecordingsReplayWithADecimalComma) {
   create(session_config());
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();
@@ -51,7 +50,7 @@ TEST_F(LocaleTest, RecordingsReplay) {
   expect_golden_bits();
 }
 
-TEST_F(LocaleTest, ScenesHaveTheSamePlaces) {
+TEST_F(LocaleTest, ScenesHaveTheSamePositionsWithADecimalComma) {
   std::vector<hrt_scene_target> targets[2];
   for (std::vector<hrt_scene_target>& places : targets) {
     hrt_scene scene{};
@@ -71,7 +70,7 @@ TEST_F(LocaleTest, ScenesHaveTheSamePlaces) {
     EXPECT_TRUE(same(targets[0][i], targets[1][i])) << targets[0][i].name;
 }
 
-TEST_F(LocaleTest, MessagesHavePoints) {
+TEST_F(LocaleTest, ErrorTextsHaveDecimalPoints) {
   hrt_session_config config = session_config();
   config.person.tactile_weight = 0.625;
   hrt_session other{};

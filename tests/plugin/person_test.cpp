@@ -1,5 +1,4 @@
-// Reaches of people through the C ABI: a simulated person, tracker and plate, led by the library, which sees
-// positions alone.
+// Reaches of people through the C ABI: a simulated person, tracker and plate. The library only gets positions.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,9 +18,9 @@ constexpr double start_forward_m = -0.05;
 
 bool has_begun(const hrt_command& command) { return (command.flags & HRT_COMMAND_MISS_UNKNOWN) == 0; }
 
-/// How a reach went.
-struct Led {
-  double bearing_error_deg = 0.0;  ///< of where the finger is, not of where it is believed to be
+/// Result of a reach.
+struct ReachOutcome {
+  double bearing_error_deg = 0.0;  ///< error of the true position of the finger
   std::vector<hrt_command> commands;
   hrt_reach_summary summary{};
 
@@ -34,7 +33,7 @@ struct Led {
 
 class PersonTest : public SessionTest {
  protected:
-  /// The default session, with what the host knows of its plate.
+  /// The default configuration, with the speed limit and latency of a servo plate: 400 deg/s, 30 ms.
   static hrt_session_config servo_config() {
     hrt_session_config config = session_config();
     config.plate.max_speed_deg_s = 400.0;
@@ -42,7 +41,7 @@ class PersonTest : public SessionTest {
     return config;
   }
 
-  /// Linear illusion, w_T 0.2; a tracker without noise, a plate as the session is configured for.
+  /// A person with a linear illusion and w_T = 0.2, a tracker without noise, and a plate as configured.
   static PersonCondition steady_person() {
     PersonCondition condition;
     condition.person.noise_deg2_per_s = 0.0;
@@ -54,9 +53,9 @@ class PersonTest : public SessionTest {
     return draw_person(*people_family(family), duration_s, 5, index);
   }
 
-  /// One reach, `number` of this person; ended `ended_ns` after its beginning if that is earlier.
-  Led lead(const PersonCondition& condition, std::uint32_t number = 0, double duration_s = 0.0,
-           std::int64_t ended_ns = std::numeric_limits<std::int64_t>::max()) {
+  /// Runs reach `number` of this person, for at most `ended_ns`.
+  ReachOutcome run_reach(const PersonCondition& condition, std::uint32_t number = 0, double duration_s = 0.0,
+                         std::int64_t ended_ns = std::numeric_limits<std::int64_t>::max()) {
     hrt_reach_config config =
         reach_config(add(HRT_TARGET_REAL, condition.real_direction_deg),
                      add(HRT_TARGET_VIRTUAL, condition.virtual_direction_deg), HRT_REACH_PLATE_ORIENTATION);
@@ -68,7 +67,7 @@ class PersonTest : public SessionTest {
                          Draws(3, 0, number, 0));
     Draws tracker(3, 1, number, 0);
     PlateModel plate(condition.plate, 0.0);
-    Led led;
+    ReachOutcome outcome;
     std::int64_t stopped_ns = std::numeric_limits<std::int64_t>::max();
     for (std::int64_t now_ns = 0; now_ns < std::min(ended_ns, stopped_ns); now_ns += ms) {
       plate.advance(now_ns);
@@ -78,15 +77,15 @@ class PersonTest : public SessionTest {
       const double right_m = (person.position().right_mm + condition.tracker.white_mm * tracker.normal()) / mm_per_m;
       const double forward_m = (person.position().away_mm + condition.tracker.white_mm * tracker.normal()) / mm_per_m;
       const hrt_command command = update(position_sample(now_ns, right_m, forward_m));
-      // As a host may: commands that repeat the former one are not sent again.
+      // A host does not need to send a command that repeats the last one.
       if ((command.flags & HRT_COMMAND_HELD) == 0) plate.command(command.plate_orientation_deg);
-      led.commands.push_back(command);
+      outcome.commands.push_back(command);
     }
-    led.summary = end();
-    led.bearing_error_deg = bearing_deg(start, person.position()) - condition.real_direction_deg;
+    outcome.summary = end();
+    outcome.bearing_error_deg = bearing_deg(start, person.position()) - condition.real_direction_deg;
     EXPECT_OK(hrt_target_remove(session, config.real_target));
     EXPECT_OK(hrt_target_remove(session, config.virtual_target));
-    return led;
+    return outcome;
   }
 };
 
@@ -99,35 +98,34 @@ bool is_unknown(const hrt_session_config& config) {
                      [](double value) { return value == 0.0; });
 }
 
-// A plate at 0 leaves this person on the virtual target, 10 degrees beside the real one.
-TEST_F(PersonTest, DefaultSessionLeadsAPersonToTheRealTarget) {
+// With a plate at 0, this person would reach the virtual target, 10 degrees from the real one.
+TEST_F(PersonTest, DefaultSessionSteersAPersonToTheRealTarget) {
   for (const double virtual_deg : {5.0, -5.0}) {
     PersonCondition condition = steady_person();
     condition.virtual_direction_deg = virtual_deg;
     condition.real_direction_deg = -virtual_deg;
     condition.plate = {};
     create(session_config());
-    const Led led = lead(condition);
-    EXPECT_LT(std::abs(led.bearing_error_deg), 1.5);
-    EXPECT_NEAR(led.summary.miss_deg, led.bearing_error_deg, 0.3);
-    EXPECT_EQ(led.summary.flags, 0u);
-    EXPECT_NEAR(led.summary.duration_s, condition.person.duration_s, 0.3);
-    EXPECT_GT(led.summary.peak_felt_error_deg, led.summary.rms_felt_error_deg);
-    EXPECT_GT(led.summary.rms_felt_error_deg, 0.0);
-    EXPECT_EQ(led.commands.front().time_to_go_s, HRT_NOT_MOVING);
-    EXPECT_EQ(led.commands.back().time_to_go_s, HRT_ARRIVED);
-    EXPECT_GT(led.commands[led.commands.size() / 2].time_to_go_s, 0.1);
+    const ReachOutcome outcome = run_reach(condition);
+    EXPECT_LT(std::abs(outcome.bearing_error_deg), 1.5);
+    EXPECT_NEAR(outcome.summary.miss_deg, outcome.bearing_error_deg, 0.3);
+    EXPECT_EQ(outcome.summary.flags, 0u);
+    EXPECT_NEAR(outcome.summary.duration_s, condition.person.duration_s, 0.3);
+    EXPECT_GT(outcome.summary.peak_felt_error_deg, outcome.summary.rms_felt_error_deg);
+    EXPECT_GT(outcome.summary.rms_felt_error_deg, 0.0);
+    EXPECT_EQ(outcome.commands.front().time_to_go_s, HRT_NOT_MOVING);
+    EXPECT_EQ(outcome.commands.back().time_to_go_s, HRT_ARRIVED);
+    EXPECT_GT(outcome.commands[outcome.commands.size() / 2].time_to_go_s, 0.1);
   }
 }
 
-// To turn a finger to the right of where it is felt to go, the ridges shift what is felt to the left: the
-// normal is to the left of the motion. A person known to feel a shift of 0.2 t, and an error of 5 at
-// most, needs no more than 75 degrees of it.
-TEST_F(PersonTest, PlateStandsReadyBeforeTheMotion) {
+// To steer a finger to the right, the ridges must shift the perceived direction to the left, so their normal is to the
+// left of the motion. For a shift of 0.2 t and an error of at most 5 degrees, at most 75 degrees are needed.
+TEST_F(PersonTest, PlateIsTurnedBeforeTheMotion) {
   hrt_session_config config = servo_config();
   config.adaptation = HRT_ADAPTATION_OFF;
   create(config);
-  const Led ready = lead(steady_person());
+  const ReachOutcome ready = run_reach(steady_person());
   const hrt_command& first = ready.commands.front();
   EXPECT_FALSE(has_begun(first));
   EXPECT_EQ(first.flags & HRT_COMMAND_HELD, 0u) << "hosts do not send a command again that is held";
@@ -140,7 +138,7 @@ TEST_F(PersonTest, PlateStandsReadyBeforeTheMotion) {
 
   config.flags = HRT_SESSION_PLATE_WAITS;
   create(config);
-  const Led waiting = lead(steady_person());
+  const ReachOutcome waiting = run_reach(steady_person());
   for (const hrt_command& command : waiting.commands) {
     if (has_begun(command)) break;
     EXPECT_EQ(command.plate_orientation_deg, 0.0);
@@ -150,60 +148,61 @@ TEST_F(PersonTest, PlateStandsReadyBeforeTheMotion) {
   EXPECT_LT(std::abs(waiting.bearing_error_deg), 1.5);
 }
 
-// A motion of 3 s: what has gone and what remains, at the first prediction of it.
-TEST_F(PersonTest, DurationThatIsGivenIsExpected) {
+// A motion of 3 s: elapsed time plus time to go, at the first prediction.
+TEST_F(PersonTest, ConfiguredDurationSetsTheTimeToGo) {
   PersonCondition condition = steady_person();
   condition.person.duration_s = 3.0;
   const auto expected_s = [&](double duration_s) {
     create(servo_config());
-    const Led led = lead(condition, 0, duration_s);
+    const ReachOutcome outcome = run_reach(condition, 0, duration_s);
     std::size_t i = 0;
-    while (i + 1 < led.commands.size() && led.commands[i].time_to_go_s == HRT_NOT_MOVING) ++i;
-    return led.commands[i].time_to_go_s + 0.011 * static_cast<double>(i) - 1e-9 * rest_ns;
+    while (i + 1 < outcome.commands.size() && outcome.commands[i].time_to_go_s == HRT_NOT_MOVING) ++i;
+    return outcome.commands[i].time_to_go_s + 0.011 * static_cast<double>(i) - 1e-9 * rest_ns;
   };
   EXPECT_NEAR(expected_s(3.0), 3.0, 0.3);
   EXPECT_NEAR(expected_s(0.0), 3.0, 0.3) << "it is estimated";
   EXPECT_LT(expected_s(1.5), expected_s(3.0) - 0.3);
 }
 
-// A reach's estimates are in the configuration. The motion is filtered once more after the reach, with the wander
-// that it shows: the values differ a little from the summary's.
-TEST_F(PersonTest, WhatIsLearntIsWritten) {
+// After a reach, the configuration has its estimates. They differ a little from those of the summary, because the
+// motion is filtered again after the reach, with the observed wander.
+TEST_F(PersonTest, EstimatesAreWrittenToTheConfiguration) {
   create(servo_config());
   PersonCondition condition = steady_person();
   condition.person.bias_deg = 2.0;
-  const hrt_reach_summary summary = lead(condition).summary;
+  const hrt_reach_summary summary = run_reach(condition).summary;
   const hrt_session_config after = config_of(session);
   EXPECT_FALSE(is_unknown(after));
   EXPECT_NEAR(after.person.mean[HRT_PERSON_CURVE], summary.learnt.illusion_curve, 0.01);
-  EXPECT_LT(after.person.mean[HRT_PERSON_LOG_WANDER], 1.6);                      // the prior's: a steady person
-  EXPECT_GT(after.person.mean[HRT_PERSON_BIAS], 0.5 * summary.learnt.bias_deg);  // the rest is this reach's alone
+  EXPECT_LT(after.person.mean[HRT_PERSON_LOG_WANDER], 1.6);  // below the prior: a steady person
+  EXPECT_GT(after.person.mean[HRT_PERSON_BIAS],
+            0.5 * summary.learnt.bias_deg);  // the rest is attributed to the scatter of this reach
   EXPECT_LT(after.person.mean[HRT_PERSON_BIAS], 2.0);
   EXPECT_NEAR(std::exp(-after.person.mean[HRT_PERSON_LOG_RATE]), summary.duration_s, 0.1);
   EXPECT_NEAR(after.person.tactile_weight, summary.learnt.tactile_weight, 0.01);
   EXPECT_GT(after.person.tactile_weight_sd, summary.learnt.tactile_weight_sd);
-  // The diagonal of a lower triangle of rows 1, 2, 3 ... long: 0, 2, 5, 9, 14.
-  EXPECT_LT(std::sqrt(after.person.covariance[9]), 4.0);  // the prior's
+  // Indices of the diagonal in a lower triangle by rows: 0, 2, 5, 9, 14.
+  EXPECT_LT(std::sqrt(after.person.covariance[9]), 4.0);  // below that of the prior
   EXPECT_LT(std::sqrt(after.person.covariance[0]), 0.08);
 }
 
-TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
+TEST_F(PersonTest, ProfileRestoresThePersonBitForBit) {
   create(servo_config());
-  lead(drawn_person("mixture", 1.5, 1), 1);
-  lead(drawn_person("mixture", 1.5, 1), 2);
+  run_reach(drawn_person("mixture", 1.5, 1), 1);
+  run_reach(drawn_person("mixture", 1.5, 1), 2);
   const hrt_session_config learnt = config_of(session);
   ASSERT_FALSE(is_unknown(learnt));
   const std::string profile = save_profile();
-  const Led here = lead(drawn_person("mixture", 1.5, 1), 3);
+  const ReachOutcome here = run_reach(drawn_person("mixture", 1.5, 1), 3);
 
   create(servo_config());
   ASSERT_OK(load_profile(profile));
   EXPECT_TRUE(is_same_person(config_of(session), learnt));
   EXPECT_EQ(config_of(session).person.tactile_weight, learnt.person.tactile_weight);
-  const Led there = lead(drawn_person("mixture", 1.5, 1), 3);
+  const ReachOutcome there = run_reach(drawn_person("mixture", 1.5, 1), 3);
   expect_same(here.commands, there.commands);
 
-  // A profile without them is of another person.
+  // A profile without person_mean resets the estimates.
   ASSERT_OK(load_profile(
       R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.25,"tactile_weight_sd":0.02})"));
   EXPECT_TRUE(is_unknown(config_of(session)));
@@ -211,38 +210,38 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
   EXPECT_EQ(config_of(session).person.tactile_weight, 0.25);
 }
 
-TEST_F(PersonTest, AdaptationOffTakesTheWeightAsKnown) {
+TEST_F(PersonTest, AdaptationOffKeepsTheConfiguredWeight) {
   hrt_session_config config = servo_config();
   config.adaptation = HRT_ADAPTATION_OFF;
   config.person.tactile_weight = 0.26;
   create(config);
-  const Led led = lead(steady_person());  // whose weight is 0.2
-  for (const hrt_command& command : led.commands) {
+  const ReachOutcome outcome = run_reach(steady_person());  // the person's weight is 0.2
+  for (const hrt_command& command : outcome.commands) {
     EXPECT_NEAR(command.tactile_weight, 0.26, 0.01);
     EXPECT_LT(command.tactile_weight_sd, 0.01);
   }
   EXPECT_TRUE(same(config_of(session), config));
 }
 
-// The finger rests for half a second and then moves for a third of its time.
-TEST_F(PersonTest, AbortedReachWritesNothing) {
+// The finger rests for 0.5 s, and then moves for a third of the duration of the motion.
+TEST_F(PersonTest, ReachThatEndsEarlyChangesNoEstimate) {
   create(servo_config());
   const hrt_session_config before = config_of(session);
-  const Led led = lead(steady_person(), 0, 0.0, rest_ns + 500 * ms);
-  EXPECT_TRUE(has_begun(led.commands.back()));
+  const ReachOutcome outcome = run_reach(steady_person(), 0, 0.0, rest_ns + 500 * ms);
+  EXPECT_TRUE(has_begun(outcome.commands.back()));
   EXPECT_TRUE(same(config_of(session), before));
-  lead(steady_person());
+  run_reach(steady_person());
   EXPECT_FALSE(is_unknown(config_of(session)));
 }
 
-// 75 degrees of plate give a person of 0.2 a shift of 15; a gap of 30 is out of reach, and a gap that half of
-// the illusion's weight is believed to hold is missed.
-TEST_F(PersonTest, MissesAreFlagged) {
+// With the plate at 75 degrees, a weight of 0.2 gives a shift of 15 degrees: a gap of 30 is not feasible. If the weight
+// of the person is half of the configured one, the target is missed.
+TEST_F(PersonTest, UnreachableAndMissedTargetsAreFlagged) {
   create(servo_config());
   PersonCondition condition = steady_person();
   condition.virtual_direction_deg = 15.0;
   condition.real_direction_deg = -15.0;
-  const Led far = lead(condition);
+  const ReachOutcome far = run_reach(condition);
   EXPECT_GT(std::abs(far.bearing_error_deg), 1.5);
   EXPECT_NE(far.summary.flags & HRT_COMMAND_UNREACHABLE, 0u);
   EXPECT_NE(far.summary.flags & HRT_COMMAND_OFF_TARGET, 0u);
@@ -254,14 +253,14 @@ TEST_F(PersonTest, MissesAreFlagged) {
   hrt_session_config config = servo_config();
   config.adaptation = HRT_ADAPTATION_OFF;
   create(config);
-  const Led weak = lead(condition);
+  const ReachOutcome weak = run_reach(condition);
   EXPECT_GT(std::abs(weak.bearing_error_deg), 1.5);
   EXPECT_EQ(weak.summary.flags & HRT_COMMAND_UNREACHABLE, 0u);
   EXPECT_NE(weak.summary.flags & HRT_COMMAND_OFF_TARGET, 0u);
 }
 
-// No hand moves 15 mm back and forth across its path within a tenth of a second.
-TEST_F(PersonTest, MotionThatIsNoReachIsAMisfitAndTeachesNothing) {
+// A motion of 15 mm back and forth across the path within 0.1 s is impossible.
+TEST_F(PersonTest, ImpossibleMotionIsAMisfitAndChangesNoEstimate) {
   create(servo_config());
   const hrt_session_config before = config_of(session);
   begin_reach();
@@ -282,31 +281,31 @@ TEST_F(PersonTest, MotionThatIsNoReachIsAMisfitAndTeachesNothing) {
   EXPECT_TRUE(same(config_of(session), before));
 }
 
-// The finger rests for 0.6 s half way: the plate is held, and the reach continues afterwards.
-TEST_F(PersonTest, RestWithinAReachHoldsThePlate) {
+// The finger rests for 0.6 s half way: the plate stops, and the reach continues afterwards.
+TEST_F(PersonTest, RestWithinAReachStopsThePlate) {
   create(servo_config());
   PersonCondition condition = steady_person();
   condition.person.pace = Pace::pause;
-  const Led led = lead(condition);
+  const ReachOutcome outcome = run_reach(condition);
   std::size_t resting = 0;
-  for (std::size_t i = 1; i < led.commands.size(); ++i) {
-    const hrt_command &now = led.commands[i], &before = led.commands[i - 1];
+  for (std::size_t i = 1; i < outcome.commands.size(); ++i) {
+    const hrt_command &now = outcome.commands[i], &before = outcome.commands[i - 1];
     if ((now.flags & before.flags & HRT_COMMAND_RESTING) == 0) continue;
     ++resting;
     EXPECT_EQ(now.plate_orientation_deg, before.plate_orientation_deg);
   }
   EXPECT_GE(resting, 20u);  // of the 54 samples of the rest
-  EXPECT_EQ(led.commands.front().flags & HRT_COMMAND_RESTING, 0u) << "not within the reach";
-  EXPECT_LT(std::abs(led.bearing_error_deg), 1.5);
+  EXPECT_EQ(outcome.commands.front().flags & HRT_COMMAND_RESTING, 0u) << "not within the reach";
+  EXPECT_LT(std::abs(outcome.bearing_error_deg), 1.5);
 }
 
-TEST_F(PersonTest, AnInvalidBeliefIsRefusedAndChangesNothing) {
+TEST_F(PersonTest, InvalidMeanOrCovarianceIsRejectedAndChangesNothing) {
   create(servo_config());
-  lead(steady_person());
+  run_reach(steady_person());
   const hrt_session_config learnt = config_of(session);
   using Change = void (*)(hrt_session_config&);
   const std::pair<Change, const char*> invalid[] = {
-      {[](auto& c) { c.person.covariance[0] = 0.0; }, "person_covariance"},  // a correlation beyond 1
+      {[](auto& c) { c.person.covariance[0] = 0.0; }, "person_covariance"},  // a variance of 0 with correlations
       {[](auto& c) { c.person.covariance[2] = -c.person.covariance[2]; }, "person_covariance"},
       {[](auto& c) { c.person.covariance[44] = std::nan(""); }, "person_covariance[44]"},
       {[](auto& c) { c.person.mean[HRT_PERSON_WEIGHT] = 0.61; }, "person_mean[HRT_PERSON_WEIGHT]"},
@@ -321,13 +320,13 @@ TEST_F(PersonTest, AnInvalidBeliefIsRefusedAndChangesNothing) {
   hrt_session_config config = learnt;
   std::fill(std::begin(config.person.covariance), std::end(config.person.covariance), 0.0);
   EXPECT_OK(hrt_session_set(session, &config));
-  config.person.mean[0] = std::nan("");  // not read, yet to be written by recordings
+  config.person.mean[0] = std::nan("");  // not read without a covariance, but written by recordings
   expect_error(hrt_session_set(session, &config), HRT_ERROR_OUT_OF_RANGE, "person_mean[0]");
 }
 
-// Without positions there is no arrival to steer to.
-TEST_F(PersonTest, DirectionsAloneAreLedAsByThePaper) {
-  const auto led = [&](std::uint32_t guidance) {
+// GUIDANCE_ARRIVAL needs positions.
+TEST_F(PersonTest, DirectionsOnlyGiveTheCommandsOfFixedDirection) {
+  const auto outcome = [&](std::uint32_t guidance) {
     hrt_session_config config = servo_config();
     config.guidance = guidance;
     create(config);
@@ -345,11 +344,11 @@ TEST_F(PersonTest, DirectionsAloneAreLedAsByThePaper) {
     EXPECT_NE(config_of(session).person.tactile_weight, 0.2) << "it is carried";
     return commands;
   };
-  expect_same(led(HRT_GUIDANCE_ARRIVAL), led(HRT_GUIDANCE_FIXED_DIRECTION));
+  expect_same(outcome(HRT_GUIDANCE_ARRIVAL), outcome(HRT_GUIDANCE_FIXED_DIRECTION));
 }
 
-// Nothing has been returned, so the plate has not turned.
-TEST_F(PersonTest, ReachWithoutSamplesLeavesThePlate) {
+// No command has been returned, so the plate has not moved.
+TEST_F(PersonTest, ReachWithoutSamplesDoesNotMoveThePlate) {
   hrt_session_config config = servo_config();
   config.plate.max_speed_deg_s = 100.0;
   config.plate.latency_ns = 0;
@@ -357,7 +356,7 @@ TEST_F(PersonTest, ReachWithoutSamplesLeavesThePlate) {
   begin_reach();
   ASSERT_OK(hrt_reach_cancel(session));
   begin_reach();
-  // A tenth of a second at 100 degrees/s from 0.
+  // 0.1 s at 100 degrees/s from 0.
   EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 10.0, 1e-9);
 }
 

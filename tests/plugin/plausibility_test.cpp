@@ -1,4 +1,4 @@
-// Mistakes of a host are reported, and never as a success.
+// Wrong units, axes and clocks of a host are reported, and such reaches never count as a success.
 #include <cmath>
 #include <functional>
 
@@ -9,7 +9,7 @@ namespace {
 
 class PlausibilityTest : public SessionTest {
  protected:
-  /// The slide of SessionTest as a host with a mistake gives it. Returns the summary.
+  /// The slide of SessionTest with a mistake in each sample. Returns the summary.
   hrt_reach_summary slide_with(const std::function<void(hrt_sample*)>& mistake, double bend_deg = 0.0) {
     begin_reach();
     for (std::int64_t t = 0; t < 2500; t += 10) {
@@ -42,8 +42,7 @@ TEST_F(PlausibilityTest, MistakesOfUnitsAndAxesAreFlaggedAndLogged) {
          for (double& m : s->finger_position_m) m *= 100.0;
        },
        0.0, "metres"},
-      {[](hrt_sample* s) { s->finger_position_m[2] = 0.1 - s->finger_position_m[2]; }, 0.0,
-       "axes may be swapped or mirrored"},
+      {[](hrt_sample* s) { s->finger_position_m[2] = 0.1 - s->finger_position_m[2]; }, 0.0, "swapped or mirrored axes"},
       {[](hrt_sample* s) { s->finger_position_m[0] += 0.5; }, 0.0, "check the plate's pose"},
       {[](hrt_sample*) {}, 20.0, "counter-clockwise"},
   };
@@ -78,7 +77,7 @@ TEST_F(PlausibilityTest, DirectionsInRadiansAreFlaggedAndLogged) {
   }
 }
 
-TEST_F(PlausibilityTest, AProperReachIsNotFlagged) {
+TEST_F(PlausibilityTest, CorrectReachIsNotFlagged) {
   for (const double bend_deg : {-8.0, 0.0, 8.0}) {
     create(session_config());
     EXPECT_EQ(slide_with([](hrt_sample*) {}, bend_deg).flags & HRT_COMMAND_IMPLAUSIBLE, 0u) << bend_deg;
@@ -86,12 +85,12 @@ TEST_F(PlausibilityTest, AProperReachIsNotFlagged) {
   }
 }
 
-TEST_F(PlausibilityTest, TargetsFarOffThePlateAreFlaggedAtOnce) {
+TEST_F(PlausibilityTest, TargetsFarOffThePlateAreFlaggedInTheFirstCommand) {
   ASSERT_OK(begin(add(placed(HRT_TARGET_REAL, 0.0, 0.4)), add(HRT_TARGET_VIRTUAL, 5.0)));
   EXPECT_EQ(update(position_sample(0, 0.0, -0.05)).flags & HRT_COMMAND_IMPLAUSIBLE, HRT_COMMAND_IMPLAUSIBLE);
 }
 
-TEST_F(PlausibilityTest, AFingerThatRestsElsewhereDoesNotArrive) {
+TEST_F(PlausibilityTest, FingerThatRestsElsewhereDoesNotArrive) {
   struct Place {
     double right_m, forward_m;
   };
@@ -110,7 +109,7 @@ TEST_F(PlausibilityTest, AFingerThatRestsElsewhereDoesNotArrive) {
   }
 }
 
-TEST_F(PlausibilityTest, AFingerThatMovesAwayIsOffTarget) {
+TEST_F(PlausibilityTest, FingerThatMovesAwayIsOffTarget) {
   begin_reach();
   bool off_target = false, arrived = false;
   for (std::int64_t t = 0; t < 4000; t += 11) {
@@ -123,8 +122,8 @@ TEST_F(PlausibilityTest, AFingerThatMovesAwayIsOffTarget) {
   EXPECT_FALSE(arrived);
 }
 
-// Each position in three samples is what a tracker of a third of the rate shows, with dropouts between.
-TEST_F(PlausibilityTest, CopiesOfAPositionAreDropouts) {
+// Passing each position three times gives the same result as passing it once, followed by two dropouts.
+TEST_F(PlausibilityTest, RepeatedPositionsAreDropouts) {
   hrt_reach_summary copied{}, dropped{};
   for (const bool copies : {true, false}) {
     create(session_config());
@@ -151,8 +150,8 @@ TEST_F(PlausibilityTest, CopiesOfAPositionAreDropouts) {
   EXPECT_EQ(copied.learnt.tracker_noise_m, dropped.learnt.tracker_noise_m);
 }
 
-// A finger that rests gives one position again and again if the tracker rounds.
-TEST_F(PlausibilityTest, ARoundingTrackerIsSeenToRest) {
+// A tracker that rounds repeats the same position while the finger rests.
+TEST_F(PlausibilityTest, RestUnderARoundingTrackerIsDetected) {
   for (const double step_m : {1e-4, 1e-3}) {
     create(session_config());
     slide_with([step_m](hrt_sample* s) {

@@ -1,4 +1,4 @@
-// The claims of plugin/PROCESS.md about the library in the host's process.
+// Checks the statements of plugin/PROCESS.md about the host's process.
 #include <algorithm>
 #include <cfenv>
 #include <string>
@@ -18,7 +18,7 @@
 namespace hrt::test {
 namespace {
 
-TEST(Process, RoundingOfTheHostChangesNoBitAndStays) {
+TEST(Process, RoundingModeOfTheHostIsRestoredAndChangesNoResult) {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
     SCOPED_TRACE(mode);
     ASSERT_EQ(std::fesetround(mode), 0);
@@ -27,7 +27,7 @@ TEST(Process, RoundingOfTheHostChangesNoBitAndStays) {
     expect_golden_bits();
     EXPECT_EQ(std::fegetround(), mode);
     EXPECT_EQ(one / three, third);
-    // On the way out of an error too.
+    // A call that fails restores the mode, too.
     EXPECT_EQ(hrt_session_destroy({42}), HRT_ERROR_INVALID_HANDLE);
     EXPECT_EQ(std::fegetround(), mode);
     EXPECT_EQ(one / three, third);
@@ -36,7 +36,7 @@ TEST(Process, RoundingOfTheHostChangesNoBitAndStays) {
 }
 
 #if defined(__SSE2__)
-TEST(Process, FlushingToZeroChangesNoBitAndStays) {
+TEST(Process, FlushToZeroIsKeptAndChangesNoResult) {
   constexpr unsigned flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
   const unsigned before = _mm_getcsr();
   _mm_setcsr(before | flush_to_zero | denormals_are_zero);
@@ -47,10 +47,10 @@ TEST(Process, FlushingToZeroChangesNoBitAndStays) {
 #endif
 
 #if defined(__SSE2__)
-TEST(Process, TrapsOfTheHostAreNotSprungAndStay) {
+TEST(Process, FloatingPointTrapsAreKeptAndNotTriggered) {
   constexpr unsigned masks = _MM_MASK_MASK, flags = _MM_EXCEPT_MASK;
   const unsigned before = _mm_getcsr();
-  _mm_setcsr(before & ~(masks | flags));  // each inexact result would end the process
+  _mm_setcsr(before & ~(masks | flags));  // each inexact result would terminate the process
   hrt_session session{};
   const hrt_result created = hrt_session_create(HRT_VERSION, nullptr, &session);
   const hrt_result destroyed = hrt_session_destroy(session);
@@ -64,7 +64,7 @@ TEST(Process, TrapsOfTheHostAreNotSprungAndStay) {
 
 #if defined(HRT_MEASURES_MEMORY)
 
-// In bytes, on 64-bit machines.
+// Documented limits in bytes, on 64-bit machines.
 constexpr long max_of_session = 31'000;
 constexpr long max_of_target = 320;
 constexpr long max_of_recording = 9'700'000;
@@ -97,7 +97,7 @@ TEST(Process, MemoryIsAsDocumented) {
 constexpr unsigned char paint = 0xa5;
 constexpr std::size_t stack_size = std::size_t{1} << 20;
 
-// Bytes of stack that a thread needs for the body.
+// Returns the bytes of stack that a thread uses for the body.
 std::size_t stack_of(void* (*body)(void*), void* argument) {
   auto* stack = static_cast<unsigned char*>(
       mmap(nullptr, stack_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0));
@@ -117,7 +117,7 @@ std::size_t stack_of(void* (*body)(void*), void* argument) {
 
 class Stack : public SessionTest {
  protected:
-  /// Stack that the body needs beyond a thread that does nothing.
+  /// Returns the stack that the body uses in addition to that of an empty thread.
   template <class Body>
   static std::size_t used(Body body) {
     const std::size_t nothing = stack_of([](void*) -> void* { return nullptr; }, nullptr);
@@ -131,7 +131,7 @@ class Stack : public SessionTest {
   }
 };
 
-TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
+TEST_F(Stack, RealTimeCallsUseAtMostTheDocumentedStack) {
   hrt_session_config config = session_config();
   config.paper.horizon = 20;
   std::size_t max = 0;
@@ -155,7 +155,7 @@ TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
   EXPECT_LE(max, max_real_time_stack);
 }
 
-TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
+TEST_F(Stack, OtherCallsUseAtMostTheDocumentedStack) {
   const std::string text = read(HRT_GOLDEN_RECORDING);
   const std::string path = testing::TempDir() + "hrt_stack.csv";
   const std::size_t max = used([&] {

@@ -1,4 +1,4 @@
-// Profiles: JSON out, and in again.
+// Profiles: writing and reading JSON.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -10,14 +10,14 @@ namespace {
 
 using ProfileTest = SessionTest;
 
-TEST_F(ProfileTest, IsWhatTheHeaderSays) {
+TEST_F(ProfileTest, TextIsThatOfTheHeadersExample) {
   EXPECT_EQ(save_profile(),
             "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tracker_noise_m\":0,\"tactile_weight\":0.2,"
             "\"tactile_weight_sd\":0.05,\"bias_deg\":0,\"motor_variance_deg2\":0.5,\"motor_variance_sd_deg2\":0.5,"
             "\"sensory_variance_deg2\":0.1,\"initial_variance_deg2\":0}\n");
 }
 
-TEST_F(ProfileTest, ComesBackToTheLastBit) {
+TEST_F(ProfileTest, LoadingASavedProfileRestoresItBitForBit) {
   hrt_session_config config = session_config();
   config.person.tactile_weight = 0.1 + 1e-17 + 0.02;
   config.paper.motor_variance_deg2 = 1.0 / 3.0;
@@ -32,7 +32,7 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
   EXPECT_EQ(back.paper.horizon, 3u) << "a profile is the participant's, not the session's";
 }
 
-TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
+TEST_F(ProfileTest, MissingFieldsKeepTheirValues) {
   hrt_session_config config = session_config();
   config.person.bias_deg = 1.5;
   config.paper.motor_variance_sd_deg2 = 0.25;
@@ -49,7 +49,7 @@ TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
   EXPECT_EQ(back.tracker.noise_m, 0.001);
 }
 
-TEST_F(ProfileTest, SmallBufferIsRefused) {
+TEST_F(ProfileTest, TooSmallBufferIsRejected) {
   const std::string whole = save_profile();
   std::string text(whole.size(), '?');
   uint64_t length = 99;
@@ -68,7 +68,7 @@ struct BadProfile {
   const char* named = "";
 };
 
-TEST_F(ProfileTest, WhatIsNotAProfileIsRefusedAndChangesNothing) {
+TEST_F(ProfileTest, MalformedProfilesAreRejectedAndChangeNothing) {
   const std::string before = save_profile();
   const BadProfile refused[] = {
       {"", HRT_ERROR_BAD_FORMAT},
@@ -116,7 +116,7 @@ class ConditionsTest : public ProfileTest {
       R"({"format":"haptic retargeting profile","version":1,"measured_at_s":5,"plate":"desk 1","tracker":"Ultraleap"})";
 };
 
-TEST_F(ConditionsTest, AreThoseOfTheCalibrationAndComeBackWithTheProfile) {
+TEST_F(ConditionsTest, CalibrationStoresConditionsAndProfilesRestoreThem) {
   set(conditions("desk \"1\" \\ \u00fc", "Ultraleap", 1'767'225'600));
   EXPECT_STREQ(measured().plate, "") << "nothing was measured yet";
   GuidedPerson person = quiet_person();
@@ -137,7 +137,7 @@ TEST_F(ConditionsTest, AreThoseOfTheCalibrationAndComeBackWithTheProfile) {
   EXPECT_EQ(save_profile(), text);
 }
 
-TEST_F(ConditionsTest, OthersThanOfTheProfileAreWarnedOf) {
+TEST_F(ConditionsTest, DifferentConditionsLogAWarning) {
   set(conditions("desk 1", "Ultraleap"));
   ASSERT_OK(load_profile(of_desk_1));
   const std::string text = save_profile();
@@ -169,7 +169,7 @@ TEST_F(ConditionsTest, OthersThanOfTheProfileAreWarnedOf) {
   EXPECT_EQ(log.text, "");
 }
 
-TEST_F(ConditionsTest, BadOnesAreRefusedAndChangeNothing) {
+TEST_F(ConditionsTest, InvalidConditionsAreRejectedAndChangeNothing) {
   ASSERT_OK(load_profile(of_desk_1));
   const auto refused = [&](const hrt_conditions& bad, hrt_result code, const char* part) {
     expect_error(hrt_profile_set_conditions(session, &bad), code, part);

@@ -1,5 +1,5 @@
-// Every field that a host fills in has the range and the default of its comment in the headers: the ends are
-// taken, what is beyond is refused by name, and changes nothing.
+// Every input field has the range and the default of its comment in the headers: the limits are accepted; values beyond
+// them are rejected, naming the field, and change nothing.
 #include <cmath>
 #include <limits>
 #include <set>
@@ -15,7 +15,7 @@ namespace {
 using plugin::Field;
 using plugin::FieldKind;
 
-/// Values of a field at the ends of its range, or just beyond.
+/// Returns the limits of a field, or the values just beyond.
 template <class S, class T>
 std::vector<typename Field<S, T>::Number> ends(const Field<S, T>& field) {
   if (field.kind == FieldKind::reserved) return {0};
@@ -44,8 +44,8 @@ std::vector<typename Field<S, T>::Number> beyond(const Field<S, T>& field) {
   }
 }
 
-/// Gives `take` a struct with each field at its ends and beyond; `prepare` makes one in which that field is
-/// read. Returns the fields that were refused at an end, which depends on others then.
+/// Passes structs with each field at its limits and beyond to `take`. `prepare` returns a struct in which that field is
+/// read. Returns the names of the fields that were rejected at a limit, because it depends on other fields.
 template <class S, class Prepare, class Take>
 std::set<std::string> try_ranges(Prepare&& prepare, Take&& take) {
   std::set<std::string> refused_at_an_end;
@@ -81,7 +81,7 @@ std::set<std::string> try_ranges(Prepare&& prepare, Take&& take) {
 
 using Names = std::set<std::string>;
 
-TEST(Ranges, OfASession) {
+TEST(Ranges, SessionConfigAcceptsExactlyItsRanges) {
   const auto prepare = [](const std::string& field) {
     hrt_session_config config = session_config();
     if (field == "plate_latency_ns") config.paper.step_period_ns = 1'000'000'000;
@@ -94,28 +94,28 @@ TEST(Ranges, OfASession) {
     EXPECT_EQ(session.value, 7u);
     return result;
   };
-  // Stops are half a turn apart; one variance or covariance alone is no covariance.
+  // Stops must be 180 degrees apart; a single element is not a valid covariance matrix.
   EXPECT_EQ(try_ranges<hrt_session_config>(prepare, take),
             (Names{"plate_lower_stop_deg", "plate_upper_stop_deg", "person_covariance", "plate_covariance",
                    "contact_covariance"}));
 }
 
-TEST_F(SessionTest, RangesOfASetup) {
+TEST_F(SessionTest, SetupConfigAcceptsExactlyItsRanges) {
   const auto take = [&](const hrt_setup_config& config) {
     const hrt_result result = hrt_setup_begin(session, HRT_SETUP_CALIBRATION, &config);
     return result == HRT_OK ? hrt_setup_cancel(session) : result;
   };
   const auto prepare = [](const std::string& field) {
     hrt_setup_config config = hrt_setup_config_init();
-    // At least three marks are the corners of a triangle.
+    // At least three marks must form a triangle.
     if (field == "mark_count") config.marks_m[0] = config.marks_m[5] = 0.05;
     return config;
   };
-  // The upper end is at least 40 degrees above the lower one.
+  // upper_plate_deg must be at least 40 degrees above lower_plate_deg.
   EXPECT_EQ(try_ranges<hrt_setup_config>(prepare, take), (Names{"lower_plate_deg", "upper_plate_deg"}));
 }
 
-TEST(Ranges, OfAPerson) {
+TEST(Ranges, PersonConfigAcceptsExactlyItsRanges) {
   const auto take = [](const hrt_person_config& config) {
     hrt_person person{7};
     const hrt_result result = hrt_person_create(&config, 1, &person);
@@ -127,7 +127,7 @@ TEST(Ranges, OfAPerson) {
             Names{});
 }
 
-TEST_F(SessionTest, RangesOfATarget) {
+TEST_F(SessionTest, TargetConfigAcceptsExactlyItsRanges) {
   const auto prepare = [](const std::string& field) {
     hrt_target_config config = target_config(HRT_TARGET_REAL, 0.0);
     if (field == "position_m") config.place = HRT_PLACE_WORLD_POSITION;
@@ -143,7 +143,7 @@ TEST_F(SessionTest, RangesOfATarget) {
   EXPECT_EQ(try_ranges<hrt_target_config>(prepare, take), Names{});
 }
 
-TEST_F(SessionTest, RangesOfAReach) {
+TEST_F(SessionTest, ReachConfigAcceptsExactlyItsRanges) {
   const hrt_target real = add(HRT_TARGET_REAL, 0.0), seen = add(HRT_TARGET_VIRTUAL, 5.0);
   const auto prepare = [&](const std::string& field) {
     return reach_config(real, seen, field == "plate_orientation_deg" ? HRT_REACH_PLATE_ORIENTATION : 0u);
@@ -165,7 +165,7 @@ hrt_sample sample_with(const std::string& field) {
   return sample;
 }
 
-TEST_F(SessionTest, RangesOfASample) {
+TEST_F(SessionTest, SampleAcceptsExactlyItsRanges) {
   begin_reach();
   const auto take = [&](const hrt_sample& sample) {
     auto command = output<hrt_command>();
@@ -174,11 +174,11 @@ TEST_F(SessionTest, RangesOfASample) {
     EXPECT_EQ(result == HRT_OK, command.paper.step != 77);
     return result;
   };
-  // A sample has one of three kinds of places.
+  // At most one of the three kinds of position is allowed.
   EXPECT_EQ(try_ranges<hrt_sample>(sample_with, take), Names{"flags"});
 }
 
-TEST_F(SessionTest, RangesOfTheConditionsOfAMeasurement) {
+TEST_F(SessionTest, ConditionsAcceptExactlyTheirRanges) {
   auto given = output<hrt_conditions>();
   for (const std::int64_t time_s : ends(plugin::Fields<hrt_conditions>::time_s)) {
     given.time_s = time_s;
@@ -191,7 +191,7 @@ TEST_F(SessionTest, RangesOfTheConditionsOfAMeasurement) {
   }
 }
 
-TEST(Defaults, AreThoseOfTheHeaders) {
+TEST(Defaults, InitFunctionsSetTheDefaultsOfTheHeaders) {
   EXPECT_TRUE(same(hrt_session_config_init(), plugin::defaults<hrt_session_config>));
   EXPECT_TRUE(same(hrt_target_config_init(), plugin::defaults<hrt_target_config>));
   EXPECT_TRUE(same(hrt_reach_config_init(), plugin::defaults<hrt_reach_config>));

@@ -9,9 +9,8 @@ namespace {
 
 using ReachTest = PaperTest;
 
-// Horizon 3 away from the bound: e = 3/5 (p - p_R) at full gain, which the unsteady filter multiplies by
-// the first gain K_0 = sigma_u2/(sigma_u2 + sigma_h2) = 5/6 only in what the plate must do to get it:
-// e_0 = K_0 (w_T t + (1 - w_T) p) = 0.6 (p - p_R), so t = (0.6 (p - p_R)/K_0 - (1 - w_T) p)/w_T.
+// With horizon 3 and no active bound, the optimal error is e_0 = 3/5 (p - p_R). The first Kalman gain is 5/6:
+//   K_0 = sigma_u2/(sigma_u2 + sigma_h2),  e_0 = K_0 (w_T t + (1 - w_T) p),  t = (0.6 (p - p_R)/K_0 - (1 - w_T) p)/w_T.
 // With p_R = -1 (a gap of 1) and the finger on the goal, p = 0: t = 0.6/(5/6)/0.15 = 4.8.
 TEST_F(ReachTest, FirstCommandIsAsDerivedByHand) {
   ASSERT_OK(begin(add(HRT_TARGET_REAL, -1.0), add(HRT_TARGET_VIRTUAL, 0.0)));
@@ -24,7 +23,7 @@ TEST_F(ReachTest, FirstCommandIsAsDerivedByHand) {
   EXPECT_EQ(command.tactile_weight_sd, 0.0);
 }
 
-TEST_F(ReachTest, FlagsAreWords) {
+TEST_F(ReachTest, FlagsTextWritesFlagsAsWords) {
   char words[64];
   std::uint64_t length = 0;
   ASSERT_OK(hrt_flags_text(HRT_COMMAND_UNREACHABLE | HRT_COMMAND_OFF_TARGET, sizeof words, words, &length));
@@ -38,9 +37,9 @@ TEST_F(ReachTest, FlagsAreWords) {
   expect_error(hrt_flags_text(UINT32_C(1) << 31, sizeof words, words, &length), HRT_ERROR_OUT_OF_RANGE, "flags");
 }
 
-// With positions, the miss is the bearing of the end minus that of the real target: the path bends, and its last step
-// has another direction.
-TEST_F(ReachTest, MissIsABearingForThePapersControllerToo) {
+// With positions, the miss is the bearing of the end minus that of the real target. The path is curved, so the
+// direction of the last step differs.
+TEST_F(ReachTest, FixedDirectionReportsTheMissAsABearing) {
   ASSERT_OK(begin(add(HRT_TARGET_REAL, 5.0), add(HRT_TARGET_VIRTUAL, 8.0)));
   for (int i = 0; i <= 20; ++i) update(position_sample(i * 100 * ms, -0.0002 * i * i, -0.05 + 0.004 * i));
   const hrt_reach_summary summary = end();
@@ -49,7 +48,7 @@ TEST_F(ReachTest, MissIsABearingForThePapersControllerToo) {
   EXPECT_NE(summary.paper.final_direction_deg, summary.bearing_deg);
 }
 
-TEST_F(ReachTest, WithoutASampleHasNoSummary) {
+TEST_F(ReachTest, EndWithoutASampleIsRejected) {
   begin_reach();
   auto summary = output<hrt_reach_summary>();
   expect_error(hrt_reach_end(session, &summary), HRT_ERROR_INSUFFICIENT_DATA,
@@ -70,7 +69,7 @@ TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
     command = update(position_sample((i + 50) * 10 * ms, 0.0, forward_m));
     if (i >= 0) forward_m += 0.001;
   }
-  // Estimates: the tracker's noise has yet to be learnt to be none.
+  // Estimates differ from the true values, because the tracker's noise is not known to be 0 yet.
   EXPECT_NEAR(command.paper.finger_direction_deg, 0.0, 2.0);
   EXPECT_GE(command.paper.step, 1);
   // The real target is 0.1 m from the start, 5 degrees to the right; the finger has gone 0.028 m ahead.
@@ -78,9 +77,9 @@ TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
   EXPECT_NEAR(command.distance_to_go_m, std::hypot(0.1 * std::sin(rad), 0.1 * std::cos(rad) - 0.028), 1e-4);
 }
 
-// The plate lies in the world at (1, 2, 3), turned by 90 degrees to the left about the world's up axis, so
-// that its mid-line, -z, is the world's -x. Going from (1, 2, 3) along -x is going straight ahead.
-TEST_F(ReachTest, WorldPositionsAreTakenToThePlate) {
+// The plate is at (1, 2, 3) in the world, rotated by 90 degrees to the left about the upward axis, so that its
+// mid-line, -z, is the world's -x. A motion from (1, 2, 3) along -x is straight ahead.
+TEST_F(ReachTest, WorldPositionsGiveTheCommandsOfPlatePositions) {
   double on_plate_deg[21];
   begin_reach();
   for (int i = 0; i <= 20; ++i)
@@ -104,8 +103,8 @@ TEST_F(ReachTest, WorldPositionsAreTakenToThePlate) {
   EXPECT_NE(on_plate_deg[20], 0.0);
 }
 
-// Finger and plate carried along together: on the plate nothing moves.
-TEST_F(ReachTest, PlateMayMoveWithTheFinger) {
+// Finger and plate move together in the world, so the finger is at rest on the plate.
+TEST_F(ReachTest, FingerThatMovesWithThePlateIsAtRest) {
   begin_reach();
   for (int i = 0; i <= 20; ++i) {
     hrt_sample sample = position_sample(i * 10 * ms, 0.01 * i, -0.05);
@@ -116,7 +115,7 @@ TEST_F(ReachTest, PlateMayMoveWithTheFinger) {
   }
 }
 
-TEST_F(ReachTest, HighAndFarFingersAreFlagged) {
+TEST_F(ReachTest, FingersAboveOrBeyondThePlateAreFlagged) {
   begin_reach();
   hrt_sample sample = position_sample(0, 0.0, -0.05);
   sample.finger_position_m[1] = 0.02;
@@ -124,7 +123,7 @@ TEST_F(ReachTest, HighAndFarFingersAreFlagged) {
   EXPECT_NE(update(position_sample(1, 0.08, 0.0)).flags & HRT_COMMAND_OFF_PLATE, 0u);
 }
 
-TEST_F(ReachTest, DropoutsAreHeldThenPredicted) {
+TEST_F(ReachTest, DropoutsHoldTheCommandAndAreThenPredicted) {
   begin_reach();
   const hrt_command first = update(direction_sample(0, 0.0));
   auto lost = output<hrt_sample>();
@@ -144,7 +143,7 @@ TEST_F(ReachTest, DropoutsAreHeldThenPredicted) {
   EXPECT_EQ(summary.paper.predicted_steps, 4);
 }
 
-TEST_F(ReachTest, LiftedFingerIsNoObservationWhateverItsDirection) {
+TEST_F(ReachTest, DirectionOfALiftedFingerIsIgnored) {
   begin_reach();
   hrt_sample lifted = direction_sample(0, 10.0);
   lifted.flags |= HRT_SAMPLE_LIFTED;
@@ -164,19 +163,19 @@ TEST_F(ReachTest, FixedPlateStaysAtItsOrientation) {
     EXPECT_EQ(update(direction_sample(step * step_ns, step)).plate_orientation_deg, -30.0);
 }
 
-TEST_F(ReachTest, UnreachablePairIsSaid) {
+TEST_F(ReachTest, UnreachablePairIsFlagged) {
   ASSERT_OK(begin(add(HRT_TARGET_REAL, -15.0), add(HRT_TARGET_VIRTUAL, 15.0)));
   hrt_command command = update(direction_sample(0, 0.0));
   EXPECT_NE(command.flags & HRT_COMMAND_UNREACHABLE, 0u);
   EXPECT_NE(command.flags & HRT_COMMAND_SATURATED, 0u);
-  // The short way round from 0: ridges at 99.5 feel like ridges at -80.5.
+  // 99.5 and -80.5 degrees are equivalent, and -80.5 is nearer to 0.
   EXPECT_NEAR(command.plate_orientation_deg, 15.0 + 84.5 - 180.0, 1e-9);
   const hrt_reach_summary summary = end();
   EXPECT_EQ(summary.counts.saturated_steps, 1);
   EXPECT_NE(summary.flags & HRT_COMMAND_UNREACHABLE, 0u);
 }
 
-TEST_F(ReachTest, PlateTurnsAtItsSpeedFromWhereTheLastReachLeftItUnlessSaid) {
+TEST_F(ReachTest, PlateTurnsAtItsSpeedFromTheLastCommandOrTheGivenOrientation) {
   hrt_session_config config = paper_config();
   config.plate.max_speed_deg_s = 100.0;
   create(config);
@@ -195,7 +194,7 @@ TEST_F(ReachTest, PlateTurnsAtItsSpeedFromWhereTheLastReachLeftItUnlessSaid) {
   EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, -10.0, 1e-9);
 }
 
-TEST_F(ReachTest, MeasuredPlateOrientationCounts) {
+TEST_F(ReachTest, MeasuredPlateOrientationReplacesTheExpectedOne) {
   hrt_session_config config = paper_config();
   config.plate.max_speed_deg_s = 100.0;
   create(config);
@@ -206,9 +205,9 @@ TEST_F(ReachTest, MeasuredPlateOrientationCounts) {
   EXPECT_NEAR(update(sample).plate_orientation_deg, 35.0, 1e-9);
 }
 
-// A participant whose w_T is not the one assumed: learnt within a reach, it leads to the real target;
-// carried, it is what the next reach starts from.
-TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
+// The participant's w_T differs from the configured one. The controller estimates it within a reach, and reaches the
+// real target; with CARRIED, the next reach starts with the estimate.
+TEST_F(ReachTest, AdaptationEstimatesTheTactileWeightAndCarriesIt) {
   hrt_session_config config = paper_config();
   config.adaptation = HRT_ADAPTATION_CARRIED;
   create(config);
@@ -240,7 +239,7 @@ TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
   EXPECT_EQ(end().learnt.tactile_weight, 0.15);
 }
 
-TEST_F(ReachTest, StopsKeepThePlateBetweenThem) {
+TEST_F(ReachTest, CommandsStayBetweenTheStops) {
   hrt_session_config config = paper_config();
   config.plate.lower_stop_deg = -90.0;
   config.plate.upper_stop_deg = 90.0;
@@ -253,7 +252,7 @@ TEST_F(ReachTest, StopsKeepThePlateBetweenThem) {
   }
 }
 
-TEST_F(ReachTest, CallsOutOfOrderAreRefused) {
+TEST_F(ReachTest, CallsOutOfOrderAreRejected) {
   auto command = output<hrt_command>();
   auto summary = output<hrt_reach_summary>();
   const hrt_sample sample = direction_sample(0, 0.0);
@@ -267,7 +266,7 @@ TEST_F(ReachTest, CallsOutOfOrderAreRefused) {
   expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE);
 }
 
-TEST_F(ReachTest, TimeRunningBackwardsIsRefusedAndChangesNothing) {
+TEST_F(ReachTest, DecreasingTimeIsRejectedAndChangesNothing) {
   begin_reach();
   update(direction_sample(1000, 0.0));
   auto command = output<hrt_command>();
@@ -279,7 +278,7 @@ TEST_F(ReachTest, TimeRunningBackwardsIsRefusedAndChangesNothing) {
   EXPECT_EQ(end().counts.samples, 2);
 }
 
-TEST_F(ReachTest, SamplesOfTwoPlacesOrWithoutAPoseAreRefusedAndChangeNothing) {
+TEST_F(ReachTest, SamplesWithTwoPositionsOrWithoutAPoseAreRejected) {
   begin_reach();
   const hrt_command before = update(direction_sample(0, 0.0));
   const auto refused = [&](hrt_sample sample, const char* part) {
@@ -297,8 +296,8 @@ TEST_F(ReachTest, SamplesOfTwoPlacesOrWithoutAPoseAreRefusedAndChangeNothing) {
   EXPECT_EQ(end().counts.samples, 2);
 }
 
-// A caller that was compiled against a later header, whose command has a further field.
-TEST_F(ReachTest, LargerCommandKeepsItsSizeWithZerosBeyond) {
+// The caller was compiled with a later header, whose command has an additional field.
+TEST_F(ReachTest, LargerCommandStructIsFilledWithZeros) {
   begin_reach();
   struct {
     hrt_command command;
@@ -320,7 +319,7 @@ TEST_F(ReachTest, FieldsThatFlagsDoNotNameAreNotRead) {
   EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
 }
 
-TEST_F(ReachTest, BadPairsAreRefused) {
+TEST_F(ReachTest, InvalidPairsAreRejected) {
   const hrt_target real = add(HRT_TARGET_REAL, -50.0), virtual_target = add(HRT_TARGET_VIRTUAL, 45.0);
   expect_error(begin(real, virtual_target), HRT_ERROR_OUT_OF_RANGE, "-50 degrees");
   expect_error(begin(virtual_target, real), HRT_ERROR_OUT_OF_RANGE, "real_target");

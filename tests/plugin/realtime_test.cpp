@@ -1,6 +1,5 @@
-// The calls of both libraries that are tagged [real-time] allocate nothing, take no lock and make no system
-// call, on their error paths too. Memory and lock functions are replaced by ones that count; system calls are
-// forbidden by the kernel.
+// The calls of both libraries with the tag [real-time] allocate nothing, take no lock and make no system call, also
+// when they fail. Memory and lock functions are replaced by functions that count; the kernel forbids system calls.
 #include <dlfcn.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -88,7 +87,7 @@ class RealTimeTest : public SessionTest {
     reach = reach_config(add(HRT_TARGET_REAL, -5.0), add(HRT_TARGET_VIRTUAL, 5.0));
   }
 
-  /// Every real-time call, and every way in which it can fail. Returns how many did not end as they should.
+  /// Makes every real-time call, with success and with every error. Returns the number of unexpected results.
   int call_everything() const {
     int wrong = 0;
     const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
@@ -153,7 +152,7 @@ class RealTimeTest : public SessionTest {
     return wrong;
   }
 
-  /// A set-up, begun before: touches without end, and every refusal.
+  /// Updates a set-up that was begun before: touches and slides, and every error.
   int set_up() const {
     int wrong = 0;
     const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
@@ -161,7 +160,7 @@ class RealTimeTest : public SessionTest {
     const hrt_sample early = position_sample(-1, 0.0, 0.0), direction = direction_sample(0, 0.0);
     std::uint32_t instructions = 0;
     for (std::int64_t i = 0; i < 6000; ++i) {
-      // Back and forth between the start and 80 mm ahead of it, with rests of a second.
+      // Moves between the start and a position 80 mm ahead of it, with rests of 1 s.
       const double phase = std::fmod(static_cast<double>(i) / 100.0, 4.0);
       const double share = phase < 1.0 ? 0.0 : phase < 2.0 ? phase - 1.0 : phase < 3.0 ? 1.0 : 4.0 - phase;
       const hrt_sample sample = position_sample(i * 10'000'000, 0.0, -0.05 + 0.08 * share);
@@ -177,7 +176,7 @@ class RealTimeTest : public SessionTest {
   hrt_reach_config reach;
 };
 
-// On a thread of its own, whose first call of the library this is.
+// Runs the body on a new thread, which has not called the library before.
 void expect_neither_memory_nor_locks(auto&& body) {
   int wrong = -1;
   std::thread([&] {
@@ -210,7 +209,7 @@ TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
   ASSERT_OK(hrt_setup_cancel(session));
 }
 
-// From here on the kernel ends this process with SIGSYS at any system call but exit_group.
+// After this call, the kernel terminates this process with SIGSYS at any system call except exit_group.
 bool forbid_system_calls() {
   sock_filter filter[] = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
@@ -222,7 +221,8 @@ bool forbid_system_calls() {
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-// How a child ends that runs the body without system calls. Threads that it prepares keep theirs.
+// Returns the exit status of a child that runs the body without system calls. Threads that `prepare` starts may make
+// them.
 template <class Prepare, class Body>
 int status_without_system_calls(Prepare&& prepare, Body&& body) {
   const pid_t child = fork();
@@ -253,7 +253,7 @@ TEST_F(RealTimeTest, MakesNoSystemCall) {
   expect_success(status_without_system_calls([] {}, [&] { return call_everything(); }));
 }
 
-// The same while all of it is recorded; the ring overflows on the way.
+// The calls are recorded, and the ring buffer of the recording overflows.
 TEST_F(RealTimeTest, MakesNoSystemCallWhileRecorded) {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("hrt_realtime" + std::to_string(getpid()) + ".csv");
@@ -272,7 +272,7 @@ TEST_F(RealTimeTest, MakesNoSystemCallWhileRecorded) {
   expect_success(status);
 }
 
-// A plate at the other end of a pseudo-terminal, and hrt_plate_open()'s.
+// A plate on a pseudo-terminal, opened by hrt_plate_open().
 struct OpenPlate {
   OpenPlate() {
     if (hrt_plate_open(("serial:" + device.device()).c_str(), nullptr, &plate) != HRT_OK) return;

@@ -1,4 +1,4 @@
-// Effects of a registration of the plate on a session: scale, uncertainty, age.
+// Effects of the plate's registration on a session: scale, uncertainty, age.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,9 +11,9 @@ namespace {
 
 class RegistrationTest : public SessionTest {};
 
-// The target is 10 cm ahead of the start, 5 cm beyond the plate's centre, about which a turn of 2 degrees moves it by 1
-// degree of bearing: 2 Phi(-1.5) of reaches end more than 1.5 degrees off. A shift to the right is seen from the start.
-TEST_F(RegistrationTest, AGapHasWhatRegistrationAndTrackerAloneCost) {
+// The target is 10 cm ahead of the start and 5 cm ahead of the plate's centre. A rotation of 2 degrees about the centre
+// changes its bearing by 1 degree, so 2 Phi(-1.5) of reaches end more than 1.5 degrees off.
+TEST_F(RegistrationTest, GapHasTheBearingSdOfRegistrationAndTracker) {
   const hrt_target real = add(HRT_TARGET_REAL, 0.0), felt = add(HRT_TARGET_VIRTUAL, 5.0);
   const auto gap_with = [&](double turn_deg, double shift_m, double tracker_deg = 0.0) {
     hrt_session_config config = session_config();
@@ -32,7 +32,7 @@ TEST_F(RegistrationTest, AGapHasWhatRegistrationAndTrackerAloneCost) {
   EXPECT_NEAR(gap_with(6.0, 0.0, 4.0).bearing_sd_deg, 5.0, 1e-9);
 }
 
-// One sample of a reach to a target 100 mm from the start, which is the centre here.
+// One sample of a reach to a target 100 mm from the start. The start is the centre of the plate.
 class RegisteredReachTest : public SessionTest {
  protected:
   static constexpr double one_degree = 0.017453292519943295;
@@ -54,7 +54,7 @@ class RegisteredReachTest : public SessionTest {
   }
 };
 
-TEST_F(RegisteredReachTest, OneDegreeCostsOnePointSevenMillimetresAtTenCentimetres) {
+TEST_F(RegisteredReachTest, RotationSdOfOneDegreeIsPartOfTheMissSd) {
   hrt_command command = command_at(0, turned_by(1.0));
   EXPECT_EQ(command.flags & HRT_COMMAND_MISS_UNKNOWN, HRT_COMMAND_MISS_UNKNOWN) << "before the finger moves";
   EXPECT_EQ(command.miss_sd_deg, 180.0);
@@ -70,7 +70,7 @@ TEST_F(RegisteredReachTest, OneDegreeCostsOnePointSevenMillimetresAtTenCentimetr
   EXPECT_EQ(command.miss_sd_deg, 180.0);
 }
 
-TEST_F(RegisteredReachTest, OldOnesAreFlagged) {
+TEST_F(RegisteredReachTest, OldRegistrationIsFlagged) {
   hrt_session_config config = turned_by(0.0);
   const auto flagged = [&](std::int64_t time_ns) {
     return (command_at(time_ns, config).flags & HRT_COMMAND_REGISTRATION) != 0;
@@ -92,7 +92,7 @@ TEST_F(RegisteredReachTest, OldOnesAreFlagged) {
   EXPECT_TRUE(flagged(INT64_MAX));
 }
 
-TEST_F(RegisteredReachTest, PoorOrMissingOnesAreFlagged) {
+TEST_F(RegisteredReachTest, InaccurateOrMissingRegistrationIsFlagged) {
   hrt_session_config config = turned_by(1.0);
   const auto flagged = [&] { return (command_at(1000, config).flags & HRT_COMMAND_REGISTRATION) != 0; };
   config.registration.max_sd_deg = 1.01;
@@ -108,7 +108,7 @@ TEST_F(RegisteredReachTest, PoorOrMissingOnesAreFlagged) {
   EXPECT_TRUE(flagged());
 }
 
-TEST_F(RegisteredReachTest, TheLogHasItOnceForAConfiguration) {
+TEST_F(RegisteredReachTest, PoorRegistrationIsLoggedOncePerConfiguration) {
   for (const bool by_profile : {false, true}) {
     const Log log;
     hrt_session_config config = turned_by(1.0);
@@ -127,8 +127,8 @@ TEST_F(RegisteredReachTest, TheLogHasItOnceForAConfiguration) {
   }
 }
 
-// 1 mm to the side is 0.6 degrees of a target 100 mm off, and 1.9 of one 30 mm off.
-TEST_F(RegisteredReachTest, AMovedTargetIsCheckedAnew) {
+// 1 mm to the side is 0.6 degrees at a distance of 100 mm, and 1.9 degrees at 30 mm.
+TEST_F(RegisteredReachTest, RetargetChecksTheRegistrationAgain) {
   hrt_session_config config = turned_by(1.0);
   config.plate.covariance[0] = 0.0;
   config.plate.covariance[2] = 1e-6;
@@ -143,8 +143,8 @@ TEST_F(RegisteredReachTest, AMovedTargetIsCheckedAnew) {
   EXPECT_EQ(update(position_sample(20'000'000, 0.0, 0.0)).flags & HRT_COMMAND_REGISTRATION, 0u);
 }
 
-// Seen from a start further back than configured, the same frame turns the target by more.
-TEST_F(RegisteredReachTest, StartAtTheFingerIsCheckedThere) {
+// From a start that is nearer to the target than the configured one, the same error is a larger angle.
+TEST_F(RegisteredReachTest, StartAtFingerChecksTheRegistrationFromThere) {
   hrt_session_config config = turned_by(1.0);
   config.plate.covariance[0] = 0.0;
   config.plate.covariance[2] = 1e-6;  // 1 mm to the side

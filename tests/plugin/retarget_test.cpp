@@ -1,4 +1,4 @@
-// Reaches that change their mind: other targets, a start where the finger is, no end.
+// Reaches that are retargeted, start at the finger, or are cancelled.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -29,7 +29,7 @@ class RetargetTest : public SessionTest {
   }
 };
 
-TEST_F(RetargetTest, StateIsWhatTheSessionIsAbout) {
+TEST_F(RetargetTest, StateFollowsTargetsReachesAndSetups) {
   expect_state(0);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0);
   expect_state(0);
@@ -59,7 +59,7 @@ TEST_F(RetargetTest, StateIsWhatTheSessionIsAbout) {
   expect_error(hrt_session_get({7}, nullptr, &state), HRT_ERROR_INVALID_HANDLE, "session 7");
 }
 
-TEST_F(RetargetTest, ACancelledReachTeachesNothing) {
+TEST_F(RetargetTest, CancelledReachChangesNoEstimate) {
   expect_error(hrt_reach_cancel(session), HRT_ERROR_WRONG_STATE);
   const hrt_session_config before = config_of(session);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
@@ -75,7 +75,7 @@ TEST_F(RetargetTest, ACancelledReachTeachesNothing) {
   EXPECT_FALSE(same(config_of(session), before)) << "a reach that ends teaches";
 }
 
-TEST_F(RetargetTest, ThePlateIsWhereACancelledReachLeftIt) {
+TEST_F(RetargetTest, NextReachStartsAtTheLastCommandOfACancelledOne) {
   create(paper_config());
   ASSERT_OK(begin(add(HRT_TARGET_REAL, -5.0), add(HRT_TARGET_VIRTUAL, 5.0)));
   const double left_deg = update(direction_sample(0, 1.0)).plate_orientation_deg;
@@ -86,7 +86,7 @@ TEST_F(RetargetTest, ThePlateIsWhereACancelledReachLeftIt) {
   EXPECT_EQ(update(lost).plate_orientation_deg, left_deg);
 }
 
-TEST_F(RetargetTest, RefusesWhatBeginRefuses) {
+TEST_F(RetargetTest, RetargetRejectsTheSamePairsAsBegin) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0),
                    behind = add(HRT_TARGET_REAL, 170.0);
   expect_error(hrt_reach_retarget(session, real, cup), HRT_ERROR_WRONG_STATE);
@@ -101,8 +101,8 @@ TEST_F(RetargetTest, RefusesWhatBeginRefuses) {
   EXPECT_NEAR(to_go_m, slide(910, 920).distance_to_go_m, 0.003) << "the reach continues as before";
 }
 
-// Another target, or the same one elsewhere: the distance to go is that to its new place.
-TEST_F(RetargetTest, LeadsToTheNewPlaces) {
+// After a retarget to another or a moved target, the distance to go is that to the new position.
+TEST_F(RetargetTest, DistanceToGoIsThatToTheNewTarget) {
   for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
     hrt_session_config config = session_config();
     config.guidance = guidance;
@@ -127,7 +127,7 @@ TEST_F(RetargetTest, LeadsToTheNewPlaces) {
   }
 }
 
-TEST_F(RetargetTest, StartsWhereTheFingerIsFirstSeen) {
+TEST_F(RetargetTest, StartAtFingerMeasuresFromTheFirstPosition) {
   const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.04), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.04);
   for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
     hrt_session_config config = config_of(session);
@@ -145,7 +145,7 @@ TEST_F(RetargetTest, StartsWhereTheFingerIsFirstSeen) {
   }
 }
 
-TEST_F(RetargetTest, AFingerOnItsTargetStartsNothing) {
+TEST_F(RetargetTest, FingerOnTheTargetDoesNotStartTheReach) {
   const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.04), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.04);
   ASSERT_OK(begin_at_finger(real, cup));
   auto command = output<hrt_command>();
@@ -160,7 +160,7 @@ TEST_F(RetargetTest, AFingerOnItsTargetStartsNothing) {
   end();
 }
 
-TEST_F(RetargetTest, RemovedTargetsStillStartAtTheFinger) {
+TEST_F(RetargetTest, RemovedTargetsRemainInAReachThatWaitsForTheFinger) {
   const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.04), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.04);
   ASSERT_OK(begin_at_finger(real, cup));
   ASSERT_OK(hrt_target_remove(session, real));
@@ -168,8 +168,8 @@ TEST_F(RetargetTest, RemovedTargetsStillStartAtTheFinger) {
   EXPECT_NEAR(update(position_sample(0, 0.02, -0.02)).distance_to_go_m, std::hypot(0.01, 0.06), 1e-9);
 }
 
-// A person whose targets move by 3 cm to the left in the midst of the motion, through the C ABI.
-TEST_F(RetargetTest, BringsAPersonToTheMovedTarget) {
+// The targets move by 3 cm to the left in the middle of the motion.
+TEST_F(RetargetTest, SteersAPersonToTheMovedTarget) {
   hrt_session_config config = session_config();
   config.plate.max_speed_deg_s = 400.0;
   create(config);

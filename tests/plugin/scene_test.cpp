@@ -1,4 +1,4 @@
-// Scenes through the C ABI: samples/scenes/desk.gltf, whose numbers scene/ derives and tests.
+// Scenes through the C ABI, with samples/scenes/desk.gltf. tests/scene checks its numbers.
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -105,7 +105,7 @@ TEST_F(SceneAbiTest, LoadsFromMemory) {
 }
 
 // The plate's radius is 0.1 m.
-TEST_F(SceneAbiTest, TargetsBeyondTenPlateRadiiAreAWarning) {
+TEST_F(SceneAbiTest, TargetsBeyondTenPlateRadiiLogAWarning) {
   const auto log_of = [](const char* far_z) {
     const std::string text = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,1,2]}],"nodes":[
       {"name":"plate","extras":{"haptic_role":"plate","haptic_radius_m":0.1}},
@@ -124,7 +124,7 @@ TEST_F(SceneAbiTest, TargetsBeyondTenPlateRadiiAreAWarning) {
   EXPECT_NE(warning.find("\"far\" at 1.01 m"), warning.npos) << warning;
 }
 
-TEST_F(SceneAbiTest, BadArgumentsAreRefused) {
+TEST_F(SceneAbiTest, InvalidArgumentsAreRejected) {
   hrt_scene loaded{7};
   expect_error(hrt_scene_load("/no/such/file.gltf", nullptr, 0, &loaded), HRT_ERROR_SYSTEM, "/no/such/file.gltf");
   EXPECT_EQ(loaded.value, 7u);

@@ -1,4 +1,4 @@
-// Sessions: made, configured, refused, destroyed.
+// Sessions: creation, configuration, errors, destruction.
 #include <limits>
 #include <thread>
 #include <vector>
@@ -26,17 +26,17 @@ TEST(Results, VersionIsThatOfTheHeaders) {
   hrt_get_version(nullptr, nullptr, nullptr);
 }
 
-TEST(Results, HeadersOfAnotherMinorVersionAreRefused) {
+TEST(Results, HeadersOfAnotherMinorVersionAreRejected) {
   hrt_session session{7};
   for (const std::uint32_t other : {0u, HRT_VERSION - 100u, HRT_VERSION + 100u, HRT_VERSION + 10000u, ~0u})
     expect_error(hrt_session_create(other, nullptr, &session), HRT_ERROR_OUT_OF_RANGE,
-                 "version is " + std::to_string(other) + ", of other headers; this library is 0.");
+                 "version is " + std::to_string(other) + ", that of incompatible headers; this library is 0.");
   EXPECT_EQ(session.value, 7u);
   ASSERT_OK(hrt_session_create(HRT_VERSION + 1, nullptr, &session)) << "a later patch";
   EXPECT_OK(hrt_session_destroy(session));
 }
 
-#if !defined(__EMSCRIPTEN__)  // has one thread
+#if !defined(__EMSCRIPTEN__)  // there is one thread
 TEST(Results, LastErrorBelongsToTheThread) {
   EXPECT_EQ(hrt_session_destroy({0}), HRT_ERROR_INVALID_HANDLE);
   EXPECT_TRUE(std::string_view(hrt_last_error()).starts_with("hrt_session_destroy: session 0 "));
@@ -44,7 +44,7 @@ TEST(Results, LastErrorBelongsToTheThread) {
 }
 #endif
 
-TEST(SessionConfig, DefaultsAreTheModels) {
+TEST(SessionConfig, DefaultsAreThoseOfTheCore) {
   const hrt_session_config config = session_config();
   const RetargeterConfig core;
   EXPECT_EQ(config.paper.horizon, static_cast<unsigned>(core.mpc.horizon));
@@ -67,8 +67,8 @@ TEST(SessionConfig, DefaultsAreTheModels) {
   EXPECT_EQ(config.tracker.correlation_s, core.estimator.correlation_s);
 }
 
-// The plate, the tracker and the registration are not the user's.
-TEST_F(SessionTest, ANewPersonIsUnknown) {
+// Plate, tracker and registration are kept, because they do not belong to the user.
+TEST_F(SessionTest, ProfileResetMakesThePersonUnknownAndKeepsThePlate) {
   const hrt_session_config defaults = session_config();
   hrt_session_config apparatus = defaults;
   apparatus.flags = HRT_SESSION_REGISTERED;
@@ -88,7 +88,7 @@ TEST_F(SessionTest, ANewPersonIsUnknown) {
   EXPECT_TRUE(same(config_of(session), apparatus));
 }
 
-TEST_F(SessionTest, ConfigComesBackAsGivenAndNullMeansTheDefaults) {
+TEST_F(SessionTest, GetReturnsWhatSetStoredAndNullSetsTheDefaults) {
   const hrt_session_config defaults = session_config();
   hrt_session_config other = defaults;
   other.paper.horizon = 7;
@@ -101,7 +101,7 @@ TEST_F(SessionTest, ConfigComesBackAsGivenAndNullMeansTheDefaults) {
   EXPECT_TRUE(same(config_of(session), defaults));
 }
 
-TEST_F(SessionTest, DestroyedHandleIsRefusedForEver) {
+TEST_F(SessionTest, DestroyedHandleIsNeverValidAgain) {
   const hrt_session first = session;
   ASSERT_OK(hrt_session_destroy(session));
   expect_error(hrt_session_destroy(first), HRT_ERROR_INVALID_HANDLE, "session");
@@ -113,7 +113,7 @@ TEST_F(SessionTest, DestroyedHandleIsRefusedForEver) {
   }
 }
 
-TEST(Session, ManyFitAndOneMoreIsRefused) {
+TEST(Session, OneSessionMoreThanTheMaximumIsRejected) {
   const hrt_session_config config = session_config();
   std::vector<hrt_session> all(HRT_SESSIONS_MAX);
   for (hrt_session& session : all) ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
@@ -123,7 +123,7 @@ TEST(Session, ManyFitAndOneMoreIsRefused) {
   for (const hrt_session session : all) ASSERT_OK(hrt_session_destroy(session));
 }
 
-// Conditions beyond the ranges of single fields.
+// Conditions between several fields.
 TEST(SessionConfig, FieldsThatDependOnEachOtherAreChecked) {
   const auto refused = [](auto change, const char* field) {
     hrt_session_config config = session_config();
@@ -140,8 +140,8 @@ TEST(SessionConfig, FieldsThatDependOnEachOtherAreChecked) {
   refused([](hrt_session_config& c) { c.plate.covariance[1] = 1e-6; }, "plate_covariance");
 }
 
-// A caller that was compiled against a later header, whose struct has a further field.
-TEST(SessionConfig, LargerStructPassesWithZerosBeyond) {
+// The caller was compiled with a later header, whose struct has an additional field.
+TEST(SessionConfig, LargerStructIsAcceptedWithZerosBeyond) {
   struct Later {
     hrt_session_config config;
     double further;

@@ -1,4 +1,4 @@
-// Set-ups through the C ABI: a simulated person is led through them, and does wrong things on the way.
+// Set-ups through the C ABI, followed by a simulated person who makes mistakes.
 #include "haptic_retargeting/setup.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ hrt_setup_result cancelled_result() {
   return result;
 }
 
-// A belief about the user, with no deviation above 0.1.
+// Configures estimates of the user, with SDs up to 0.1.
 void know_person(hrt_session_config& config, double weight) {
   config.person.mean[HRT_PERSON_WEIGHT] = weight;
   config.person.mean[HRT_PERSON_GAIN] = 9.0;
@@ -42,7 +42,7 @@ class SetupTest : public RecordingTest {
     return next;
   }
 
-  /// Until the set-up is over, or `watch` returns false; then its result has everything left.
+  /// Runs the set-up until it is over, or until `watch` returns false.
   hrt_setup_result run(
       GuidedPerson& person,
       const std::function<bool(const hrt_setup_step&)>& watch = [](const auto&) { return true; }) {
@@ -64,7 +64,7 @@ class SetupTest : public RecordingTest {
     ASSERT_OK(hrt_setup_begin(session, what, config));
   }
 
-  std::uint32_t problems = 0;  // a bit of each HRT_PROBLEM_* that a step had
+  std::uint32_t problems = 0;  // bit n is set if a step had HRT_PROBLEM_* n
 };
 
 double turn_error_deg(const hrt_session_config& config, const GuidedPerson& person) {
@@ -74,8 +74,8 @@ double turn_error_deg(const hrt_session_config& config, const GuidedPerson& pers
   return atan2_deg(-ahead.x(), -ahead.z());
 }
 
-// 20 people: each number within what it says of itself.
-TEST_F(SetupTest, FindsAllThatIsMissing) {
+// For 20 people, the results are within their intervals.
+TEST_F(SetupTest, AllMissingMeasuresEveryPart) {
   int fingertips = 0, turns = 0, weights = 0, biases = 0;
   double squares = 0.0;
   constexpr int people = 20;
@@ -93,7 +93,7 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
     const double turn_deg = turn_error_deg(config, person);
     turns += std::abs(turn_deg) < 2.0 * result.registration_turn_sd_deg;
     squares += std::pow(turn_deg / result.registration_turn_sd_deg, 2);
-    // The illusion is linear; a frame that is turned turns the bias.
+    // The illusion is linear. An error of the frame's rotation adds to the bias.
     const hrt_interval& weight = result.tactile_weight;
     const double true_weight = person.condition.person.illusion.tactile_weight;
     weights += weight.known && weight.lower <= true_weight && true_weight <= weight.upper;
@@ -114,7 +114,7 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
 
 class SetupFrameRate : public SetupTest, public testing::WithParamInterface<int> {};
 
-TEST_P(SetupFrameRate, FindsAllThatIsMissing) {
+TEST_P(SetupFrameRate, AllMissingMeasuresEveryPart) {
   GuidedPerson person(3);
   person.frame_ms = GetParam();
   person.noise_m = 0.0012;
@@ -124,8 +124,8 @@ TEST_P(SetupFrameRate, FindsAllThatIsMissing) {
 }
 INSTANTIATE_TEST_SUITE_P(Milliseconds, SetupFrameRate, testing::Values(4, 11, 17, 33));
 
-// A part that the samples cannot show is left out; a part that is known already is not missing.
-TEST_F(SetupTest, LeavesOutWhatIsThereOrCannotBeShown) {
+// ALL_MISSING omits parts that the session has already, and parts whose data the samples lack.
+TEST_F(SetupTest, AllMissingSkipsKnownPartsAndPartsWithoutData) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;
   hrt_session_config config = session_config();
@@ -142,7 +142,7 @@ TEST_F(SetupTest, LeavesOutWhatIsThereOrCannotBeShown) {
   EXPECT_EQ(state, 0u);
 }
 
-TEST_F(SetupTest, WrongMovesAreNamedAndRepeated) {
+TEST_F(SetupTest, WrongSlidesAreReportedAndRepeated) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;
   begin_setup(HRT_SETUP_CALIBRATION);
@@ -150,7 +150,7 @@ TEST_F(SetupTest, WrongMovesAreNamedAndRepeated) {
   std::uint32_t lifted_at = 0;
   run(person, [&](const hrt_setup_step& step) {
     frames = step.instruction == HRT_STEP_SLIDE ? frames + 1 : 0;
-    if (frames == 90 && step.done == 2 && lifted_at == 0) {  // a second: in the middle of the slide
+    if (frames == 90 && step.done == 2 && lifted_at == 0) {  // after 1 s, in the middle of the slide
       person.lift(300);
       lifted_at = step.done;
     }
@@ -163,8 +163,8 @@ TEST_F(SetupTest, WrongMovesAreNamedAndRepeated) {
   EXPECT_EQ(hrt_setup_cancel(session), HRT_ERROR_WRONG_STATE);
 }
 
-// Touches the marks as asked; at first with left and right confused.
-TEST_F(SetupTest, SwappedMarksAreTouchedAgain) {
+// The person touches the marks, at first with left and right confused.
+TEST_F(SetupTest, ConfusedMarksAreReportedAndTouchedAgain) {
   GuidedPerson person = quiet_person();
   begin_setup(HRT_SETUP_REGISTRATION);
   auto step = output<hrt_setup_step>();
@@ -182,7 +182,7 @@ TEST_F(SetupTest, SwappedMarksAreTouchedAgain) {
   EXPECT_EQ(result.done, HRT_SETUP_REGISTRATION);
   EXPECT_NEAR(turn_error_deg(config_of(session), person), 0.0, 0.01);
 
-  // The plate is where it was; then it is not.
+  // The plate has not moved in the first check, and has moved before the second.
   begin_setup(HRT_SETUP_CHECK);
   EXPECT_EQ(run(person).done, HRT_SETUP_CHECK);
   problems = 0;
@@ -199,8 +199,8 @@ TEST_F(SetupTest, SwappedMarksAreTouchedAgain) {
   expect_error(hrt_setup_begin(session, HRT_SETUP_CHECK, nullptr), HRT_ERROR_WRONG_STATE, "HRT_SETUP_REGISTRATION");
 }
 
-// A host that mistakes an axis, a unit or a clock, or a plate whose report is stuck: what the step says meanwhile, and
-// what the set-up ends with.
+// A mistake of the host (axes, units, clock) or a plate whose report is stuck: what the step reports, and how the
+// set-up ends.
 struct Mistake {
   const char* name;
   std::uint32_t part;
@@ -212,7 +212,7 @@ struct Mistake {
 
 class SetupMistake : public SetupTest, public ::testing::WithParamInterface<Mistake> {};
 
-TEST_P(SetupMistake, IsNamedAndTheSetupEnds) {
+TEST_P(SetupMistake, IsReportedAndTheSetupEnds) {
   const Mistake& mistake = GetParam();
   GuidedPerson person = quiet_person();
   person.in_plate = mistake.part == HRT_SETUP_CALIBRATION;
@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(
                 HRT_OBSERVED_WRONG_WAY, HRT_SETUP_CALIBRATION, "axes may be swapped or mirrored"}),
     [](const auto& param) { return std::string(param.param.name); });
 
-TEST_F(SetupTest, MarksInOnePlaceAreRefused) {
+TEST_F(SetupTest, MarksAtOnePointAreRejected) {
   hrt_setup_config config = hrt_setup_config_init();
   config.mark_count = 3;
   expect_error(hrt_setup_begin(session, HRT_SETUP_REGISTRATION, &config), HRT_ERROR_OUT_OF_RANGE, "marks_m");
@@ -273,7 +273,7 @@ TEST_F(SetupTest, MarksInOnePlaceAreRefused) {
   begin_setup(HRT_SETUP_REGISTRATION, &config);
 }
 
-// Each part, by the person that the library has for first programs.
+// hrt_person follows each part.
 TEST_F(SetupTest, ASimulatedPersonFollowsEveryPart) {
   hrt_person person{};
   ASSERT_OK(hrt_person_create(nullptr, 1, &person));
@@ -310,7 +310,7 @@ TEST_F(SetupTest, ASimulatedPersonFollowsEveryPart) {
   session = {};
 }
 
-TEST_F(SetupTest, ALostFingerBeginsItsTouchAgain) {
+TEST_F(SetupTest, LostFingerRestartsTheTouch) {
   GuidedPerson person = quiet_person();
   begin_setup(HRT_SETUP_REGISTRATION);
   auto step = output<hrt_setup_step>();
@@ -324,7 +324,7 @@ TEST_F(SetupTest, ALostFingerBeginsItsTouchAgain) {
   EXPECT_EQ(step.problem, HRT_PROBLEM_NONE);
 }
 
-// Cancelled at any step, a set-up leaves what was found before, and can be begun again.
+// A set-up that is cancelled at any step keeps the results of completed parts, and can be begun again.
 TEST_F(SetupTest, CanBeCancelledAtEachStep) {
   std::uint32_t seen = 0;
   GuidedPerson person = quiet_person();
@@ -351,7 +351,7 @@ TEST_F(SetupTest, CanBeCancelledAtEachStep) {
   EXPECT_EQ(seen, (2u << HRT_STEP_FINISH) - 1);
 }
 
-TEST_F(SetupTest, RetestFindsAnotherPerson) {
+TEST_F(SetupTest, RetestReportsDifferencesForAnotherPerson) {
   GuidedPerson person = quiet_person();
   person.noise_m = 0.0003;
   person.in_plate = true;
@@ -366,8 +366,8 @@ TEST_F(SetupTest, RetestFindsAnotherPerson) {
   EXPECT_NEAR(config_of(session).person.tactile_weight, 0.28, 0.02);
 }
 
-// Curve, bias and habit become the person whom reaches begin with, in place of what these have learnt.
-TEST_F(SetupTest, ACalibrationBecomesThePerson) {
+// Curve, bias and habit of the calibration replace the estimates of reaches.
+TEST_F(SetupTest, CalibrationReplacesTheEstimatesOfReaches) {
   hrt_session_config before = session_config();
   before.person.motion_bound_deg = 30.0;
   know_person(before, 0.5);
@@ -408,8 +408,8 @@ TEST_F(SetupTest, ACalibrationBecomesThePerson) {
   expect_error(hrt_setup_get_residual(session, result.slides, &residual), HRT_ERROR_OUT_OF_RANGE, "slide is");
 }
 
-// Someone whose illusion changes on the way is like no model: nothing of them is believed.
-TEST_F(SetupTest, WhatDoesNotFitTheModelChangesNothingOfThePerson) {
+// The illusion changes along the path, which the model cannot fit: no result is applied.
+TEST_F(SetupTest, LackOfFitLeavesThePersonUnchanged) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;
   hrt_setup_config setup = hrt_setup_config_init();
@@ -428,7 +428,7 @@ TEST_F(SetupTest, WhatDoesNotFitTheModelChangesNothingOfThePerson) {
   EXPECT_EQ(config.person.covariance[0], 0.0);
 }
 
-TEST_F(SetupTest, TheTrackersUnitIsFittedOnRequest) {
+TEST_F(SetupTest, FitScaleEstimatesTheTrackersUnit) {
   GuidedPerson person = quiet_person();
   person.scale = 1.04;
   hrt_setup_config setup = hrt_setup_config_init();
@@ -442,7 +442,7 @@ TEST_F(SetupTest, TheTrackersUnitIsFittedOnRequest) {
   EXPECT_GT(config.registration.time_ns, 0);
 }
 
-TEST_F(SetupTest, ReplaysToTheSameBits) {
+TEST_F(SetupTest, SetupReplaysBitForBit) {
   GuidedPerson person(3);
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_setup(HRT_SETUP_ALL_MISSING);
@@ -456,13 +456,13 @@ TEST_F(SetupTest, ReplaysToTheSameBits) {
   const hrt_replay_report report = replay(text);
   expect_same(report);
   EXPECT_GT(report.rows, 5000u);
-  // A bit of one sample shows.
+  // A changed bit of one sample is detected.
   std::string altered = text;
   altered.replace(altered.find("weight=0"), 8, "weight=1");
   EXPECT_NE(replay(altered).first_different_line, 0u);
 }
 
-TEST_F(SetupTest, RefusalsNameTheField) {
+TEST_F(SetupTest, InvalidConfigurationsAreRejectedNamingTheField) {
   const auto refuse = [&](std::uint32_t what, void (*spoil)(hrt_setup_config&), const char* name) {
     hrt_setup_config config = hrt_setup_config_init();
     spoil(config);

@@ -1,4 +1,4 @@
-// The simulated person: who they are follows from the seed, and the plate bends their hand.
+// The simulated person of person.h: parameters follow from the seed, and the plate deflects the finger.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace hrt::test {
 namespace {
 
-constexpr int frames = 220;  // of 90 Hz: 0.6 s at rest, 1.5 s of motion, a rest
+constexpr int frames = 220;  // at 90 Hz: 0.6 s of rest, 1.5 s of motion, and a rest
 
 class SimulatedPersonTest : public SessionTest {
  protected:
@@ -33,7 +33,7 @@ class SimulatedPersonTest : public SessionTest {
     std::vector<double> seen_right_m;
   };
 
-  /// One reach; without `led` the plate stays at 0.
+  /// Runs one reach. Without `led`, the plate stays at 0.
   Slide slide(hrt_person person, bool led = true) {
     if (led) {
       EXPECT_OK(begin(real, seen));
@@ -56,7 +56,7 @@ class SimulatedPersonTest : public SessionTest {
     return slide;
   }
 
-  // From the start, 5 cm towards the user.
+  // Bearing from the start, which is 5 cm towards the user.
   static double bearing_deg(const double (&position_m)[3]) {
     return std::atan2(-position_m[0], 0.05 - position_m[2]) * 180.0 / std::numbers::pi;
   }
@@ -65,7 +65,7 @@ class SimulatedPersonTest : public SessionTest {
   std::vector<hrt_person> people;
 };
 
-TEST_F(SimulatedPersonTest, IsLedToTheRealTargetAndFeelsTheVirtualOne) {
+TEST_F(SimulatedPersonTest, IsSteeredToTheRealTargetAndPerceivesTheVirtualOne) {
   int on_target = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const hrt_person person = person_of(seed);
@@ -74,10 +74,10 @@ TEST_F(SimulatedPersonTest, IsLedToTheRealTargetAndFeelsTheVirtualOne) {
     on_target += std::abs(bearing_deg(led.end.position_m) + 5.0) < 1.5;
     EXPECT_NEAR(bearing_deg(led.end.felt_position_m), 5.0, 4.0) << seed;
   }
-  EXPECT_GE(on_target, 33);  // 92 % of first reaches: at most 33 in one of 100 runs
+  EXPECT_GE(on_target, 33);  // with a probability of 92 % each, fewer than 33 of 40 occur in one of 100 runs
 }
 
-// 0.6 s at rest and 1.5 s of motion, whose last tenth has 1 mm of the path; then 0.4 s.
+// 0.6 s of rest, 1.5 s of motion (1 mm of the path in the last tenth), and 0.4 s of dwell.
 TEST_F(SimulatedPersonTest, ArrivesSoonAfterTheMotion) {
   for (const std::uint32_t guidance : {HRT_GUIDANCE_ARRIVAL, HRT_GUIDANCE_FIXED_DIRECTION}) {
     hrt_session_config config = session_config();
@@ -111,20 +111,20 @@ TEST_F(SimulatedPersonTest, ArrivesSoonAfterTheMotion) {
   }
 }
 
-TEST_F(SimulatedPersonTest, GoesToTheVirtualTargetOverAPlateThatStands) {
+TEST_F(SimulatedPersonTest, ReachesTheVirtualTargetOverAFixedPlate) {
   const hrt_person person = person_of(3);
   EXPECT_NEAR(bearing_deg(slide(person, false).end.felt_position_m), 5.0, 1.5);
 }
 
-TEST_F(SimulatedPersonTest, FollowsFromTheSeed) {
+TEST_F(SimulatedPersonTest, MotionsFollowFromTheSeed) {
   const hrt_person one = person_of(7), same = person_of(7), other = person_of(8);
   const Slide first = slide(one, false);
   EXPECT_EQ(first.seen_right_m, slide(same, false).seen_right_m);
   EXPECT_NE(first.seen_right_m, slide(other, false).seen_right_m);
-  EXPECT_NE(first.seen_right_m, slide(one, false).seen_right_m);  // a further reach
+  EXPECT_NE(first.seen_right_m, slide(one, false).seen_right_m);  // another reach has other noise
 }
 
-TEST_F(SimulatedPersonTest, SeesABiasAndMovesForAsLongAsConfigured) {
+TEST_F(SimulatedPersonTest, HasTheConfiguredBiasAndDuration) {
   auto config = output<hrt_person_config>();
   config.bias_deg = 6.0;
   config.duration_s = 1.0;
@@ -137,7 +137,7 @@ TEST_F(SimulatedPersonTest, SeesABiasAndMovesForAsLongAsConfigured) {
   EXPECT_NEAR(biased.seen_right_m[146], end_m, 1e-7);  // 1.6 s
 }
 
-TEST_F(SimulatedPersonTest, ThePlateTakesItsTime) {
+TEST_F(SimulatedPersonTest, PlateHasTheConfiguredLatencyAndSpeed) {
   auto config = output<hrt_person_config>();
   config.plate_max_speed_deg_s = 100.0;
   config.plate_latency_ns = 50'000'000;
@@ -145,17 +145,17 @@ TEST_F(SimulatedPersonTest, ThePlateTakesItsTime) {
   ASSERT_OK(hrt_person_begin(person, session, seen));
   auto sample = output<hrt_sample>();
   ASSERT_OK(hrt_person_move(person, 1'000'000'000, 20.0, &sample));
-  EXPECT_EQ(sample.plate_orientation_deg, 20.0);  // where it is
+  EXPECT_EQ(sample.plate_orientation_deg, 20.0);  // it has not moved yet
   ASSERT_OK(hrt_person_move(person, 1'050'000'000, 60.0, &sample));
   EXPECT_EQ(sample.plate_orientation_deg, 20.0);
   ASSERT_OK(hrt_person_move(person, 1'150'000'000, 60.0, &sample));
   EXPECT_NEAR(sample.plate_orientation_deg, 30.0, 1e-9);
-  ASSERT_OK(hrt_person_move(person, 2'000'000'000, 10130.0, &sample));  // what feels the same as 50
+  ASSERT_OK(hrt_person_move(person, 2'000'000'000, 10130.0, &sample));  // equivalent to 50 degrees
   ASSERT_OK(hrt_person_move(person, 3'000'000'000, 10130.0, &sample));
   EXPECT_NEAR(sample.plate_orientation_deg, 50.0, 1e-9);
 }
 
-TEST_F(SimulatedPersonTest, RefusesWhatIsOutOfPlace) {
+TEST_F(SimulatedPersonTest, CallsOutOfOrderAreRejected) {
   const hrt_person person = person_of(1);
   auto sample = output<hrt_sample>();
   auto state = output<hrt_person_state>();

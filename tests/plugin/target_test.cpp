@@ -1,4 +1,4 @@
-// Targets: added, changed, removed, listed, found; and what can be held of them.
+// Targets, gaps between them, and assignment.
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -12,7 +12,7 @@ namespace {
 using TargetTest = SessionTest;
 using GapTest = PaperTest;
 
-TEST_F(TargetTest, ComesBackAsGiven) {
+TEST_F(TargetTest, GetReturnsTheAddedTarget) {
   const hrt_target_config config = target_config(HRT_TARGET_VIRTUAL, 12.5, "cup");
   const hrt_target target = add(config);
   auto back = output<hrt_target_config>();
@@ -20,7 +20,7 @@ TEST_F(TargetTest, ComesBackAsGiven) {
   EXPECT_TRUE(same(back, config));
 }
 
-TEST_F(TargetTest, ANameIsTakenUntilItsTargetIsRenamed) {
+TEST_F(TargetTest, NameIsTakenUntilItsTargetIsRenamed) {
   const hrt_target target = add(HRT_TARGET_REAL, 0.0, "cup");
   const hrt_target_config taken = target_config(HRT_TARGET_VIRTUAL, 5.0, "cup");
   hrt_target other{7};
@@ -31,7 +31,7 @@ TEST_F(TargetTest, ANameIsTakenUntilItsTargetIsRenamed) {
   expect_error(hrt_target_set(session, target, &taken), HRT_ERROR_NAME_TAKEN, "\"cup\"");
 }
 
-TEST_F(TargetTest, RemovedIsGoneForEver) {
+TEST_F(TargetTest, RemovedTargetIsNeverValidAgain) {
   const hrt_target target = add(HRT_TARGET_REAL, 0.0, "cup");
   ASSERT_OK(hrt_target_remove(session, target));
   expect_error(hrt_target_remove(session, target), HRT_ERROR_INVALID_HANDLE, "target");
@@ -41,7 +41,7 @@ TEST_F(TargetTest, RemovedIsGoneForEver) {
   expect_error(hrt_target_get(session, target, &config), HRT_ERROR_INVALID_HANDLE, "target");
 }
 
-TEST_F(TargetTest, OfAnotherSessionIsRefused) {
+TEST_F(TargetTest, TargetOfAnotherSessionIsRejected) {
   const hrt_target ours = add(HRT_TARGET_REAL, 0.0);
   const hrt_session_config config = session_config();
   hrt_session other{};
@@ -52,7 +52,7 @@ TEST_F(TargetTest, OfAnotherSessionIsRefused) {
   EXPECT_OK(hrt_session_destroy(other));
 }
 
-TEST_F(TargetTest, AreListedInTheOrderAdded) {
+TEST_F(TargetTest, ListReturnsTargetsInTheOrderOfAddition) {
   const hrt_target a = add(HRT_TARGET_REAL, 0.0), b = add(HRT_TARGET_VIRTUAL, 1.0), c = add(HRT_TARGET_REAL, 2.0);
   ASSERT_OK(hrt_target_remove(session, a));
   const hrt_target d = add(HRT_TARGET_REAL, 3.0);
@@ -73,7 +73,7 @@ TEST_F(TargetTest, AreListedInTheOrderAdded) {
   EXPECT_EQ(count, 99u);
 }
 
-TEST_F(TargetTest, TenThousandFit) {
+TEST_F(TargetTest, TenThousandTargetsCanBeAdded) {
   for (int i = 0; i < 10'000; ++i)
     add(i % 2 ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL, 0.01 * i, std::to_string(i).c_str());
   uint64_t count = 0;
@@ -81,7 +81,7 @@ TEST_F(TargetTest, TenThousandFit) {
   EXPECT_EQ(count, 5'000u);
 }
 
-TEST_F(TargetTest, PlaceAndNameAreChecked) {
+TEST_F(TargetTest, InvalidPositionsAndNamesAreRejected) {
   const auto refused = [&](auto change, const char* part) {
     hrt_target_config config = target_config(HRT_TARGET_REAL, 0.0);
     change(config);
@@ -112,9 +112,9 @@ TEST_F(TargetTest, NamesMayBeInAnyScript) {
   }
 }
 
-// model.md section 3: to hold P_R while the user feels theta_V the plate must stand at
-// (theta_V - P_R)(1 - w_T)/w_T from theta_V: 10 x 0.85/0.15 = 56.67 for 0.15.
-TEST_F(GapTest, OfAPairIsAsDerivedByHand) {
+// To keep the finger at P_R while the user perceives theta_V, the plate must be at (theta_V - P_R)(1 - w_T)/w_T from
+// theta_V: 10 x 0.85/0.15 = 56.67 for w_T = 0.15.
+TEST_F(GapTest, GapOfAPairIsAsDerivedByHand) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
   hrt_gap gap = gap_of(real, virtual_target);
   EXPECT_EQ(gap.reachable, 1u);
@@ -126,10 +126,10 @@ TEST_F(GapTest, OfAPairIsAsDerivedByHand) {
   expect_error(hrt_gap_query(session, virtual_target, real, &gap), HRT_ERROR_OUT_OF_RANGE, "real_target");
 }
 
-// A linear illusion of 0.15 shifts the felt direction by 0.15 t, so by 11.25 with the plate 75 degrees from
-// the motion, and by 10 with the plate 66.67 from it. The paper, whose bound is about the virtual direction,
-// has 84.5 x 0.15/0.85 = 14.91.
-TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
+// A linear illusion of 0.15 shifts the perceived direction by 0.15 t: by 11.25 with the plate 75 degrees from the
+// motion, and by 10 at 66.67 degrees. In the paper, the bound is relative to the virtual direction: 84.5 x 0.15/0.85 =
+// 14.91.
+TEST_F(GapTest, BoundIsRelativeToTheMotionUnderArrival) {
   hrt_session_config config = session_config();
   config.person.tactile_weight = 0.15;
   config.adaptation = HRT_ADAPTATION_OFF;
@@ -146,8 +146,8 @@ TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
   EXPECT_EQ(gap.reachable, 0u);
   EXPECT_NEAR(gap.settling_direction_deg, 5.0 - 11.25, 1e-9);
 
-  // A curve of b = 0.05 takes a quarter of it: g(t) = 0.2 t - 0.05 t (t/75)^2 is 11.25 at 75; a bias of 2 of
-  // the person widens the gap.
+  // A curvature of 0.05 reduces the shift by a quarter: g(t) = 0.2 t - 0.05 t (t/75)^2 is 11.25 at 75. A bias of 2
+  // degrees increases the gap.
   config = session_config();
   config.person.mean[HRT_PERSON_WEIGHT] = 0.2;
   config.person.mean[HRT_PERSON_CURVE] = 0.05;
@@ -161,9 +161,9 @@ TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
   EXPECT_NEAR(gap.paper_max_gap_deg, 84.5 * 0.2 / 0.8, 1e-12);
 }
 
-// From the default start, 5 cm towards the user of the plate's centre, a target 5 cm to the right of the
-// centre is 45 degrees to the right, and one straight ahead is at 0.
-TEST_F(GapTest, TakesDirectionsFromTheStart) {
+// The default start is 5 cm from the centre, towards the user. From there, a target 5 cm to the right of the centre is
+// 45 degrees to the right.
+TEST_F(GapTest, DirectionsAreMeasuredFromTheStart) {
   hrt_target_config ahead = placed(HRT_TARGET_VIRTUAL, 0.0, 0.0);
   ahead.position_m[1] = 0.3;
   const hrt_gap gap = gap_of(add(placed(HRT_TARGET_REAL, 0.05, 0.0)), add(ahead));
@@ -172,9 +172,9 @@ TEST_F(GapTest, TakesDirectionsFromTheStart) {
   EXPECT_NEAR(gap.settling_direction_deg, -84.5 * 0.15 / 0.85, 1e-12);
 }
 
-// The plate's mid-line is the world's -x (see reach_test.cpp), and its start 5 cm back at x = 0.05: a target
-// at x = -0.05, z = -0.1 in the plate's unit is 0.1 ahead and 0.1 to the right.
-TEST_F(GapTest, TakesTargetsInTheWorldToThePlate) {
+// The plate's mid-line is the world's -x (see reach_test.cpp), and the start is at x = 0.05: a target at x = -0.05 and
+// z = -0.1, relative to the plate, is 0.1 ahead and 0.1 to the right.
+TEST_F(GapTest, WorldTargetsAreConvertedToPlateCoordinates) {
   hrt_session_config config = paper_config();
   config.plate.rotation[1] = config.plate.rotation[3] = std::sqrt(0.5);
   config.plate.scale = 1.25;
@@ -186,7 +186,7 @@ TEST_F(GapTest, TakesTargetsInTheWorldToThePlate) {
   EXPECT_NEAR(gap_of(add(target), add(HRT_TARGET_VIRTUAL, 0.0)).gap_deg, 45.0, 1e-9);
 }
 
-TEST_F(GapTest, GapGoesTheShortWayRound) {
+TEST_F(GapTest, GapIsTheSmallerAngle) {
   EXPECT_NEAR(gap_of(add(HRT_TARGET_REAL, 175.0), add(HRT_TARGET_VIRTUAL, -175.0)).gap_deg, 10.0, 1e-12);
 }
 
@@ -206,7 +206,7 @@ class AssignTest : public SessionTest {
   }
 };
 
-TEST_F(AssignTest, EachIsServedByTheNearestUnlessRealTargetsServeOneEach) {
+TEST_F(AssignTest, AssignsTheNearestRealTargetOrOneEachIfExclusive) {
   const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, 0.0), add(HRT_TARGET_REAL, 8.0)},
       virtuals{add(HRT_TARGET_VIRTUAL, 5.0), add(HRT_TARGET_VIRTUAL, 9.0)};
   const auto shared = assign(virtuals, reals, 0), exclusive = assign(virtuals, reals, HRT_ASSIGN_EXCLUSIVE);
@@ -214,12 +214,12 @@ TEST_F(AssignTest, EachIsServedByTheNearestUnlessRealTargetsServeOneEach) {
   EXPECT_EQ(shared[1].real_target.value, reals[1].value);
   EXPECT_EQ(exclusive[0].real_target.value, reals[0].value);
   EXPECT_EQ(exclusive[1].real_target.value, reals[1].value);
-  // Each element is what a query says of the pair.
+  // Each element equals the result of hrt_gap_query().
   EXPECT_TRUE(same(exclusive[0], gap_of(reals[0], virtuals[0])));
 }
 
-// With a touch that fades on the way, a gap takes more of the plate the farther off the target is.
-TEST_F(AssignTest, TheSmallestShareServesInAnyOrder) {
+// With fading touch, a farther target needs a larger plate angle for the same gap.
+TEST_F(AssignTest, AssignsTheSmallestRatioInAnyOrder) {
   constexpr double mean[] = {0.25, 0.0, 10.0, 0.0, 0.0, 0.3, -0.4, 0.6, 1.0};
   hrt_session_config config = session_config();
   std::copy(std::begin(mean), std::end(mean), config.person.mean);
@@ -241,7 +241,7 @@ TEST_F(AssignTest, TheSmallestShareServesInAnyOrder) {
       EXPECT_EQ(assign({seen}, reals, flags)[0].real_target.value, (is_one ? one : other).value) << flags;
 }
 
-TEST_F(AssignTest, WhatCannotBeServedIsNamed) {
+TEST_F(AssignTest, VirtualTargetsWithoutAFeasibleGapAreMarked) {
   const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, -40.0), add(HRT_TARGET_REAL, 0.0)},
       virtuals{add(HRT_TARGET_VIRTUAL, 50.0), add(HRT_TARGET_VIRTUAL, 2.0), add(HRT_TARGET_VIRTUAL, 4.0)};
   const auto shared = assign(virtuals, reals, 0), exclusive = assign(virtuals, reals, HRT_ASSIGN_EXCLUSIVE);
@@ -257,7 +257,7 @@ TEST_F(AssignTest, WhatCannotBeServedIsNamed) {
   EXPECT_EQ(exclusive[1].reachable, 1u) << "the smaller share";
 }
 
-TEST_F(AssignTest, RefusesWhatIsNoSet) {
+TEST_F(AssignTest, MissingOrRepeatedTargetsAreRejected) {
   const hrt_target real = add(HRT_TARGET_REAL, 0.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
   const hrt_target reals[]{real, real}, cups[]{cup, cup}, none[]{{0}, {0}};
   hrt_gap out[2]{output<hrt_gap>(), output<hrt_gap>()};
@@ -276,8 +276,8 @@ TEST_F(AssignTest, RefusesWhatIsNoSet) {
   EXPECT_TRUE(same(out[0], before));
 }
 
-// The elements of a caller with later headers are as far apart as its struct is large.
-TEST_F(AssignTest, ElementsHaveTheCallersSize) {
+// The caller was compiled with later headers, so that its array has larger elements.
+TEST_F(AssignTest, OutputElementsHaveTheCallersStructSize) {
   const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, 0.0)},
       virtuals{add(HRT_TARGET_VIRTUAL, 5.0), add(HRT_TARGET_VIRTUAL, 6.0)};
   constexpr std::uint32_t later_size = sizeof(hrt_gap) + 8;  // of a later version

@@ -11,7 +11,7 @@ namespace {
 const double half_root = std::sqrt(0.5);
 
 // The mid-line is -Z and the left is -X, seen from above.
-TEST(BearingFrom, QuartersOfTheCompass) {
+TEST(BearingFrom, AheadLeftBehindAndRightAre0And90And180AndMinus90) {
   const Vec3 start_m{0.0, 0.0, 0.05};
   EXPECT_DOUBLE_EQ(bearing_from(start_m, {0.0, 0.0, -0.05}).direction_deg, 0.0);
   EXPECT_DOUBLE_EQ(bearing_from(start_m, {-0.1, 0.0, 0.05}).direction_deg, 90.0);
@@ -19,7 +19,7 @@ TEST(BearingFrom, QuartersOfTheCompass) {
   EXPECT_DOUBLE_EQ(bearing_from(start_m, {0.0, 0.0, 0.15}).direction_deg, 180.0);
 }
 
-TEST(BearingFrom, NothingToSeeAtTheStart) {
+TEST(BearingFrom, PointAtTheStartHasNoDirection) {
   EXPECT_TRUE(bearing_from({0.0, 0.0, 0.05}, {0.0, 0.2, 0.05}).at_start);
   EXPECT_TRUE(bearing_from({0.0, 0.0, 0.05}, {0.0009, 0.0, 0.05}).at_start);
   EXPECT_FALSE(bearing_from({0.0, 0.0, 0.05}, {0.0011, 0.0, 0.05}).at_start);
@@ -27,9 +27,9 @@ TEST(BearingFrom, NothingToSeeAtTheStart) {
 
 const PlateSurface plate_of_75_mm{.radius_m = 0.075, .lift_height_m = 0.015};
 
-// A plate at (1, 2, 3) turned a quarter to the left: its -Z looks along the world's -X, its +X along the
-// world's -Z. A finger 50 mm along the world's -X from its centre is on the mid-line.
-TEST(LocateFinger, PlateTurnedAQuarterLeft) {
+// The plate is at (1, 2, 3), rotated by 90 degrees to the left: its -Z is the world's -X, and its +X the world's -Z. A
+// finger 50 mm from its centre along the world's -X is on the mid-line.
+TEST(LocateFinger, PlateRotatedBy90DegreesRotatesPositions) {
   const Pose plate{{1.0, 2.0, 3.0}, {0.0, half_root, 0.0, half_root}};
   FingerOnPlate finger{};
   ASSERT_TRUE(locate_finger(plate_of_75_mm, plate, {0.95, 2.01, 3.0}, finger));
@@ -44,8 +44,8 @@ TEST(LocateFinger, PlateTurnedAQuarterLeft) {
   EXPECT_NEAR(finger.position_m.x, 0.02, 1e-15);
 }
 
-// Half a turn about +X puts the plate upside down: what was above it is below.
-TEST(LocateFinger, PlateUpsideDown) {
+// A rotation by 180 degrees about +X puts the plate upside down.
+TEST(LocateFinger, UpsideDownPlateNegatesTheHeight) {
   FingerOnPlate finger{};
   ASSERT_TRUE(locate_finger(plate_of_75_mm, {{}, {1.0, 0.0, 0.0, 0.0}}, {0.01, -0.02, -0.03}, finger));
   EXPECT_DOUBLE_EQ(finger.position_m.x, 0.01);
@@ -54,7 +54,7 @@ TEST(LocateFinger, PlateUpsideDown) {
   EXPECT_TRUE(finger.lifted);
 }
 
-TEST(LocateFinger, FlagsAtTheEdge) {
+TEST(LocateFinger, FlagsFingersBeyondTheEdgeOrTheLiftHeight) {
   FingerOnPlate finger{};
   ASSERT_TRUE(locate_finger(plate_of_75_mm, {}, {0.0749, 0.0149, 0.0}, finger));
   EXPECT_FALSE(finger.off_plate);
@@ -64,7 +64,7 @@ TEST(LocateFinger, FlagsAtTheEdge) {
   EXPECT_TRUE(finger.lifted);
 }
 
-TEST(LocateFinger, BadPosesLeaveTheOutputAlone) {
+TEST(LocateFinger, InvalidPosesLeaveTheOutputUnchanged) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   FingerOnPlate finger{.position_m = {7.0, 7.0, 7.0}};

@@ -13,7 +13,7 @@
 
 namespace hrt {
 
-/// Member by member as written: nlohmann's default sorts them.
+/// Keeps the order of members, which the default of nlohmann sorts.
 using Json = nlohmann::ordered_json;
 
 inline Json haptic(const char* role, Json more = Json::object()) {
@@ -27,7 +27,7 @@ inline Json node(const char* name, Json extras, Json more = Json::object()) {
   return more;
 }
 
-/// A file whose only scene has all nodes that are not among the children of another as roots.
+/// Returns a file with one scene, whose roots are the nodes that are not children of another one.
 inline Json document(Json nodes) {
   std::set<Json> children;
   for (const Json& parent : nodes)
@@ -45,12 +45,12 @@ inline Json plate(Json more = Json::object()) {
   return node("Plate", haptic("plate", {{"radius_m", 0.075}}), std::move(more));
 }
 
-/// 100 mm straight ahead of the default start.
+/// A real target 100 mm straight ahead of the default start.
 inline Json real(Json more = {{"translation", {0.0, 0.0, -0.05}}}) {
   return node("Real", haptic("real"), std::move(more));
 }
 
-/// 100 mm to the left of the default start.
+/// A virtual target 100 mm to the left of the default start.
 inline Json virtual_on_the_left() { return node("Left", haptic("virtual"), {{"translation", {-0.1, 0.0, 0.05}}}); }
 
 inline Scene load(const std::string& bytes, const char* name = "test.gltf") {
@@ -58,7 +58,7 @@ inline Scene load(const std::string& bytes, const char* name = "test.gltf") {
 }
 inline Scene load(const Json& document) { return load(document.dump()); }
 
-/// The error text; empty if the file is accepted.
+/// Loads a file and returns the error text; empty if the file is accepted.
 inline std::string refusal(const std::string& bytes) {
   try {
     load(bytes);
@@ -75,7 +75,7 @@ inline std::string little_endian(std::size_t value) {
   return bytes;
 }
 
-/// The same as binary glTF, with `data` as its binary chunk (in multiples of 4 bytes).
+/// Converts a file to binary glTF, with `data` as its binary chunk, whose size is a multiple of 4 bytes.
 inline std::string glb(const Json& document, const std::string& data = "") {
   std::string json = document.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');

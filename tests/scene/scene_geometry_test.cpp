@@ -1,5 +1,4 @@
-// Scenes whose answer is known without a computer. The default plate has a radius of 75 mm, so that reaches
-// start at z = +50 mm.
+// Scenes with hand-computed results. The default plate has a radius of 75 mm, so that reaches start at z = +50 mm.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,9 +26,9 @@ TEST(SceneGeometry, DefaultStartIsTwoThirdsTowardsTheUser) {
   EXPECT_EQ(scene.targets[1].served_by, 0u);
 }
 
-// The real targets are at 60 degrees, twice, and at -170. The last is 100 degrees from one at 90, and 40 from
-// one at 150, the short way round.
-TEST(SceneGeometry, WithoutServedByTheNearestInDirectionServes) {
+// Two real targets are at 60 degrees, one at -170. The latter is 100 degrees from a target at 90 degrees, and 40
+// degrees from one at 150.
+TEST(SceneGeometry, WithoutServedByTheNearestInDirectionIsAssigned) {
   const auto at = [](const char* name, const char* role, double direction_deg) {
     const PlatePoint place = point_ahead({0.0, -50.0}, direction_deg, 50.0);
     return node(name, haptic(role), {{"translation", {place.right_mm / mm_per_m, 0.0, -place.away_mm / mm_per_m}}});
@@ -41,8 +40,8 @@ TEST(SceneGeometry, WithoutServedByTheNearestInDirectionServes) {
   EXPECT_EQ(scene.targets[4].served_by, 0u);
 }
 
-// A start 40 mm nearer to the user and 30 mm to the right of a target 120 mm up: 3-4-5, seen to the left.
-TEST(SceneGeometry, StartNodeAndHeight) {
+// The target is 40 mm ahead of the start, 30 mm to the left and 120 mm up; the height has no effect: 3-4-5.
+TEST(SceneGeometry, DirectionsAreMeasuredFromTheStartNodeAlongThePlate) {
   const Json start = node("Start", haptic("start"), {{"translation", {0.03, 0.005, 0.02}}});
   const Scene scene = load(document({plate(), start, real({{"translation", {0.0, 0.12, -0.02}}})}));
   EXPECT_EQ(scene.start_path, "Start");
@@ -52,9 +51,9 @@ TEST(SceneGeometry, StartNodeAndHeight) {
   EXPECT_DOUBLE_EQ(scene.targets[0].position_m.y, 0.12);
 }
 
-// The plate at (1, 1, 1) looks along the world's -X, so its right is the world's -Z and 100 mm ahead of its
-// start, which lies at (1.05, 1, 1), is (0.95, 1, 1).
-TEST(SceneGeometry, TurnedPlate) {
+// The mid-line of the plate at (1, 1, 1) is the world's -X, so its right is the world's -Z. Its start is at (1.05, 1,
+// 1), and 100 mm ahead of it is (0.95, 1, 1).
+TEST(SceneGeometry, DirectionsAreRelativeToARotatedPlate) {
   const Scene scene = load(document({plate({{"translation", {1, 1, 1}}, {"rotation", quarter_left}}),
                                      real({{"translation", {0.95, 1.0, 1.0}}}),
                                      node("Right", haptic("virtual"), {{"translation", {1.05, 1.0, 0.9}}})}));
@@ -67,9 +66,9 @@ TEST(SceneGeometry, TurnedPlate) {
   EXPECT_NEAR(scene.plate.pose.orientation.w, sin_45, 1e-15);
 }
 
-// Group (10, 0, 0) turned a quarter left, in it a shelf 1 m along the group's -Z, which is the world's -X,
-// and on it the plate: at (9, 0, 0), looking along -X. The same with every transform as a matrix.
-TEST(SceneGeometry, NestedNodesAsTransformsAndAsMatrices) {
+// A group at (10, 0, 0) is rotated by 90 degrees to the left. In it, a shelf is 1 m along the group's -Z, which is the
+// world's -X, with the plate: at (9, 0, 0), with the mid-line along -X. The same with every transform as a matrix.
+TEST(SceneGeometry, NestedTransformsEqualNestedMatrices) {
   const Json nodes = {node("Group", {}, {{"translation", {10, 0, 0}}, {"rotation", quarter_left}, {"children", {1}}}),
                       node("Shelf", {}, {{"translation", {0, 0, -1}}, {"children", {2, 3}}}), plate(), real()};
   const Json matrices = {
@@ -89,8 +88,8 @@ TEST(SceneGeometry, NestedNodesAsTransformsAndAsMatrices) {
   }
 }
 
-// Scale moves what is below the scaled node, and leaves the plate's radius in metres.
-TEST(SceneGeometry, ScaleMovesWhatIsBelowIt) {
+// Scale moves the children of the scaled node, and does not change the plate's radius.
+TEST(SceneGeometry, ScaleMovesChildrenAndKeepsTheRadius) {
   const Json doubled = node("Group", {}, {{"scale", {3.0, 5.0, 2.0}}, {"children", {1, 2}}});
   const Scene scene = load(document({doubled, plate(), real({{"translation", {-0.05, 0.01, 0.025}}})}));
   EXPECT_DOUBLE_EQ(scene.plate.radius_m, 0.075);
@@ -101,10 +100,9 @@ TEST(SceneGeometry, ScaleMovesWhatIsBelowIt) {
   EXPECT_DOUBLE_EQ(scene.targets[0].direction_deg, 90.0);
 }
 
-// The plate's own scale moves nothing. A mirrored +X leaves normal and mid-line, so left stays left; a
-// mirrored -Z turns the mid-line round, and a mirrored +Y the normal, about which right and left change
-// places.
-TEST(SceneGeometry, NegativeScaleOfThePlate) {
+// The plate's own scale does not change distances. A mirrored +X changes neither the normal nor the mid-line, so left
+// stays left; a mirrored -Z reverses the mid-line, and a mirrored +Y the normal, which exchanges left and right.
+TEST(SceneGeometry, NegativeScaleOfThePlateMirrorsItsAxes) {
   const Json left = node("Left", haptic("real"), {{"translation", {-0.03, 0.0, 0.0}}});
   const auto position = [&](const Json& scale) {
     return load(document({plate({{"scale", scale}}), left})).targets[0].position_m;
@@ -116,9 +114,8 @@ TEST(SceneGeometry, NegativeScaleOfThePlate) {
   EXPECT_DOUBLE_EQ(position({-1.0, -1.0, -1.0}).x, -0.03);
 }
 
-// A quarter turn inside an uneven scale swaps the scaled axes and keeps them perpendicular; an eighth does
-// not.
-TEST(SceneGeometry, ShearedPlateIsRefused) {
+// Within a non-uniform scale, a rotation by 90 degrees keeps the axes perpendicular; one by 45 degrees does not.
+TEST(SceneGeometry, ShearedPlateIsRejected) {
   const double sin_deg_22_5 = std::sqrt(0.5 - 0.5 * sin_45);
   const double cos_deg_22_5 = std::sqrt(0.5 + 0.5 * sin_45);
   const Json group = node("Group", {}, {{"scale", {1.0, 1.0, 3.0}}, {"children", {1}}});
@@ -128,7 +125,7 @@ TEST(SceneGeometry, ShearedPlateIsRefused) {
                   .starts_with("test.gltf: node \"Group/Plate\": "));
 }
 
-TEST(SceneGeometry, DefaultSceneOfSeveral) {
+TEST(SceneGeometry, DefaultSceneOfSeveralIsLoaded) {
   Json file = document({plate(), real(), node("Other", haptic("plate", {{"radius_m", 1.0}}))});
   file["scenes"] = Json::array({{{"nodes", {2}}}, {{"nodes", {0, 1}}}});
   file["scene"] = 1;
@@ -143,8 +140,8 @@ TEST(SceneGeometry, DefaultSceneOfSeveral) {
   EXPECT_NE(refusal(file).find("0 scenes"), std::string::npos);
 }
 
-// Two nodes may show one mesh; roles belong to nodes.
-TEST(SceneGeometry, InstancedMeshesAreTwoTargets) {
+// Two nodes may share a mesh, because nodes have the roles.
+TEST(SceneGeometry, NodesThatShareAMeshAreTwoTargets) {
   const Json left = node("Left", haptic("virtual"), {{"mesh", 0}, {"translation", {-0.1, 0.0, 0.05}}});
   Json file = document({plate(), real({{"mesh", 0}, {"translation", {0.0, 0.0, -0.05}}}), left});
   file["meshes"] = Json::array({{{"primitives", Json::array({{{"attributes", {{"POSITION", 0}}}}})}}});
@@ -154,7 +151,7 @@ TEST(SceneGeometry, InstancedMeshesAreTwoTargets) {
   EXPECT_DOUBLE_EQ(scene.targets[1].direction_deg, 90.0);
 }
 
-TEST(SceneGeometry, FlatPropertiesMeanTheSame) {
+TEST(SceneGeometry, FlatPropertiesEqualNestedOnes) {
   const Json flat_plate = node("Plate", {{"haptic_role", "plate"},
                                          {"haptic_radius_m", 0.075},
                                          {"haptic_max_speed_deg_s", 400},
@@ -171,7 +168,7 @@ TEST(SceneGeometry, FlatPropertiesMeanTheSame) {
   EXPECT_EQ(scene.targets[1].served_by, 0u);
 }
 
-TEST(SceneGeometry, NamelessNodesGoByTheirPath) {
+TEST(SceneGeometry, NamelessNodesAreNamedByTheirPath) {
   Json group = {{"children", {1, 2}}};
   Json target = {{"extras", haptic("real")}, {"translation", {0.0, 0.0, -0.05}}};
   const Scene scene = load(document({group, plate(), target}));
@@ -179,7 +176,7 @@ TEST(SceneGeometry, NamelessNodesGoByTheirPath) {
   EXPECT_EQ(scene.plate.node_path, "[0]/Plate");
 }
 
-TEST(SceneGeometry, BinaryFileFromMemoryAndFromDisk) {
+TEST(SceneGeometry, BinaryFileLoadsFromMemoryAndFromDisk) {
   Json file = document({plate(), real(), virtual_on_the_left()});
   file["buffers"] = Json::array({{{"byteLength", 4}}});
   const std::string bytes = glb(file, "abcd");

@@ -1,5 +1,5 @@
-// Properties of every scene: moved as a whole, nothing on the plate changes; mirrored, directions change
-// sign.
+// Properties of every scene: a rigid motion of the scene changes no plate coordinates; a mirrored scene has negated
+// directions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,7 @@ TEST_F(RandomScenes, RigidMotionChangesNoDirection) {
     const Scene moved = load(document(file));
     ASSERT_EQ(moved.targets.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
-      // 20 m hold 1e-15 of themselves: 4e-15 m at the least 1 mm from the start is 2e-10 degrees.
+      // Rounding errors at 20 m are 4e-15 m, which is 2e-10 degrees at the minimum distance of 1 mm.
       EXPECT_NEAR(moved.targets[i].direction_deg, still.targets[i].direction_deg, 1e-9);
       EXPECT_NEAR(moved.targets[i].distance_m, still.targets[i].distance_m, 1e-13);
       EXPECT_NEAR(moved.targets[i].position_m.y, still.targets[i].position_m.y, 1e-13);
@@ -71,8 +71,8 @@ TEST_F(RandomScenes, RigidMotionChangesNoDirection) {
   }
 }
 
-// A mirror across the plate's own YZ plane: the targets change sides, the plate stays.
-TEST_F(RandomScenes, MirroringFlipsSigns) {
+// Mirrors the targets at the plate's YZ plane.
+TEST_F(RandomScenes, MirroringNegatesDirections) {
   for (int trial = 0; trial < trials; ++trial) {
     const Scene scene = load(document(nodes()));
     Json mirrored = {node("Root", {}, {{"scale", {-1.0, 1.0, 1.0}}, {"children", {1, 2, 3, 4, 5}}}), plate()};
@@ -89,8 +89,7 @@ TEST_F(RandomScenes, MirroringFlipsSigns) {
   }
 }
 
-// A fingertip on a target is where the scene says the target is, also once the plate has been moved: file and
-// tracker speak of the same coordinates.
+// A fingertip at the world position of a target has its direction, also after the plate has moved.
 TEST_F(RandomScenes, FingertipOnATargetHasItsDirection) {
   for (int trial = 0; trial < trials; ++trial) {
     const Scene scene = load(document(nodes()));

@@ -1,5 +1,5 @@
-// Files that are refused, each with one line that names the file, the node and the field; and files that look unusual
-// and are not.
+// Files that are rejected, with one line that names the file, the node and the field; and unusual files that are
+// accepted.
 #include <gtest/gtest.h>
 
 #include "tests/scene/scene_document.h"
@@ -10,7 +10,7 @@ namespace {
 // Three nodes with a role, and one without.
 Json good() { return document({plate(), real(), virtual_on_the_left(), node("Lamp", {})}); }
 
-// good() with one change: JSON text at a JSON pointer.
+// Returns good() with `json` at a JSON pointer.
 std::string with(const std::string& pointer, const std::string& json) {
   Json file = good();
   file[Json::json_pointer(pointer)] = Json::parse(json);
@@ -27,7 +27,7 @@ void expect_refused(const std::string& file, const std::string& part) {
 struct Change {
   const char* pointer;
   const char* json;
-  const char* named = "";  // in the message
+  const char* named = "";  // part of the error text
 };
 
 constexpr Change refused[] = {
@@ -90,7 +90,7 @@ constexpr Change refused[] = {
     {"/nodes/2/extras/haptic/role", R"("start")", "node \"Left\": "},
 };
 
-// The others concern no node that places a target, plate or start.
+// These changes do not affect nodes with a role.
 constexpr Change accepted[] = {
     {"/nodes/3/rotation", "[0,0,0,2]"},
     {"/nodes/3/scale", "[0,0,0]"},
@@ -119,7 +119,7 @@ TEST(SceneRefusal, NamesTheNodeAndTheField) {
   }
 }
 
-TEST(SceneRefusal, ConcernsOnlyNodesThatPlaceSomethingHaptic) {
+TEST(SceneRefusal, NodesWithoutARoleMayHaveAnyTransform) {
   EXPECT_EQ(refusal(good()), "");
   for (const Change& change : accepted) EXPECT_EQ(refusal(with(change.pointer, change.json)), "") << change.pointer;
   expect_refused(document({node("Group", {}, {{"rotation", {0, 0, 0, 2}}, {"children", {1}}}), plate()}).dump(),
@@ -128,7 +128,7 @@ TEST(SceneRefusal, ConcernsOnlyNodesThatPlaceSomethingHaptic) {
                  "node \"Group\": scale");
 }
 
-TEST(SceneRefusal, InstancingOfAHapticNode) {
+TEST(SceneRefusal, RejectsInstancingOfAHapticNode) {
   const std::string instances = R"({"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}})";
   Json file = Json::parse(with("/nodes/3/extensions", instances));
   file["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
@@ -139,7 +139,7 @@ TEST(SceneRefusal, InstancingOfAHapticNode) {
   expect_refused(file.dump(), "node \"Real\": EXT_mesh_gpu_instancing");
 }
 
-TEST(SceneRefusal, NotGltf) {
+TEST(SceneRefusal, RejectsTextsThatAreNotGltf) {
   for (const char* text : {"",
                            "hello",
                            "{",
@@ -161,16 +161,16 @@ TEST(SceneRefusal, NotGltf) {
                            "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[}",
                            "{\"meshes\":,\"a\":1}"})
     expect_refused(text, "not a glTF file: ");
-  // JSON has no NaN and no infinity; a number that overflows would be one.
+  // JSON has no NaN and no infinity, and numbers that overflow are rejected.
   for (const char* number : {"NaN", "-Infinity", "1e999", "-1e999"}) {
     std::string text = good().dump();
     expect_refused(text.replace(text.find("-0.05"), 5, number), "not a glTF file: ");
   }
-  // The parser quotes what it read last: here, all of the file.
+  // The parser quotes the last text that it read, here the whole file.
   expect_refused(std::string(5000, '\n') + "'", "line 5001");
 }
 
-TEST(SceneRefusal, CutShortAtEveryByte) {
+TEST(SceneRefusal, RejectsFilesTruncatedAtAnyByte) {
   for (const std::string& bytes : {good().dump(), glb(good(), "abcd")}) {
     ASSERT_EQ(refusal(bytes), "");
     for (std::size_t size = 0; size < bytes.size(); ++size)
@@ -178,7 +178,7 @@ TEST(SceneRefusal, CutShortAtEveryByte) {
   }
 }
 
-TEST(SceneRefusal, BinaryHeader) {
+TEST(SceneRefusal, RejectsInvalidBinaryHeaders) {
   const std::string binary = glb(good());
   const auto with_word = [&](std::size_t at, std::size_t value) {
     return std::string(binary).replace(at, 4, little_endian(value));
@@ -190,7 +190,7 @@ TEST(SceneRefusal, BinaryHeader) {
   expect_refused("glTF", "header");
 }
 
-TEST(SceneRefusal, Roles) {
+TEST(SceneRefusal, RejectsMissingAndRepeatedRoles) {
   expect_refused(document(Json::array({node("Cube", {})})).dump(), "extras.haptic.role");
   expect_refused(document({plate(), node("A", haptic("start")), node("B", haptic("start"))}).dump(),
                  "node \"B\": extras.haptic.role");
@@ -198,8 +198,8 @@ TEST(SceneRefusal, Roles) {
                  "node \"Real\": ");
 }
 
-// Readers differ in which of two values they take.
-TEST(SceneRefusal, RepeatedKeys) {
+// Parsers differ in which of two values they use.
+TEST(SceneRefusal, RejectsRepeatedKeys) {
   const auto with_member = [](const std::string& before, const std::string& member) {
     std::string text = good().dump();
     return text.insert(text.find(before), member + ",");
@@ -210,7 +210,7 @@ TEST(SceneRefusal, RepeatedKeys) {
   EXPECT_EQ(refusal(with_member("\"asset\"", R"("meshes":[{"b":{"b":1}},{"b":1}])")), "");
 }
 
-TEST(SceneRefusal, PathsThatAreNoFile) {
+TEST(SceneRefusal, RejectsPathsThatAreNotRegularFiles) {
   const auto refusal_of_path = [](const std::filesystem::path& path) -> std::string {
     try {
       load_scene(path);
@@ -226,7 +226,7 @@ TEST(SceneRefusal, PathsThatAreNoFile) {
 #endif
 }
 
-TEST(SceneRefusal, DeepNodesAndDeepJson) {
+TEST(SceneRefusal, RejectsTooDeepNodesAndJson) {
   Json nodes = Json::array();
   for (int i = 0; i < 99'999; ++i) nodes.push_back({{"children", Json::array({i + 1})}});
   nodes.push_back(plate());
@@ -241,7 +241,7 @@ TEST(SceneRefusal, DeepNodesAndDeepJson) {
   expect_refused("{\"a\":" + std::string(100'000, '{'), "up to 64");
 }
 
-TEST(SceneRefusal, TooMuchOfEverything) {
+TEST(SceneRefusal, RejectsFilesBeyondEachLimit) {
   std::string zeros = "[0";
   for (int i = 0; i < 1'000'000; ++i) zeros += ",0";
   const auto file = [&](const std::string& section) {
@@ -257,20 +257,20 @@ TEST(SceneRefusal, TooMuchOfEverything) {
   expect_refused(document(nodes).dump(), "up to 1000");
 }
 
-TEST(SceneRefusal, LongAndUnprintableNames) {
+TEST(SceneRefusal, RejectsLongAndUnprintableNames) {
   const std::string long_name = "\"" + std::string(256, 'x') + "\"";
   expect_refused(with("/nodes/1/extras/haptic/name", long_name), "extras.haptic.name");
   expect_refused(with("/nodes/1/name", long_name), "name is too long; allowed: up to 255");
   EXPECT_EQ(refusal(with("/nodes/3/name", long_name)), "");
   expect_refused(with("/nodes/1/extras/haptic/" + std::string(3000, 'r'), "1"), std::string(80, 'r') + "... is not");
   expect_refused(with("/nodes/1/extras/haptic/role", R"("a\nb\u001b[31m\u007f")"), "\"a?b?[31m?\"");
-  // Blender lets a node have any name.
+  // Blender allows any name of a node.
   const Scene scene = load(with("/nodes/1/name", R"("a\nb")"));
   EXPECT_EQ(scene.targets[0].name, "a?b");
   EXPECT_EQ(scene.targets[0].node_path, "a?b");
 }
 
-TEST(SceneRefusal, LongTextIsCutBetweenCharacters) {
+TEST(SceneRefusal, LongTextIsTruncatedBetweenCharacters) {
   std::string text;
   for (int i = 0; i < 80; ++i) text += "\u00fc";
   EXPECT_EQ(in_quotes(text), '"' + text + '"');

@@ -8,7 +8,7 @@ namespace {
 const std::filesystem::path sample_scenes = HRT_SAMPLE_SCENES;
 const std::filesystem::path scene_files = HRT_SCENE_FILES;
 
-TEST(DeskScene, HoldsWhatItsMakerPutThere) {
+TEST(DeskScene, HasThePlateStartAndTargetsOfItsReadme) {
   const Scene scene = load_scene(sample_scenes / "desk.gltf");
   EXPECT_EQ(scene.plate.node_path, "Desk/Apparatus/Plate");
   EXPECT_DOUBLE_EQ(scene.plate.radius_m, 0.075);
@@ -41,7 +41,7 @@ TEST(DeskScene, HoldsWhatItsMakerPutThere) {
   }
 }
 
-TEST(Table1Scene, HoldsTheSixPairsOfThePaper) {
+TEST(Table1Scene, HasTheSixPairsOfThePaper) {
   const Scene scene = load_scene(sample_scenes / "table1.gltf");
   const std::vector<std::pair<double, double>> real_and_virtual_deg{{-5, 5},  {5, -5}, {0, 10},
                                                                     {-10, 0}, {10, 0}, {0, -10}};
@@ -58,9 +58,9 @@ TEST(Table1Scene, HoldsTheSixPairsOfThePaper) {
   }
 }
 
-// Output of Blender for files/make_with_blender.py, in single precision: 1e-8 m at 0.1 m are 1e-5 degrees.
-// The rig is at (1.2, 2, 0.7) in Blender's axes, which is (1.2, 0.7, -2) in glTF's, turned by 30 degrees.
-TEST(BlenderScene, FlatAndNestedPropertiesOfARealExport) {
+// Exported by Blender from files/make_with_blender.py in single precision: 1e-8 m at 0.1 m are 1e-5 degrees. The group
+// is at (1.2, 2, 0.7) in Blender's axes, which is (1.2, 0.7, -2) in those of glTF, and is rotated by 30 degrees.
+TEST(BlenderScene, LoadsFlatAndNestedPropertiesOfAnExport) {
   const Scene scene = load_scene(scene_files / "blender.gltf");
   EXPECT_EQ(scene.plate.node_path, "Desk/Rig/Plate");
   EXPECT_EQ(scene.plate.radius_m, 0.075);

@@ -1,4 +1,4 @@
-// Checks of arguments: struct sizes, and ranges of numbers.
+// Checks of arguments: struct sizes, ranges of numbers, texts.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace hrt::plugin {
 
-/// No version of any struct is larger: a number beyond this is not a size.
+/// Limit of struct_size: a larger number is not the size of any version of a struct.
 inline constexpr std::uint32_t max_struct_size = 4096;
 
 inline hrt_result fail_of_null(const char* name) {
@@ -22,12 +22,12 @@ inline hrt_result fail_of_null(const char* name) {
 
 template <class Struct>
 hrt_result check_struct_size(const char* name, std::uint32_t size) {
-  // Every version ends with a whole field, and so at a multiple of this: 8, or 4 for pointers of 4 bytes.
+  // The size of every version of a struct is a multiple of its alignment: 8, or 4 with pointers of 4 bytes.
   constexpr std::uint32_t alignment = alignof(Struct);
   if (size >= sizeof(Struct) && size <= max_struct_size && size % alignment == 0) return HRT_OK;
   return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; allowed: multiples of ", alignment, " from ",
               sizeof(Struct), ", the size in this library, to ", max_struct_size,
-              ". Set it to sizeof the struct, with the headers of this library");
+              ". Build with the headers of this library, and set it by the _init() function of the struct");
 }
 
 /// Reads a struct of this version, or of a later one whose further bytes are 0, into `*known`.
@@ -41,21 +41,21 @@ hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
   for (std::uint32_t i = sizeof(Struct); i < size; ++i) {
     if (bytes[i] != 0)
       return fail(HRT_ERROR_STRUCT_SIZE, name, ": byte ", i, " is not 0, but this library knows only ", sizeof(Struct),
-                  " bytes; set the fields beyond to 0, or update the library");
+                  " bytes; set the following bytes to 0, or update the library");
   }
   std::memcpy(known, given, sizeof(Struct));
   known->struct_size = sizeof(Struct);
   return HRT_OK;
 }
 
-/// The same of a configuration; null means the defaults.
+/// As read_struct(), for a configuration: null means the defaults.
 template <class Struct>
 hrt_result read_configuration(const char* name, const Struct* given, Struct* known) {
   *known = defaults<Struct>;
   return given ? read_struct(name, given, known) : HRT_OK;
 }
 
-/// Checks the struct for write_struct().
+/// Checks that write_struct() can write to `out`.
 template <class Struct>
 hrt_result check_output(const char* name, const Struct* out) {
   if (!out) return fail_of_null(name);
@@ -64,7 +64,7 @@ hrt_result check_output(const char* name, const Struct* out) {
   return check_struct_size<Struct>(name, size);
 }
 
-/// Ends a struct of `size` bytes of which those that this library knows are written: with zeros.
+/// Completes a struct of `size` bytes whose known fields are written: sets struct_size, and the unknown bytes to 0.
 template <class Struct>
 void end_struct(std::uint32_t size, Struct* out) {
   auto* const bytes = reinterpret_cast<char*>(out);
@@ -72,7 +72,7 @@ void end_struct(std::uint32_t size, Struct* out) {
   std::memcpy(bytes, &size, sizeof size);
 }
 
-/// Writes `known` into a struct of `size` bytes, and zeros beyond.
+/// Writes `known` into a struct of `size` bytes, and zeros into its unknown bytes.
 template <class Struct>
 void write_struct_of(std::uint32_t size, const Struct& known, void* out) {
   std::memcpy(out, &known, sizeof(Struct));
@@ -117,7 +117,7 @@ inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
   return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the bits of ", known);
 }
 
-/// Fails, calling the value `name`, unless it is within the field's range.
+/// Fails unless the value is within the field's range. `name` is its name in the error text.
 template <class S, class T>
 hrt_result check_value(const char* name, const Field<S, T>& field, const T& value) {
   if constexpr (std::is_array_v<T>) {
@@ -154,7 +154,7 @@ hrt_result check_fields(const S& values) {
   return result;
 }
 
-/// A name that a host gives; what is behind its zero is cleared.
+/// Checks a name in a struct of the host: UTF-8 without control characters. Sets the bytes after its end to 0.
 inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
   const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
   if (!end)

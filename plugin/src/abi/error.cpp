@@ -4,8 +4,8 @@ namespace hrt::plugin {
 
 thread_local constinit ThreadError thread_error;
 
-// Not inline, so that no computation moves before it.
-void OurArithmetic::set(Mode mode) {
+// Not inline, so that the compiler does not move computations before the change of the mode.
+void FloatingPointModeGuard::set(Mode mode) {
 #if defined(__SSE2__)
   _mm_setcsr((_mm_getcsr() & ~mode_bits) | mode);
 #else

@@ -15,7 +15,7 @@
 namespace hrt::plugin {
 
 struct ThreadError {
-  const char* call = "";  // the entry point that this thread is in
+  const char* call = "";  // name of the entry point that this thread is in, or was in last
   Text<240> text;
 };
 
@@ -37,7 +37,7 @@ hrt_result fail(hrt_result code, const Parts&... parts) {
   return code;
 }
 
-/// Text of the last failure without the name of the call.
+/// Returns the text of the last failure without the name of the call.
 inline Text<240> last_failure() {
   const std::string_view text = thread_error.text.view();
   Text<240> parts;
@@ -49,7 +49,7 @@ inline Text<240> last_failure() {
 template <class Body>
 hrt_result guarded(const char* call, Body&& body) noexcept {
   thread_error.call = call;
-  const OurArithmetic arithmetic;
+  const FloatingPointModeGuard arithmetic;
   try {
     return body();
   } catch (const std::bad_alloc&) {

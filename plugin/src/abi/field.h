@@ -1,5 +1,6 @@
-// Properties of a field of the C interface: name, range, whether profiles have it. generated/fields.h, which
-// plugin/bindings/generate writes from api.json, has Fields of every struct, and the defaults of configurations.
+// Properties of the fields of the C interface: name, range, whether profiles contain it. plugin/bindings/generate
+// writes generated/fields.h from api.json, which specialises Fields for every struct, and `defaults` for
+// configurations.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +22,10 @@ struct Field {
   const char* name;
   std::size_t offset;
   FieldKind kind = FieldKind::free;
-  Number low = 0, high = 0;  ///< limits of a number, or of each in an array; of flags, `high` has all bits
-  bool zero = false;         ///< 0 is allowed besides
+  Number low = 0, high = 0;  ///< range of a number, or of each element of an array; for flags, `high` has all bits
+  bool zero = false;         ///< 0 is allowed in addition to the range
   bool (*in_profile)(const S&) = nullptr;
-  bool optional = false;  ///< profiles may lack it
+  bool optional = false;  ///< true if the field may be missing in a profile
 
   T& of(S& values) const { return *reinterpret_cast<T*>(reinterpret_cast<char*>(&values) + offset); }
   const T& of(const S& values) const { return of(const_cast<S&>(values)); }
@@ -36,13 +37,13 @@ struct Element {
   double low, high;
 };
 
-/// A function with arguments that it may refuse, and their names.
+/// A function of the C interface, and the names of its parameters.
 struct Call {
   const char* name;
   std::string_view parameters;
 };
 
-/// A constant for each field but `struct_size`, and all of them in `all`.
+/// A constant of type Field for each field except `struct_size`, and the tuple `all` of them.
 template <class S>
 struct Fields;
 template <class S>
@@ -69,7 +70,7 @@ bool is_set(const S& values) {
   return is_not_zero(Field<S, T>{.name = "", .offset = offset}.of(values));
 }
 
-/// Visits every field of a struct that holds something.
+/// Visits every field of a struct that is not reserved.
 template <class S, class Visit>
 constexpr void for_each_field(Visit&& visit) {
   const auto one = [&](const auto& field) {

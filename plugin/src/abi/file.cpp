@@ -30,7 +30,7 @@ constexpr int to_write = _O_WRONLY | _O_CREAT | _O_BINARY | _O_NOINHERIT;
 
 int open_descriptor(const char* path, int flags) {
   int descriptor = -1;
-  // One writer at a time: the system refuses the second.
+  // A second writer is denied by the system.
   _wsopen_s(&descriptor, path_of(path).c_str(), flags, flags == to_write ? _SH_DENYWR : _SH_DENYNO,
             _S_IREAD | _S_IWRITE);
   return descriptor;
@@ -69,12 +69,12 @@ bool lock(int) { return true; }
 void unlock(int) {}
 int truncate(int) { return 0; }
 #else
-// A pipe is not waited for, and a terminal does not become the process's.
+// Opening a pipe does not block, and a terminal does not become the controlling terminal.
 constexpr int everywhere = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 constexpr int to_read = O_RDONLY | everywhere;
 constexpr int to_write = O_WRONLY | O_CREAT | everywhere;
 int status_of(int descriptor, Status* out) { return fstat(descriptor, out); }
-// Locks belong to what was opened, so they keep apart the recordings of one process too.
+// A lock belongs to the open file description, so it also excludes a second recording of the same process.
 bool lock(int descriptor) {
   return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // some file systems have no locks
 }
@@ -86,7 +86,7 @@ std::ptrdiff_t write_some(int descriptor, const char* text, std::size_t size) {
   return ::write(descriptor, text, size);
 }
 void close_descriptor(int descriptor) { ::close(descriptor); }
-// Opening a pipe without a reader, or a socket, fails with this error.
+// True if open() failed because the path is a pipe without a reader, or a socket.
 bool means_no_file() { return errno == ENXIO; }
 bool means_taken() { return false; }
 

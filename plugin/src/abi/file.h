@@ -12,11 +12,11 @@
 
 namespace hrt::plugin {
 
-/// Windows' own narrow paths are in a code page that depends on the machine. Throws std::system_error if
-/// `utf8` is no UTF-8 there.
+/// Converts a path in UTF-8. Necessary on Windows, where paths of char are in a code page that depends on the machine.
+/// Throws std::system_error there if `utf8` is not UTF-8.
 inline std::filesystem::path path_of(const char* utf8) { return reinterpret_cast<const char8_t*>(utf8); }
 
-/// A regular file, byte for byte and without a buffer. Programs that the process starts do not inherit it.
+/// A regular file, in binary mode and without a buffer. Programs that the process starts do not inherit it.
 class File {
  public:
   File() = default;
@@ -29,19 +29,20 @@ class File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
-  /// Opens a file of at most `max_size` bytes to read. Fails naming the path and the reason. Never blocks: a
-  /// pipe is refused.
+  /// Opens a file of at most `max_size` bytes for reading. Fails naming the path and the reason. Never blocks: fails
+  /// for a pipe.
   static hrt_result open(const char* path, std::uint64_t max_size, File* out);
-  /// Creates a file to write, or opens it as it is. Fails too if another recording, of any process, is written to it.
+  /// Creates a file for writing, or opens an existing one without changing it. Fails if a recording of this or another
+  /// process is written to it.
   static hrt_result create(const char* path, File* out);
 
-  /// Bytes read into the beginning of `out`: 0 at the end, negative on failure, with errno set.
+  /// Reads into the beginning of `out`. Returns the number of bytes; 0 at the end; negative on failure, with errno set.
   std::ptrdiff_t read(std::span<char> out);
   /// Discards the content of a file that is open for writing. Returns 0 or errno.
   int clear();
-  /// 0, or errno.
+  /// Writes all of `text`. Returns 0 or errno.
   int write(std::string_view text);
-  /// Lets others write to the file, even while a child of this process has it open.
+  /// Unlocks the file for other writers, even while a child of this process has it open.
   void release();
 
  private:
@@ -50,7 +51,7 @@ class File {
   int descriptor_ = -1;
 };
 
-/// Fails for the last system error, about a file.
+/// Fails with the text of errno, naming the file.
 hrt_result fail_of_file(const char* path);
 
 }  // namespace hrt::plugin

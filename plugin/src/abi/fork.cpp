@@ -21,7 +21,7 @@ void watch_forks() {
   static const bool watched = [] {
     const auto in_child = [] {
       fork_count.fetch_add(1, std::memory_order_relaxed);
-      unlock_log_of_parent();
+      reset_log_mutex_after_fork();
     };
     if (pthread_atfork(nullptr, nullptr, in_child) != 0) throw std::bad_alloc();
     return true;

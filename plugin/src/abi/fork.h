@@ -5,10 +5,10 @@
 
 namespace hrt::plugin {
 
-/// Has forks() count. Throws std::bad_alloc.
+/// Starts the count of forks(). Throws std::bad_alloc.
 void watch_forks();
 
-/// Forks that lie between the process that began to watch and this one. Real-time.
+/// Returns the number of forks between the process that called watch_forks() and this one. Real-time.
 std::uint32_t forks();
 
 }  // namespace hrt::plugin

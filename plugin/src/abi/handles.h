@@ -1,4 +1,4 @@
-// Handles: numbers that stand for objects, checked at every use.
+// Handles: numbers that identify objects, and are checked at every use.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace hrt::plugin {
 
-/// Up to `capacity` objects. A handle names a slot and the slot's generation, which grows with every object
-/// that lives there, so a stale handle matches nothing. `kind` keeps the handles of two tables apart. Any
+/// Up to `capacity` objects. A handle contains the index of a slot and the slot's generation, which increases with
+/// every object in the slot, so that a stale handle is invalid. Handles of tables with different `kind` differ. Any
 /// member may be called from any thread; an object is leased to one caller at a time.
 template <class Object, std::size_t capacity, std::uint8_t kind>
 class HandleTable {
@@ -24,7 +24,7 @@ class HandleTable {
  public:
   constexpr HandleTable() = default;
 
-  /// The object while this lives; without one, result() is the reason.
+  /// Access to an object for the lifetime of the lease. If result() is not HRT_OK, there is no object.
   class Lease {
    public:
     explicit Lease(hrt_result failure) : result_(failure) {}
@@ -46,7 +46,7 @@ class HandleTable {
     std::uint64_t idle_ = 0;
   };
 
-  /// The object's handle; 0, and the object is destroyed, if the table is full.
+  /// Adds an object and returns its handle. If the table is full, destroys the object and returns 0.
   std::uint64_t insert(std::unique_ptr<Object> object) {
     for (std::size_t index = 0; index < capacity; ++index) {
       Slot& slot = slots_[index];
@@ -61,7 +61,7 @@ class HandleTable {
     return 0;
   }
 
-  /// Takes the object for one call.
+  /// Leases an object. Fails with BUSY or INVALID_HANDLE.
   Lease lease(std::uint64_t handle) {
     Slot* slot = find(handle);
     if (!slot) return Lease(HRT_ERROR_INVALID_HANDLE);
@@ -84,7 +84,7 @@ class HandleTable {
   std::size_t count() const { return count_.load(); }
 
  private:
-  // A slot's state: its generation, whether an object lives there, whether a call has it.
+  // Bits of a slot's state: a call has leased its object; it has an object; from generation_shift, its generation.
   static constexpr std::uint64_t busy = 1;
   static constexpr std::uint64_t live = 2;
   static constexpr int generation_shift = 2;
@@ -114,14 +114,14 @@ class HandleTable {
   std::atomic<std::size_t> count_{0};
 };
 
-/// Error of a HandleTable that did not grant access to `what`.
+/// Sets the error of a failed lease or destruction. `what` is the kind of the object, such as "session".
 inline hrt_result no_lease(hrt_result reason, const char* what, std::uint64_t handle) {
   if (reason == HRT_ERROR_BUSY)
     return fail(reason, "another thread is in a call on this ", what, "; wait until it returns");
   return fail(reason, what, " ", handle, " does not exist; it was destroyed or never created");
 }
 
-/// Runs the body of an entry point on the `what` of `table` that the handle stands for.
+/// Runs the body of an entry point on the object of a handle. `what` is the kind of the object, such as "session".
 template <class Table, class Body>
 hrt_result with_lease(const char* call, const char* what, Table& table, std::uint64_t handle, Body&& body) noexcept {
   return guarded(call, [&]() -> hrt_result {
@@ -130,7 +130,7 @@ hrt_result with_lease(const char* call, const char* what, Table& table, std::uin
   });
 }
 
-/// Destroys the `what` of `table` that the handle stands for.
+/// Destroys the object of a handle. `what` is the kind of the object, such as "session".
 template <class Table>
 hrt_result destroy(const char* call, const char* what, Table& table, std::uint64_t handle) noexcept {
   return guarded(call, [&]() -> hrt_result {

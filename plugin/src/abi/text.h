@@ -1,5 +1,4 @@
-// A line of text in a fixed buffer, and numbers as text, without heap or locale. Characters that do not fit are
-// dropped; every double reads back to the same bits.
+// Text in a buffer of fixed size, and conversion of numbers to text and back, without heap or locale.
 #pragma once
 
 #include <charconv>
@@ -13,17 +12,17 @@
 
 namespace hrt::plugin {
 
-/// Room for any number that write_number() writes.
+/// Maximum length of a number that write_number() writes.
 inline constexpr std::size_t max_number = 32;
 
 /// Writes the shortest text that reads back as the same finite number. Returns its length.
 std::size_t write_number(double number, char (&out)[max_number]);
 
 /// Reads `text` as a number: digits with at most one point, with or without an exponent; or inf, nan. Returns false and
-/// does not change `*out` if any of `text` is something else or the number is too large for a double.
+/// does not change `*out` if `text` has any other character, or if the number is too large for a double.
 bool read_number(std::string_view text, double* out);
 
-/// As above, for a whole number.
+/// As above, for an integer.
 template <class Integer>
 bool read_number(std::string_view text, Integer* out) {
   Integer number{};
@@ -38,6 +37,7 @@ struct Shown {
   std::string_view text;
 };
 
+/// A text in a buffer of `capacity` bytes. Characters that do not fit are dropped.
 template <std::size_t capacity>
 class Text {
  public:
@@ -58,7 +58,7 @@ class Text {
     return *this << beginning << (beginning.size() < shown.text.size() ? "..." : "");
   }
 
-  /// The shortest text that reads back as the same number; NaN, Inf and -Inf.
+  /// Appends a number by write_number(), or NaN, Inf or -Inf.
   template <class Number>
     requires std::is_arithmetic_v<Number>
   Text& operator<<(Number number) {

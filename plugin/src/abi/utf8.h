@@ -32,7 +32,7 @@ inline bool is_utf8(std::string_view text) {
   return true;
 }
 
-/// Whole characters from the beginning of `text`, at most `size` bytes.
+/// Returns the longest beginning of `text` that has at most `size` bytes and ends with a complete character.
 inline std::string_view utf8_beginning(std::string_view text, std::size_t size) {
   if (text.size() <= size) return text;
   while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;

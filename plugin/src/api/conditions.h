@@ -1,4 +1,4 @@
-// Under which conditions a person was measured, and whether they are those of now.
+// Conditions under which the user was measured, and their comparison with the present ones.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace hrt::plugin {
 
-/// Fails naming the field; what is behind the names' zeros is cleared.
+/// Checks the fields. Sets the bytes after the ends of the names to 0.
 inline hrt_result check_conditions(hrt_conditions* conditions) {
   HRT_RETURN_IF_FAILED(check_field(*conditions, Fields<hrt_conditions>::time_s));
   HRT_RETURN_IF_FAILED(check_name("plate", conditions->plate));

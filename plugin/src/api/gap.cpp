@@ -11,7 +11,7 @@
 namespace hrt::plugin {
 namespace {
 
-// Fails if an id is there twice.
+// Finds the targets of an array of ids. Fails if an id does not exist or appears twice.
 hrt_result find_targets(const Targets& targets, const char* argument, const hrt_target* given, std::uint64_t count,
                         TargetRole role, std::vector<const Target*>* out) {
   if (count == 0 || count > HRT_ASSIGN_TARGETS_MAX)
@@ -66,13 +66,13 @@ hrt_result hrt_gap_assign(hrt_session session, const hrt_target* virtual_targets
     if (capacity < virtual_count)
       return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", virtual_count,
                   " virtual targets");
-    const std::vector<Served> served =
+    const std::vector<Assigned> served =
         assign(s.session().model(), virtuals, reals, (flags & HRT_ASSIGN_EXCLUSIVE) != 0);
     const std::uint32_t element_size = out_gaps->struct_size;
     auto* out = reinterpret_cast<unsigned char*>(out_gaps);
     for (std::size_t i = 0; i < virtual_count; ++i, out += element_size) {
       hrt_gap gap = to_c(served[i].gap, real_targets[served[i].real], virtual_targets[i]);
-      if (!served[i].is_served) {
+      if (!served[i].is_feasible) {
         gap.reachable = 0;
         gap.real_target = {0};
       }

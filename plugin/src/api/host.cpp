@@ -1,5 +1,5 @@
-// Allocator and log of the host. All memory of the library, including that of containers and of nlohmann-json, is from
-// the operators below. They serve this library alone, which exports neither them nor the C++ runtime that is linked in.
+// Allocator and log of the host. The operators below allocate all memory of the library, including that of containers
+// and of nlohmann-json. They are not exported, and neither is the C++ runtime that is linked into the library.
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
@@ -18,7 +18,7 @@ namespace {
 void* c_allocate(void*, std::size_t size, std::size_t alignment) {
   if (alignment <= alignof(std::max_align_t)) return std::malloc(size);
 #if defined(_WIN32)
-  return nullptr;  // free() of its C library could not release such memory; the library does not request it
+  return nullptr;  // free() of Windows cannot release over-aligned memory; the library does not request any
 #else
   return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 #endif
@@ -35,11 +35,11 @@ constexpr hrt_host c_library{
     .log = nullptr,
 };
 
-constinit hrt_host lent = c_library;
+constinit hrt_host host_callbacks = c_library;
 constinit std::atomic<std::int64_t> blocks_held{0};
 
 void* allocate(std::size_t size, std::size_t alignment) noexcept {
-  void* memory = lent.allocate(lent.context, size > 0 ? size : 1, alignment);
+  void* memory = host_callbacks.allocate(host_callbacks.context, size > 0 ? size : 1, alignment);
   if (memory) blocks_held.fetch_add(1, std::memory_order_relaxed);
   return memory;
 }
@@ -52,22 +52,22 @@ void* allocate_or_throw(std::size_t size, std::size_t alignment) {
 void release(void* memory) noexcept {
   if (!memory) return;
   blocks_held.fetch_sub(1, std::memory_order_relaxed);
-  lent.release(lent.context, memory);
+  host_callbacks.release(host_callbacks.context, memory);
 }
 
 std::mutex log_mutex;  // held while the log is called
 
-// Another allocator cannot release what this one has given.
+// Fails if the allocator changes while blocks are in use, which only the present allocator can release.
 hrt_result check_allocator(const hrt_host& next) {
   const std::int64_t held = blocks_held.load();
-  const bool same_functions = next.allocate == lent.allocate && next.release == lent.release;
+  const bool same_functions = next.allocate == host_callbacks.allocate && next.release == host_callbacks.release;
   const bool reads_context = next.allocate != c_allocate;
-  if (held == 0 || (same_functions && (!reads_context || next.context == lent.context))) return HRT_OK;
+  if (held == 0 || (same_functions && (!reads_context || next.context == host_callbacks.context))) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE, "the library holds ", held,
               " blocks of memory; destroy its sessions, people and scenes first");
 }
 
-// Null: the defaults.
+// Reads a host. Null means the defaults.
 hrt_result read_host(const hrt_host* given, hrt_host* host) {
   *host = {.struct_size = sizeof(hrt_host)};
   if (!given) return HRT_OK;
@@ -82,7 +82,7 @@ constexpr std::size_t plain = alignof(std::max_align_t);
 void write_log(std::uint32_t level, const char* text, const SessionLog& of_session) {
   const std::lock_guard lock(log_mutex);
   if (of_session.log) return of_session.log(of_session.context, level, text);
-  if (lent.log) lent.log(lent.context, level, text);
+  if (host_callbacks.log) host_callbacks.log(host_callbacks.context, level, text);
 }
 
 void set_log(SessionLog* of_session, const hrt_host& host) {
@@ -90,7 +90,7 @@ void set_log(SessionLog* of_session, const hrt_host& host) {
   *of_session = {host.context, host.log};
 }
 
-void unlock_log_of_parent() { std::construct_at(&log_mutex); }
+void reset_log_mutex_after_fork() { std::construct_at(&log_mutex); }
 
 }  // namespace hrt::plugin
 
@@ -128,7 +128,7 @@ hrt_result hrt_host_set(const hrt_host* given) noexcept {
     }
     HRT_RETURN_IF_FAILED(check_allocator(next));
     const std::lock_guard lock(log_mutex);
-    lent = next;
+    host_callbacks = next;
     return HRT_OK;
   });
 }

@@ -14,7 +14,7 @@ namespace {
 
 struct SimulatedUser {
   SimulatedHand hand;
-  std::uint64_t session = 0;  // session whose set-up the person follows
+  std::uint64_t session = 0;  // handle of the session whose set-up the person follows
 };
 
 using People = HandleTable<SimulatedUser, HRT_PEOPLE_MAX, 0x9e>;
@@ -50,7 +50,7 @@ hrt_result check_begun(const SimulatedHand& hand) {
               "the person has begun no reach: call hrt_person_begin() with a virtual target first");
 }
 
-// The person does what the current step of the session's set-up asks for.
+// Moves the person as the current step of the session's set-up instructs.
 hrt_result follow(SimulatedUser& user, std::int64_t time_ns, double plate_orientation_deg, hrt_sample* sample) {
   return with_session("hrt_person_move", hrt_session{user.session}, [&](RecordedSession& s) -> hrt_result {
     const Session& session = s.session();

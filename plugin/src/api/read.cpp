@@ -58,7 +58,7 @@ hrt_result check_sample(const hrt_sample& sample) {
   return check_rotation("plate_rotation", sample.plate_rotation);
 }
 
-// Position of the skin that touches, in the frame of the sample.
+// Returns the position of the point of contact on the skin, in the coordinates of the sample.
 Vec3 skin_m(const Vec3& fingertip_offset_m, const hrt_sample& sample) {
   const Vec3 tip_m = to_vec3(sample.finger_position_m);
   if ((sample.flags & HRT_SAMPLE_JOINT_ROTATION) == 0) return tip_m;
@@ -139,7 +139,7 @@ hrt_result read(const SessionModel& model, const hrt_sample& given, FingerSample
   return HRT_OK;
 }
 
-// The fingertip is found from the joint, and guided slides from positions that contacts do not correct.
+// The fingertip is fitted to positions of the joint, and guides to positions that contacts do not correct.
 hrt_result read(const SessionModel& model, SetupPart part, const hrt_sample& given, SetupSample* out) {
   HRT_RETURN_IF_FAILED(check_sample(given));
   if (given.flags & HRT_SAMPLE_DIRECTION)

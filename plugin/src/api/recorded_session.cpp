@@ -86,7 +86,7 @@ hrt_result RecordedSession::begin(const hrt_reach_config& config) {
                                      .real_number = session_.targets.number(config.real_target.value),
                                      .virtual_number = session_.targets.number(config.virtual_target.value),
                                      .duration_s = config.duration_s,
-                                     .reach = aimed()}};
+                                     .reach = reach_geometry()}};
   });
   return result;
 }
@@ -100,7 +100,7 @@ hrt_result RecordedSession::update(const hrt_sample& sample, hrt_command* out) {
   if (result == HRT_OK) result = session_.update(finger, &command);
   if (result == HRT_OK) {
     *out = to_c(command);
-    doubted_registration_ |= command.registration_doubtful;
+    registration_was_poor_ |= command.registration_doubtful;
     if (command.implausible && implausible_.kind == Implausible::Kind::none) implausible_ = session_.implausible();
     if ((out->flags & HRT_COMMAND_FAULT) != 0) {
       had_fault_ = true;
@@ -109,7 +109,7 @@ hrt_result RecordedSession::update(const hrt_sample& sample, hrt_command* out) {
   }
   record([&] {
     Updated updated{sample, result == HRT_OK ? *out : hrt_command{}, {}};
-    if (awaited_finger && !session_.awaits_finger()) updated.reach = aimed();
+    if (awaited_finger && !session_.awaits_finger()) updated.reach = reach_geometry();
     return Record{result, updated};
   });
   return result;
@@ -120,7 +120,7 @@ hrt_result RecordedSession::retarget(hrt_target real_target, hrt_target virtual_
   record([&] {
     return Record{result, Retargeted{.real_number = session_.targets.number(real_target.value),
                                      .virtual_number = session_.targets.number(virtual_target.value),
-                                     .reach = aimed()}};
+                                     .reach = reach_geometry()}};
   });
   return result;
 }
@@ -202,7 +202,7 @@ hrt_result RecordedSession::set_plate_orientation_deg(double orientation_deg) {
   return HRT_OK;
 }
 
-AimedReach RecordedSession::aimed() const {
+ReachGeometry RecordedSession::reach_geometry() const {
   if (!session_.is_reaching()) return {};
   const Reach& reach = session_.reach();
   return {.real_direction_deg = reach.real_direction_deg,
@@ -214,12 +214,12 @@ AimedReach RecordedSession::aimed() const {
 }
 
 void RecordedSession::forget_findings() {
-  doubted_registration_ = logged_registration_ = logged_implausible_ = false;
+  registration_was_poor_ = logged_registration_ = logged_implausible_ = false;
   implausible_ = {};
 }
 
 void RecordedSession::log_findings(std::uint64_t handle) {
-  if (doubted_registration_ && !logged_registration_) {
+  if (registration_was_poor_ && !logged_registration_) {
     Text<240> text;
     text << "session " << handle
          << ": in a reach, the registration of the plate was missing, or older or less accurate than allowed; "
@@ -264,7 +264,7 @@ std::uint32_t RecordedSession::state() const {
 
 hrt_result RecordedSession::start_recording(const char* path, std::uint64_t handle) {
   HRT_RETURN_IF_FAILED(session_.check_idle());
-  if (recorder_ && !recorder_->is_of_parent())
+  if (recorder_ && !recorder_->belongs_to_parent_process())
     return fail(HRT_ERROR_WRONG_STATE, "a recording of this session is in progress; stop it first");
   File file;
   HRT_RETURN_IF_FAILED(File::create(path, &file));
@@ -279,7 +279,7 @@ hrt_result RecordedSession::start_recording(const char* path, std::uint64_t hand
 
 hrt_result RecordedSession::check_recording() const {
   if (!recorder_) return fail(HRT_ERROR_WRONG_STATE, "no recording of this session is in progress; start one first");
-  if (!recorder_->is_of_parent()) return HRT_OK;
+  if (!recorder_->belongs_to_parent_process()) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE, "the recording belongs to the parent process; start another one in this process");
 }
 

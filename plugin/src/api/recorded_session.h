@@ -1,5 +1,5 @@
-// A session as the C interface has it: its calls take and return the structs of the headers, and are recorded while a
-// recording runs.
+// The object behind a session's handle: its calls take and return the structs of the C headers, and are recorded while
+// a recording is in progress.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace hrt::plugin {
 
-/// Each call reads its structs, calls the session and writes the results. Every call that fails changes nothing. Those
-/// of a reach and refuse() are real-time. Nothing is built for a recording that is off.
+/// Each call converts its structs, calls the session and writes the results. A call that fails changes nothing. Calls
+/// of a reach and refuse() are real-time. Records are only built while a recording is in progress.
 class RecordedSession {
  public:
   explicit RecordedSession(const SessionModel& valid_model) : session_(valid_model) {}
@@ -30,8 +30,8 @@ class RecordedSession {
   hrt_result add_target(const Target& checked_target, std::uint64_t* out_id);
   hrt_result set_target(std::uint64_t id, const Target& checked_target);
   hrt_result remove_target(std::uint64_t id);
-  /// Replaces the model and adds all targets. `served_by` has, for each target, the index of the real target that
-  /// stands in for it, if any.
+  /// Replaces the model and adds all targets. For each target, `served_by` has the index of the real target that is
+  /// assigned to it, if any.
   hrt_result add_scene(const SessionModel& valid_model, std::span<const Target> checked_targets,
                        std::span<const std::optional<std::size_t>> served_by, std::vector<std::uint64_t>* out_ids);
 
@@ -45,31 +45,32 @@ class RecordedSession {
   hrt_result update_setup(const hrt_sample& sample, hrt_setup_step* out);
   hrt_result finish_setup(hrt_setup_result* out);
   hrt_result cancel_setup();
-  /// Records a call that was refused with `result` because of `argument`. Returns `result`.
+  /// Records a call that failed with `result` because of `argument`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 
   /// Sets the initial plate orientation of a replay.
   hrt_result set_plate_orientation_deg(double orientation_deg);
-  /// The reach in progress as it was last aimed, for a recording.
-  AimedReach aimed() const;
+  /// Geometry of the reach in progress, for a recording.
+  ReachGeometry reach_geometry() const;
 
-  /// Logs once if a value was not finite (HRT_COMMAND_FAULT), and once for a configuration if a command was flagged
-  /// HRT_COMMAND_REGISTRATION or HRT_COMMAND_IMPLAUSIBLE. The log names the session by `handle`.
+  /// Logs, once for each session, that a value was not finite (HRT_COMMAND_FAULT), and, once for each configuration,
+  /// that a command had HRT_COMMAND_REGISTRATION or HRT_COMMAND_IMPLAUSIBLE. `handle` identifies the session in the
+  /// log.
   void log_findings(std::uint64_t handle);
 
-  /// Logs if the person was measured under other conditions than the present ones.
+  /// Logs a warning if the conditions under which the user was measured differ from the present ones.
   void log_conditions(std::uint64_t handle) const;
 
-  /// Takes the log of `host`. Without it, the session uses that of the process.
+  /// Sets the session's log to that of `host`. If it is null, the session uses that of the process.
   void set_log(const hrt_host& host) { plugin::set_log(&log_, host); }
 
   /// HRT_STATE_*.
   std::uint32_t state() const;
 
-  /// The log identifies the session by `handle`.
+  /// `handle` identifies the session in the log.
   hrt_result start_recording(const char* path, std::uint64_t handle);
   hrt_result check_recording() const;
-  /// Require that check_recording() succeeds.
+  /// These require that check_recording() succeeds.
   RecorderStatus recording_status() const { return recorder_->status(); }
   RecorderStatus flush_recording() { return recorder_->flush(); }
   RecorderStatus stop_recording();
@@ -86,11 +87,11 @@ class RecordedSession {
 
   Session session_;
   bool had_fault_ = false, logged_fault_ = false;
-  // A command under this configuration was flagged HRT_COMMAND_REGISTRATION.
-  bool doubted_registration_ = false, logged_registration_ = false;
-  Implausible implausible_;  // the first one under this configuration
+  // A command with this configuration had HRT_COMMAND_REGISTRATION.
+  bool registration_was_poor_ = false, logged_registration_ = false;
+  Implausible implausible_;  // the first finding with this configuration
   bool logged_implausible_ = false;
-  SessionLog log_;                      // before the recorder, whose thread reads it
+  SessionLog log_;                      // declared before the recorder, whose thread reads it
   std::unique_ptr<Recorder> recorder_;  // null: no recording
 };
 

@@ -23,7 +23,7 @@ hrt_recording_status to_abi(const RecorderStatus& status) {
   };
 }
 
-// As much of a file as replay() has a use for: what does not begin as a recording is not read to its end.
+// Reads a file, of at most max_file bytes. If it does not begin like a recording, only its beginning is read.
 hrt_result read_file(const char* path, std::string* out) {
   File file;
   HRT_RETURN_IF_FAILED(File::open(path, max_file, &file));

@@ -111,7 +111,9 @@ class Replay {
   }
 
   hrt_result check_session() const {
-    return session_ ? HRT_OK : fail(HRT_ERROR_BAD_FORMAT, "this line precedes the line with the configuration");
+    if (session_) return HRT_OK;
+    return fail(HRT_ERROR_BAD_FORMAT,
+                "the line \"# config\" is missing before this line: the file was edited; record again");
   }
 
   hrt_result take_target(std::string_view rest) {
@@ -123,7 +125,8 @@ class Replay {
     if (changed.change != TargetChanged::Change::removed) HRT_RETURN_IF_FAILED(read(changed.config, &target));
     std::uint64_t& id = target_ids_[changed.number];
     if ((changed.change == TargetChanged::Change::added) != (id == 0))
-      return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number, id == 0 ? " does not exist" : " exists already");
+      return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number, id == 0 ? " does not exist" : " exists already",
+                  ": the file was edited; record again");
     switch (changed.change) {
       case TargetChanged::Change::added:
         return session_->add_target(target, &id);
@@ -137,8 +140,8 @@ class Replay {
 
   hrt_result take_plate(std::string_view rest) {
     HRT_RETURN_IF_FAILED(check_session());
-    PlateStands plate{};
-    HRT_RETURN_IF_FAILED(read_plate_stands(rest, &plate));
+    InitialPlateOrientation plate{};
+    HRT_RETURN_IF_FAILED(read_initial_plate_orientation(rest, &plate));
     return session_->set_plate_orientation_deg(plate.orientation_deg);
   }
 
@@ -163,7 +166,7 @@ class Replay {
     return HRT_OK;
   }
 
-  // Each repeats a call and replaces the recorded result by the new one.
+  // These repeat a call, and replace the recorded result by the new one.
   void call_again(ReachBegun& call, hrt_result* result) {
     *result = session_->begin({
         .struct_size = sizeof(hrt_reach_config),
@@ -173,17 +176,17 @@ class Replay {
         .plate_orientation_deg = call.plate_orientation_deg,
         .duration_s = call.duration_s,
     });
-    call.reach = session_->aimed();
+    call.reach = session_->reach_geometry();
   }
   void call_again(Updated& call, hrt_result* result) {
     const bool awaited_finger = session_->session().awaits_finger();
     *result = session_->update(call.sample, &call.command);
-    if (awaited_finger && !session_->session().awaits_finger()) call.reach = session_->aimed();
+    if (awaited_finger && !session_->session().awaits_finger()) call.reach = session_->reach_geometry();
     if (*result == HRT_OK) add(call.command, hash_);
   }
   void call_again(Retargeted& call, hrt_result* result) {
     *result = session_->retarget(target(call.real_number), target(call.virtual_number));
-    call.reach = session_->aimed();
+    call.reach = session_->reach_geometry();
   }
   void call_again(Touched& call, hrt_result* result) { *result = session_->touched(call.contact); }
   void call_again(ReachCancelled&, hrt_result* result) { *result = session_->cancel(); }
@@ -194,13 +197,13 @@ class Replay {
   static void call_again(const Refused& call, hrt_result* result) {
     if (*result == HRT_ERROR_NULL_ARGUMENT) return;
     *result = check_size(call);
-    // The size was right, so the refusal was for unknown bytes behind the struct, which are not recorded.
+    // The size was right, so the call failed because of unknown bytes after the struct, which are not recorded.
     if (*result == HRT_OK) *result = HRT_ERROR_STRUCT_SIZE;
   }
-  // These are not read from rows.
+  // These are comments, and not read from rows.
   static void call_again(const ConfigSet&, hrt_result*) {}
   static void call_again(const TargetChanged&, hrt_result*) {}
-  static void call_again(const PlateStands&, hrt_result*) {}
+  static void call_again(const InitialPlateOrientation&, hrt_result*) {}
   static void call_again(const SetupBegun&, hrt_result*) {}
 
   hrt_target target(std::uint64_t number) const {
@@ -215,7 +218,7 @@ class Replay {
 
   bool has_columns_ = false;
   std::optional<RecordedSession> session_;
-  std::map<std::uint64_t, std::uint64_t> target_ids_;  // by their numbers in the recording; 0: removed
+  std::map<std::uint64_t, std::uint64_t> target_ids_;  // key: number in the recording; value: id, or 0 if removed
   Hash hash_;
   hrt_replay_report report_{.struct_size = sizeof(hrt_replay_report),
                             .complete = 0,
@@ -224,7 +227,7 @@ class Replay {
                             .hash = 0,
                             .ending = HRT_ENDING_CUT,
                             .reserved = 0};
-  Hash checksum_;  // of the lines before
+  Hash checksum_;  // of the preceding lines
   std::uint64_t line_number_ = 0;
   bool ended_ = false;
 };
@@ -232,7 +235,7 @@ class Replay {
 }  // namespace
 
 hrt_result replay(std::string_view text, hrt_replay_report* out) {
-  const ThreadError before = thread_error;  // recorded calls may fail again
+  const ThreadError before = thread_error;  // recorded calls that failed also fail in the replay
   const hrt_result result = Replay().run(text, out);
   if (result == HRT_OK) thread_error = before;
   return result;

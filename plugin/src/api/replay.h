@@ -1,4 +1,4 @@
-// Runs a recording again.
+// Replays a recording.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace hrt::plugin {
 
-/// Fills `out` as hrt_recording_replay() promises.
+/// Replays the content of a recording: hrt_recording_replay().
 hrt_result replay(std::string_view text, hrt_replay_report* out);
 
 }  // namespace hrt::plugin

@@ -34,7 +34,7 @@ void copy(const Quaternion& from, double (&to)[4]) {
   to[3] = from.w;
 }
 
-// Warns of targets further than ten plate radii from the plate: the file may not be in metres.
+// Logs a warning if targets are further than ten plate radii from the plate: the file is probably not in metres.
 void log_far_targets(const Scene& scene, std::string_view file) {
   const double far_m = 10.0 * scene.plate.radius_m;
   const auto is_far = [&](const SceneTarget& target) { return length(target.position_m) > far_m; };
@@ -43,11 +43,11 @@ void log_far_targets(const Scene& scene, std::string_view file) {
   Text<400> text;
   text << Shown{file} << ": " << std::count_if(first, scene.targets.end(), is_far)
        << " of the targets are further than ten plate radii (" << far_m << " m) from the plate, the first one \""
-       << Shown{first->name} << "\" at " << length(first->position_m) << " m; is the file in metres?";
+       << Shown{first->name} << "\" at " << length(first->position_m) << " m; check that the file is in metres";
   write_log(HRT_LOG_WARNING, text.c_str());
 }
 
-// Runs a loader, whose errors begin with the name of the file.
+// Runs a loader, and adds the scene to the table of handles. Errors begin with the name of the file.
 template <class Load>
 hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
   if (!out_scene) return fail_of_null("out_scene");
@@ -79,8 +79,8 @@ std::uint32_t role_of(const SceneTarget& target) {
   return target.kind == TargetKind::real_object ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
 }
 
-// The model with the plate of a scene, whose pose replaces a registered one. Fails if a value of the scene is out of
-// range.
+// Copies the plate of a scene into the model, where its pose replaces a registered one. Fails if a value of the scene
+// is out of range.
 hrt_result with_plate_of(const Scene& scene, SessionModel model, SessionModel* out) {
   model.start_m = scene.start_m;
   model.mount.pose = scene.plate.pose;

@@ -14,13 +14,13 @@ constinit Sessions sessions;
 
 namespace {
 
-// Patches of a version have one interface.
+// Versions that differ in the patch number have the same interface.
 hrt_result check_version(std::uint32_t version) {
   constexpr std::uint32_t patches = 100;
   if (version / patches == HRT_VERSION / patches) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "version is ", version, ", of other headers; this library is ", HRT_VERSION_MAJOR,
-              ".", HRT_VERSION_MINOR, ".", HRT_VERSION_PATCH, ": build with its headers, and pass HRT_VERSION, ",
-              HRT_VERSION);
+  return fail(HRT_ERROR_OUT_OF_RANGE, "version is ", version, ", that of incompatible headers; this library is ",
+              HRT_VERSION_MAJOR, ".", HRT_VERSION_MINOR, ".", HRT_VERSION_PATCH,
+              ": build with its headers, and pass HRT_VERSION, ", HRT_VERSION);
 }
 
 }  // namespace

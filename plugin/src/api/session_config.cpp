@@ -1,4 +1,4 @@
-// hrt_session_config and SessionModel.
+// Conversion of hrt_session_config to SessionModel and back.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -17,12 +17,12 @@ namespace {
 
 using ConfigFields = Fields<hrt_session_config>;
 
-// The core squares it; the square of less would lose its digits, or be 0.
+// The core squares the noise; the square of a smaller value would lose digits, or be 0.
 constexpr double min_tracker_noise_mm = 1e-6;
 
 static_assert(HRT_PERSON_TRAITS == PersonState::traits && HRT_PERSON_LOG_WANDER == PersonState::log_wander &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
-// Not of std::ranges, which emscripten 3.1.6 lacks.
+// std::equal rather than std::ranges::equal, which emscripten 3.1.6 lacks.
 static_assert(std::equal(std::begin(ConfigFields::person_mean_elements), std::end(ConfigFields::person_mean_elements),
                          std::begin(person_state), std::begin(person_state) + HRT_PERSON_TRAITS,
                          [](const Element& a, const StateVariable& b) { return a.low == b.min && a.high == b.max; }));
@@ -44,7 +44,7 @@ static_assert(static_cast<int>(Adaptation::carried) == HRT_ADAPTATION_CARRIED &&
               static_cast<int>(Adaptation::reach) == HRT_ADAPTATION_REACH);
 static_assert(HRT_CONTROL_MPC == 0 && HRT_GUIDANCE_FIXED_DIRECTION == 0);
 
-// Visits the numbers that both have alike, in pairs.
+// Calls visit(a, b) for each pair of numbers that are the same in the struct and in the model.
 template <class Config, class Model, class Visit>
 void visit_pairs(Config& config, Model& model, Visit&& visit) {
   auto& control = model.control;
@@ -87,7 +87,7 @@ void visit_pairs(Config& config, Model& model, Visit&& visit) {
   visit(config.person.bias_deg, control.participant.bias_deg);
 }
 
-// No limit is 0 in the struct.
+// No limit is represented by 0 in the struct, and by infinity in the core.
 double limit_or_none(double limit) { return limit > 0.0 ? limit : std::numeric_limits<double>::infinity(); }
 double limit_or_zero(double limit) { return std::isinf(limit) ? 0.0 : limit; }
 
@@ -112,7 +112,7 @@ hrt_result read_plate(const hrt_session_plate& given, RetargeterConfig* control)
 hrt_result read_person(const hrt_session_person& given, SessionModel* model) {
   model->knows_person = is_not_zero(given.covariance);
   if (!model->knows_person) {
-    forget_person(model);  // the prior
+    forget_person(model);
     return HRT_OK;
   }
   PersonBelief& person = model->control.person;
@@ -125,7 +125,7 @@ hrt_result read_person(const hrt_session_person& given, SessionModel* model) {
   return is_valid(person) ? HRT_OK : is_no_covariance("person_covariance", "definite");
 }
 
-// Contacts are about a registration: without one they are not read.
+// Contacts correct a registration, and are only read with one.
 hrt_result read_contacts(const hrt_session_registration& given, bool is_registered, TouchedFrame* out) {
   if (!is_not_zero(given.contact_covariance)) return HRT_OK;
   TouchedFrame touched{.home = out->home};

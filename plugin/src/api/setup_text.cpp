@@ -1,4 +1,4 @@
-// Sentences for the user in a set-up: hrt_setup_step::text.
+// Sentences of a set-up for the user and the application: hrt_setup_step::text.
 #include <cmath>
 #include <cstring>
 
@@ -17,26 +17,26 @@ const char* problem_text(SetupProblem problem) {
     case SetupProblem::too_slow:
       return "The slide was too slow. Please move faster. ";
     case SetupProblem::stopped:
-      return "The finger stopped in the wrong place. ";
+      return "The finger stopped before the end. Please slide without a stop. ";
     case SetupProblem::left_plate:
       return "The finger left the plate. Please keep it on the plate. ";
     case SetupProblem::lost:
       return "The tracker lost the finger. Please keep your hand in its view. ";
     case SetupProblem::moved:
-      return "The plate moved during the slide. ";
+      return "The plate moved during the slide. Please repeat the slide. ";
     case SetupProblem::plate:
-      return "The plate does not turn as commanded. ";
+      return "The plate does not turn as commanded. Please ask the supervisor to check it. ";
     case SetupProblem::disagrees:
-      return "The measurements do not agree. ";
+      return "The measurements do not agree. Please repeat them and keep the plate still. ";
     case SetupProblem::upside_down:
-      return "The touches fit a plate that is upside down or mirrored. ";
+      return "The touches fit a plate that is upside down or mirrored. Please check the marks. ";
     case SetupProblem::undetermined:
-      return "The measurements are not sufficient. ";
+      return "The measurements are not sufficient. Please continue. ";
   }
   return "";
 }
 
-/// Numbers of sentences have one decimal.
+// Rounds a number in a sentence to one decimal.
 double rounded(double value) { return std::round(10.0 * value) / 10.0; }
 
 void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
@@ -99,7 +99,7 @@ const char* part_text(SetupPart part) {
 }
 
 const char* attitude_text(int number) {
-  // About two axes, each to both sides.
+  // The finger is rotated about two axes, each to both sides.
   constexpr const char* attitudes[finger_attitudes] = {"flat",
                                                        "steeply",
                                                        "leant to the left",

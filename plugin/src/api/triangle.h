@@ -1,4 +1,4 @@
-// Symmetric matrices as the C interface has them: the lower triangle, row by row.
+// Conversion of symmetric matrices from and to arrays of their lower triangle, row by row, as in the C interface.
 #pragma once
 
 #include <Eigen/Core>

@@ -19,7 +19,7 @@ static_assert(static_cast<std::uint32_t>(Instruction::finish) == HRT_STEP_FINISH
               static_cast<std::uint32_t>(Observed::Kind::far_away) == HRT_OBSERVED_FAR);
 static_assert(static_cast<std::uint32_t>(SlideVerdict::along_ridges) == HRT_SLIDE_ALONG_RIDGES);
 
-// The members of commands and summaries behind HRT_COMMAND_*; null: the outcome does not have the flag.
+// A flag HRT_COMMAND_*, and the members of commands and summaries that set it; null: none.
 struct OutcomeFlag {
   std::uint32_t bit;
   bool PlateCommand::* of_command;
@@ -55,7 +55,8 @@ std::uint32_t flags_of(const Outcome& outcome, bool Outcome::* OutcomeFlag::* me
   return flags;
 }
 
-// The last line of defence: false, and 0 in its place, if a number is not finite.
+// Replaces numbers that are not finite by 0. Returns false if there was one. No output of the library is NaN or
+// infinite, even if a defect produced such a value.
 template <class Struct>
 bool make_finite(Struct* values) {
   bool finite = true;

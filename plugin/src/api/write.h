@@ -11,7 +11,7 @@ namespace hrt::plugin {
 
 hrt_session_config to_c(const SessionModel& model);
 hrt_target_config to_c(const Target& target);
-/// A number that is not finite becomes 0, and the result is flagged HRT_COMMAND_FAULT, as the next one.
+/// In this and the next function, a number that is not finite is replaced by 0, and HRT_COMMAND_FAULT is set.
 hrt_command to_c(const PlateCommand& command);
 hrt_reach_summary to_c(const ReachSummary& summary);
 hrt_setup_step to_c(const SetupStep& step);
@@ -19,12 +19,12 @@ hrt_setup_result to_c(const SetupReport& report);
 hrt_setup_residual to_c(const CalibratedSlide& slide);
 hrt_gap to_c(const Gap& gap, hrt_target real_target, hrt_target virtual_target);
 
-/// A point at the height of the plate's face.
+/// Writes a point on the plate's face in plate coordinates.
 void write_point(const PlatePoint& point, double (&out_m)[3]);
 
-/// Problem and instruction of a step as a sentence for the user.
+/// Writes problem and instruction of a step as sentences for the user.
 void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]);
-/// Writes the reason for dropping a part of a set-up.
+/// Writes why the last dropped part of a set-up was dropped.
 void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]);
 
 }  // namespace hrt::plugin

@@ -11,7 +11,7 @@
 #include <pthread.h>
 #endif
 
-#include "plugin/src/abi/quiet_thread.h"
+#include "plugin/src/abi/signals_blocked.h"
 #include "plugin/src/abi/text.h"
 #include "plugin/src/plate/same_feel.h"
 
@@ -78,7 +78,7 @@ PlateDriver::PlateDriver(DeviceMaker maker, LineOpener opener, std::string path,
   now_known_.report.struct_size = sizeof(hrt_plate_report);
   now_known_.report.state = HRT_PLATE_STATE_OPENING;
   published_.publish(now_known_);
-  thread_ = std::make_unique<std::thread>(start_quiet_thread([this] { run(); }));
+  thread_ = std::make_unique<std::thread>(start_thread_with_signals_blocked([this] { run(); }));
 }
 
 PlateDriver::~PlateDriver() {

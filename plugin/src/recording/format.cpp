@@ -10,17 +10,12 @@ namespace hrt::plugin {
 namespace {
 
 constexpr std::string_view explanation =
-    "# Lines that begin with # are comments. Each other line is a call; what a call does not have is empty.\n"
-    "# Angles: degrees counter-clockwise from the plate's mid-line. Positions: x right, y up, z towards the "
-    "user\n"
-    "# (or the engine's world, as sample_flags says). Numbers are in full precision. Flags and results: "
-    "reach.h,\n"
-    "# base.h. Columns up to struct_size and contact_* hold what went in: targets by their numbers in the "
-    "comments, 0 for none;\n"
-    "# refused_argument is one that was null or, with struct_size, had a wrong size. The others hold what "
-    "came "
-    "out;\n"
-    "# plate_orientation_deg of a row \"begin\" is where the plate stood.\n";
+    "# Lines that begin with # are comments. Each other line is a call; cells that do not apply to it are empty.\n"
+    "# Angles: degrees counter-clockwise from the plate's mid-line. Positions: x right, y up, z towards the user, or\n"
+    "# in the engine's world if sample_flags has WORLD_POSITION. Flags and results: reach.h, base.h. Input columns:\n"
+    "# all up to struct_size, and contact_*. Targets are given by their numbers in the comments; 0: no target.\n"
+    "# refused_argument names an argument that was null or had the wrong size in struct_size. Output columns: all\n"
+    "# others. In a row \"begin\", plate_orientation_deg is the orientation of the plate at that time.\n";
 
 struct ArgumentName {
   Refused::Argument argument;
@@ -53,7 +48,7 @@ void write(const TargetChanged& changed, hrt_result, RecordText& out) {
   out << "\n";
 }
 
-void write(const PlateStands& plate, hrt_result, RecordText& out) {
+void write(const InitialPlateOrientation& plate, hrt_result, RecordText& out) {
   out << plate_comment << plate.orientation_deg << "\n";
 }
 
@@ -64,7 +59,7 @@ void write(const Refused& refused, hrt_result result, RecordText& out) {
   if (result != HRT_ERROR_NULL_ARGUMENT) row.put(column("struct_size"), refused.struct_size);
 }
 
-void put(const AimedReach& reach, Row& row) {
+void put(const ReachGeometry& reach, Row& row) {
   row.put(column("real_direction_deg"), reach.real_direction_deg);
   row.put(column("virtual_direction_deg"), reach.virtual_direction_deg);
   row.put(column("real_distance_m"), reach.real_distance_m);
@@ -83,7 +78,7 @@ void write(const Retargeted& retargeted, hrt_result result, RecordText& out) {
   if (result == HRT_OK) put(retargeted.reach, row);
 }
 
-// Without flags the position is not set.
+// Without flags, the position is not set.
 void write(const Touched& touched, hrt_result result, RecordText& out) {
   Row(out, "touched", result).put_fields(touched.contact, [&](std::string_view name) {
     return touched.contact.flags != 0 || name != "position_m";
@@ -116,7 +111,7 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
   if (result == HRT_OK) row.put_fields(ended.summary);
 }
 
-// Compares cells; a double has several spellings: 1e+05 equals 100000.
+// Compares cells. Cells with equal doubles may differ as text: 1e+05 and 100000.
 bool is_same_cell(std::string_view cell, std::string_view other) {
   constexpr std::string_view of_doubles = ".e";
   if (cell == other) return true;
@@ -155,7 +150,7 @@ hrt_result read_touched(const Cells& cells, Record* out) {
   return HRT_OK;
 }
 
-// A call that was refused because of the argument named in the row.
+// Reads a row with a refused_argument.
 hrt_result read_refused(const Cells& cells, Record* out) {
   const std::string_view name = cells[column("refused_argument")];
   for (const ArgumentName& known : argument_names) {
@@ -165,8 +160,8 @@ hrt_result read_refused(const Cells& cells, Record* out) {
     out->call = refused;
     return HRT_OK;
   }
-  return fail(HRT_ERROR_BAD_FORMAT, "the refused argument is \"", Shown{name}, "\", which \"", Shown{cells[0]},
-              "\" does not have");
+  return fail(HRT_ERROR_BAD_FORMAT, "refused_argument is \"", Shown{name},
+              "\", which is not an argument of the call \"", Shown{cells[0]}, "\"");
 }
 
 hrt_result read_update(const Cells& cells, Record* out) {
@@ -176,7 +171,7 @@ hrt_result read_update(const Cells& cells, Record* out) {
   return HRT_OK;
 }
 
-// Removes the first cell of a line, with its comma.
+// Removes the first cell of a line and its comma, and returns the cell.
 std::string_view take_cell(std::string_view* line) {
   const std::size_t size = std::min(line->find(','), line->size());
   const std::string_view cell = line->substr(0, size);
@@ -206,8 +201,8 @@ void write_end(std::uint64_t checksum, RecordText& out) { out << end_comment << 
 hrt_result check_column_names(std::string_view line) {
   if (line == column_names()) return HRT_OK;
   if (!line.starts_with("call,result,"))
-    return fail(HRT_ERROR_BAD_FORMAT, "this row precedes the line with the column names");
-  return fail(HRT_ERROR_BAD_FORMAT, "the column names are not those of version 4");
+    return fail(HRT_ERROR_BAD_FORMAT, "the line with the column names is missing before this row; record again");
+  return fail(HRT_ERROR_BAD_FORMAT, "the column names are not those of version 4; record again");
 }
 
 hrt_result read_row(std::string_view line, Record* out) {
@@ -255,7 +250,7 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
   return out->change == TargetChanged::Change::removed ? HRT_OK : read_target(rest, &out->config);
 }
 
-hrt_result read_plate_stands(std::string_view rest, PlateStands* out) {
+hrt_result read_initial_plate_orientation(std::string_view rest, InitialPlateOrientation* out) {
   HRT_RETURN_IF_FAILED(take_number("the plate's orientation", rest, &out->orientation_deg));
   return check_range("the plate's orientation", out->orientation_deg, -1e9, 1e9);
 }

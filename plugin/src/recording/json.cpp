@@ -14,7 +14,7 @@
 namespace hrt::plugin {
 namespace {
 
-// The text of a floating-point number with '.' as the decimal point: the parser has replaced it by the locale's.
+// Restores '.' as the decimal point of a number, which the parser has replaced by that of the locale.
 std::string with_point(std::string number) {
   const std::size_t point = number.find_first_not_of("+-0123456789eE");
   if (point != number.npos) number[point] = '.';
@@ -27,7 +27,7 @@ constexpr const char* profile_format = "haptic retargeting profile";
 constexpr std::size_t max_text = 65536;
 constexpr std::size_t max_fields = 64;
 
-// Each field's key and value.
+// Calls visit(key, value) for each field.
 template <class Values>
 void visit_fields(Values& values, auto&& visit) {
   for_each_field<std::remove_const_t<Values>>([&](const auto& field) { visit(field.name, field.of(values)); });
@@ -39,7 +39,7 @@ void visit_fields(hrt_conditions& conditions, auto&& visit) {
   visit("tracker", conditions.tracker);
 }
 
-// Writes a JSON object without nested objects.
+// Writes the fields of a JSON object without nested objects.
 class ObjectWriter {
  public:
   explicit ObjectWriter(JsonText& out) : out_(out) { out_ << "{"; }
@@ -52,7 +52,7 @@ class ObjectWriter {
     separator_ = ",";
     put(value);
   }
-  /// A target by its number in the recording; nothing if it is null.
+  /// Writes the number of a target in the recording; nothing if the target is null.
   void operator()(std::string_view key, hrt_target target) {
     if (target.value != 0) (*this)(key, target.value);
   }
@@ -93,8 +93,8 @@ struct JsonField {
   std::string text;
 };
 
-// Reads a JSON object without nested objects. nlohmann::json values are not used: their destructors allocate, so the
-// process would be terminated when memory is exhausted.
+// Reads a JSON object without nested objects. It does not use nlohmann::json values, because their destructors allocate
+// and would terminate the process when memory is exhausted.
 class FlatObjectReader : public nlohmann::json_sax<Json> {
  public:
   std::vector<JsonField> fields;
@@ -115,7 +115,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
     return true;
   }
   bool number_integer(number_integer_t value) override {
-    // Called for numbers with a sign only: 0 was written as "-0".
+    // The parser calls this for numbers with a sign: 0 was written as "-0".
     return number(value == 0 ? -0.0 : static_cast<double>(value), true, value);
   }
   bool number_unsigned(number_unsigned_t value) override {
@@ -172,7 +172,7 @@ hrt_result read(const JsonField& field, double& out) {
 }
 
 hrt_result read(const JsonField& field, std::int64_t& out) {
-  if (!field.is_whole) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a whole number");
+  if (!field.is_whole) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not an integer");
   out = field.whole;
   return HRT_OK;
 }
@@ -185,7 +185,7 @@ hrt_result read(const JsonField& field, std::uint32_t& out) {
   return HRT_OK;
 }
 
-// A target by its number in the recording.
+// Reads the number of a target in the recording.
 hrt_result read(const JsonField& field, hrt_target& out) {
   std::int64_t number = 0;
   HRT_RETURN_IF_FAILED(read(field, number));
@@ -204,12 +204,12 @@ hrt_result read(const JsonField& field, double (&out)[size]) {
 
 hrt_result read(const JsonField& field, char (&out)[HRT_NAME_SIZE]) {
   if (!field.is_text || field.text.size() >= sizeof out)
-    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a text of up to ", sizeof out - 1, " bytes");
+    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a string of up to ", sizeof out - 1, " bytes");
   std::memcpy(out, field.text.data(), field.text.size());
   return HRT_OK;
 }
 
-// Reads the member of `*out` with the field's key; `what` is the name of the struct in error texts.
+// Reads a field into the member of `*out` with the same name. `what` is the name of the struct in error texts.
 template <class Struct>
 hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   std::optional<hrt_result> result;
@@ -220,7 +220,7 @@ hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what, "; remove it");
 }
 
-// Reads a JSON object into `*out`. Members that are absent are unchanged.
+// Reads a JSON object into `*out`. Missing members are unchanged.
 template <class Struct>
 hrt_result read_object(const char* what, std::string_view text, Struct* out) {
   std::vector<JsonField> fields;
@@ -229,7 +229,7 @@ hrt_result read_object(const char* what, std::string_view text, Struct* out) {
   return HRT_OK;
 }
 
-bool is_of_participant(std::string_view key) {
+bool is_in_profile(std::string_view key) {
   bool found = false;
   for_each_field<hrt_session_config>(
       [&](const auto& field) { found = found || (field.in_profile && key == field.name); });
@@ -241,7 +241,7 @@ bool is_of_participant(std::string_view key) {
 void write_config(const hrt_session_config& config, JsonText& out) { write_object(config, out); }
 
 void write_target(const hrt_target_config& target, JsonText& out) {
-  // Fields that `place` does not select may be uninitialised.
+  // Fields that `place` does not select may be uninitialised: they are written as their defaults.
   hrt_target_config read = target;
   if (target.place == HRT_PLACE_DIRECTION)
     std::fill(std::begin(read.position_m), std::end(read.position_m), 0.0);
@@ -293,7 +293,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   std::vector<JsonField> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config known = *config;
-  // Optional fields that the profile does not have are unknown for this person.
+  // Optional fields that the profile lacks are unknown for this user.
   for_each_field<hrt_session_config>([&](const auto& field) {
     constexpr hrt_session_config unknown = defaults<hrt_session_config>;
     if (field.optional) std::memcpy(&field.of(known), &field.of(unknown), sizeof(field.of(known)));
@@ -305,14 +305,15 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
       has_format = field.text == profile_format;
     } else if (field.key == "version") {
       has_version = field.is_whole && field.whole == 1;
-    } else if (is_of_participant(field.key)) {
+    } else if (is_in_profile(field.key)) {
       HRT_RETURN_IF_FAILED(read_into("profile", field, &known));
     } else {
       HRT_RETURN_IF_FAILED(read_into("profile", field, &measured));
     }
   }
-  if (!has_format) return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");
-  if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1");
+  if (!has_format)
+    return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"; pass a text of hrt_profile_save()");
+  if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1; pass a text of hrt_profile_save()");
   *config = known;
   *conditions = measured;
   return HRT_OK;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "plugin/src/abi/host.h"
-#include "plugin/src/abi/quiet_thread.h"
+#include "plugin/src/abi/signals_blocked.h"
 
 namespace hrt::plugin {
 
@@ -14,7 +14,7 @@ static_assert(std::is_trivially_copyable_v<Record>, "push() must not allocate");
 namespace {
 
 #if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-constexpr bool has_threads = false;  // the caller writes the file, when the ring is full and at the end
+constexpr bool has_threads = false;  // push() writes the file if the ring is full, stop() the rest
 #else
 constexpr bool has_threads = true;
 #endif
@@ -30,20 +30,20 @@ Recorder::Recorder(File file, std::string_view name, const SessionLog& log, cons
   watch_forks();
   forks_ = forks();
   const std::string header = recording_header();
-  system_error_.store(file_.clear());  // after the allocations, so that a failure leaves the file as it is
+  system_error_.store(file_.clear());  // after all allocations: if one fails, the file is unchanged
   write(header);
   write_record_of({.call = ConfigSet{config}});
-  write_record_of({.call = PlateStands{plate_orientation_deg}});
+  write_record_of({.call = InitialPlateOrientation{plate_orientation_deg}});
   for (const TargetChanged& target : targets) write_record_of({.call = target});
   if (const int error = system_error_.load(); error != 0)
     throw std::system_error(error, std::generic_category(), name_.c_str());
-  if (has_threads) writer_ = start_quiet_thread([this] { write_all(); });
+  if (has_threads) writer_ = start_thread_with_signals_blocked([this] { write_all(); });
 }
 
-// Records are never valueless, so std::visit() does not throw.
+// std::visit() does not throw, because a Record is never valueless.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 Recorder::~Recorder() {
-  if (is_of_parent())
+  if (belongs_to_parent_process())
     abandon();
   else
     stop();
@@ -51,7 +51,7 @@ Recorder::~Recorder() {
 
 void Recorder::push(const Record& record) noexcept {  // NOLINT(bugprone-exception-escape): likewise
   if (!has_threads && is_full()) drain();
-  if (is_of_parent() || overrun_.load() || is_full()) {
+  if (belongs_to_parent_process() || overrun_.load() || is_full()) {
     overrun_.store(has_threads);
     lost_.fetch_add(1);
     lost_unnoted_.fetch_add(1);
@@ -84,7 +84,7 @@ RecorderStatus Recorder::flush() {
   return status();
 }
 
-// Thread and file belong to the parent process.
+// Discards the thread and the file, which belong to the parent process.
 void Recorder::abandon() {
   std::construct_at(&writer_);
   const std::uint64_t lost = lost_.load();
@@ -97,7 +97,7 @@ void Recorder::abandon() {
 RecorderStatus Recorder::status() const {
   const std::uint64_t written = written_.load();
   const int error = system_error_.load();
-  // After a failed write no further record reaches the file.
+  // After a failed write, no further record is written.
   const std::uint64_t refused = error == 0 ? 0 : pushed_.load() - written;
   return {.written = written_rows_.load(), .lost = lost_.load() + refused, .system_error = error};
 }
@@ -138,7 +138,8 @@ void Recorder::write(std::string_view text) {
   if (error == 0) return;
   system_error_.store(error);
   Text<240> reason;
-  reason << "the recording has stopped, control continues: " << std::strerror(error);
+  reason << "the recording has stopped (" << std::strerror(error)
+         << "), the session continues; start another recording";
   report(HRT_LOG_ERROR, reason.view());
 }
 
@@ -156,13 +157,14 @@ void Recorder::write_lost(std::uint64_t count) {
   lost_unreported_ += count;
 }
 
-// At most one line in the log per interval.
+// Logs the number of lost calls, at most once in the interval `after`.
 void Recorder::report_lost(std::chrono::seconds after) {
   if (lost_unreported_ == 0) return;
   const auto now = std::chrono::steady_clock::now();
   if (now - reported_ < after) return;
   Text<128> line;
-  line << "lost " << std::exchange(lost_unreported_, 0) << " calls because the disk is too slow";
+  line << std::exchange(lost_unreported_, 0)
+       << " calls were not recorded, because the disk is too slow; use another disk";
   report(HRT_LOG_WARNING, line.view());
   reported_ = now;
 }

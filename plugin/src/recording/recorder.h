@@ -20,17 +20,17 @@ namespace hrt::plugin {
 
 /// State of a recording.
 struct RecorderStatus {
-  std::uint64_t written = 0;  ///< rows that have gone to the operating system; records in comments do not count
+  std::uint64_t written = 0;  ///< rows that the operating system has accepted, without comments
   std::uint64_t lost = 0;     ///< records that were dropped because the disk was slow or failed
   int system_error = 0;       ///< errno of the first failed write; 0: none
 };
 
-/// A ring buffer of records and a thread that writes them to a file. One thread at a time may be in a call; push() is
+/// A ring buffer of records, and a thread that writes them to a file. Calls must not be concurrent. push() is
 /// real-time.
 class Recorder {
  public:
-  /// Writes the state of the session. `name` identifies session and file in `log`, which must exist as long as
-  /// this. Throws std::system_error, std::bad_alloc.
+  /// Starts a recording by writing the state of the session. `name` identifies session and file in `log`, which must
+  /// outlive this object. Throws std::system_error, std::bad_alloc.
   Recorder(File file, std::string_view name, const SessionLog& log, const hrt_session_config& config,
            std::span<const TargetChanged> targets, double plate_orientation_deg);
   /// Writes the remaining records and closes the file.
@@ -38,15 +38,16 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  /// Adds a record, or counts it as lost if the ring is full.
   void push(const Record& record) noexcept;
 
-  /// True in a forked child of the recording process. There push() drops records, and the other functions may not be
+  /// True in a forked child of the recording process. There, push() drops records, and the other functions must not be
   /// called.
-  bool is_of_parent() const { return forks_ != forks(); }
+  bool belongs_to_parent_process() const { return forks_ != forks(); }
 
   /// Ends the recording as the destructor does, and returns the final state.
   RecorderStatus stop();
-  /// Waits until all records have gone to the operating system.
+  /// Waits until the operating system has accepted all records.
   RecorderStatus flush();
   RecorderStatus status() const;
 
@@ -68,16 +69,16 @@ class Recorder {
   void abandon();
 
   std::unique_ptr<Entry[]> ring_;
-  std::atomic<std::uint64_t> pushed_{0};  // records, by the caller
-  std::atomic<std::uint64_t> taken_{0};   // of them, read by the writing thread
+  std::atomic<std::uint64_t> pushed_{0};  // records that the caller has added to the ring
+  std::atomic<std::uint64_t> taken_{0};   // records that the writing thread has removed from it
   std::atomic<std::uint64_t> lost_{0};
   std::atomic<std::uint64_t> written_{0};
-  std::atomic<std::uint64_t> written_rows_{0};  // of them, without comments
+  std::atomic<std::uint64_t> written_rows_{0};  // part of written_ that are rows
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
-  std::atomic<std::uint64_t> lost_unnoted_{0};  // part of lost_ that is not yet noted in an entry
-  std::atomic<bool> overrun_{false};            // no record is accepted until half of the ring is free
-  std::uint64_t lost_unreported_ = 0;           // this and the next one belong to the writing thread
+  std::atomic<std::uint64_t> lost_unnoted_{0};  // part of lost_ that no entry has in lost_before yet
+  std::atomic<bool> overrun_{false};            // true: no record is accepted until half of the ring is free
+  std::uint64_t lost_unreported_ = 0;           // this and the next member are used by the writing thread only
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;

@@ -23,7 +23,7 @@ consteval std::size_t column(std::string_view name) {
   return i;
 }
 
-/// The cells of a row of a file.
+/// The cells of a row that is read.
 using Cells = std::array<std::string_view, columns>;
 
 /// Collects the cells of one row and writes them on destruction. Cells that are not set are empty.
@@ -33,7 +33,7 @@ class Row {
     put(column("call"), call);
     put(column("result"), result);
   }
-  ~Row() {  // NOLINT(bugprone-exception-escape): a cell always has a value
+  ~Row() {  // NOLINT(bugprone-exception-escape): std::visit() does not throw, because cells are never valueless
     for (std::size_t i = 0; i < columns; ++i) {
       if (i > 0) out_ << ",";
       std::visit([&](const auto& cell) { out_ << cell; }, cells_[i]);
@@ -82,7 +82,7 @@ hrt_result take_number(const What& what, std::string_view text, Number* out) {
   return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", Shown{text}, "\", which is not a number");
 }
 
-/// Leaves `*out` as it is if the cell is empty.
+/// Reads a cell. If it is empty, `*out` is unchanged.
 template <class Value>
 hrt_result read_cell(const Cells& cells, std::size_t at, Value* out) {
   if constexpr (std::is_array_v<Value>) {
@@ -93,7 +93,7 @@ hrt_result read_cell(const Cells& cells, std::size_t at, Value* out) {
   }
 }
 
-/// Sets the cells of a sample that its flags name.
+/// Sets the cells of those fields of a sample that its flags name.
 inline void put_sample(const hrt_sample& sample, Row& row) {
   row.put_fields(sample, [&](std::string_view name) {
     const auto has = [&](std::uint32_t flags) { return (sample.flags & flags) != 0; };
@@ -119,7 +119,7 @@ hrt_result read_fields(const Cells& cells, S* values) {
   return result;
 }
 
-// The calls of a set-up: setup_format.cpp.
+// Calls of a set-up, in setup_format.cpp.
 void write(const SetupBegun& begun, hrt_result result, RecordText& out);
 void write(const SetupUpdated& updated, hrt_result result, RecordText& out);
 void write(const SetupFinished& finished, hrt_result result, RecordText& out);

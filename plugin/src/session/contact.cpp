@@ -10,9 +10,10 @@ namespace hrt::plugin {
 namespace {
 
 constexpr double unknown_radius_mm = 10.0;
-// Nearer to the start, a contact shows an error of the start rather than a rotation.
+// A contact nearer to the start would measure an error of the start rather than a rotation of the frame.
 constexpr double min_contact_mm = 10.0;
-// A wrong frame moves a place by at most 25 mm at 100 mm.
+// Largest plausible distance between contact and tracked finger, as a fraction of the distance from the start. The
+// uncertainty is added: max_sds SDs.
 constexpr double max_share = 0.25;
 constexpr double max_sds = 3.0;
 

@@ -1,4 +1,4 @@
-// Contacts with real objects, which measure the error of the plate's registration.
+// Contacts with real objects, from which the error of the plate's registration is estimated.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ struct ContactReport {
   double sd_mm = 0.0;                ///< SD of the position; 0: the radius of the real target
 };
 
-/// The contact of a reach from `start` to `real` in which the finger was seen at `finger`. Fails if it cannot be
-/// believed.
+/// Computes the contact of a reach from `start` to `real` whose finger was tracked at `finger`. Fails if the position
+/// is too near to the start, or too far from the tracked finger.
 hrt_result check_contact(const SessionModel& model, const ContactReport& report, const PlatePoint& start,
                          const TargetPlace& real, const SeenFinger& finger, Contact* out);
 
-/// The model learns from a contact, unless the result would not be valid.
+/// Updates the correction of the registration from a contact. Discards the contact if the new model is not valid.
 void learn_contact(const Contact& contact, SessionModel* model);
 
 }  // namespace hrt::plugin

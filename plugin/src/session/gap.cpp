@@ -45,8 +45,8 @@ Gap Gaps::gap(const Real& real, double goal_deg) const {
           .bearing_sd_deg = real.bearing_sd_deg};
 }
 
-std::vector<Served> assign(const SessionModel& model, std::span<const Target* const> virtuals,
-                           std::span<const Target* const> reals, bool exclusive) {
+std::vector<Assigned> assign(const SessionModel& model, std::span<const Target* const> virtuals,
+                             std::span<const Target* const> reals, bool exclusive) {
   const Gaps gaps(model);
   std::vector<Gaps::Real> seen;
   for (const Target* real : reals) seen.push_back(gaps.real(real->place));
@@ -65,7 +65,7 @@ std::vector<Served> assign(const SessionModel& model, std::span<const Target* co
     }
   }
   if (exclusive) serves = assign_exclusively(shares, reals.size());
-  std::vector<Served> served;
+  std::vector<Assigned> served;
   for (std::size_t i = 0; i < virtuals.size(); ++i) {
     const std::size_t real = serves[i] == unserved ? nearest[i] : serves[i];
     served.push_back({real, serves[i] != unserved, gaps.gap(seen[real], goals_deg[i])});

@@ -1,4 +1,4 @@
-// The gaps between real and virtual targets that the plate can sustain, and the assignment of real to virtual targets.
+// Gaps between real and virtual targets, and the assignment of real targets to virtual ones.
 #pragma once
 
 #include <span>
@@ -25,7 +25,7 @@ class Gaps {
 
   explicit Gaps(const SessionModel& model) : model_(model) {}
   Real real(const TargetPlace& place) const;
-  /// Direction to which the person goes for a virtual target.
+  /// Direction in which the user aims at a virtual target: its direction plus the user's bias.
   double goal_deg(const TargetPlace& virtual_place) const;
   Gap gap(const Real& real, double goal_deg) const;
 
@@ -33,16 +33,16 @@ class Gaps {
   const SessionModel& model_;
 };
 
-/// A real target, by its index, assigned to a virtual one; the nearest one if the gap cannot be sustained.
-struct Served {
+/// Assignment to one virtual target: index of the real target, or of the nearest one if no gap is feasible.
+struct Assigned {
   std::size_t real;
-  bool is_served;
+  bool is_feasible;
   Gap gap;
 };
 
-/// Assigns a real target to each virtual one: to as many as possible, and such that the largest ratio of gap to largest
-/// possible gap is minimal. `exclusive`: each real target is assigned at most once.
-std::vector<Served> assign(const SessionModel& model, std::span<const Target* const> virtuals,
-                           std::span<const Target* const> reals, bool exclusive);
+/// Assigns real targets to as many virtual ones as possible; among these assignments, returns one whose largest ratio
+/// of gap to largest feasible gap is minimal. `exclusive`: each real target is assigned at most once.
+std::vector<Assigned> assign(const SessionModel& model, std::span<const Target* const> virtuals,
+                             std::span<const Target* const> reals, bool exclusive);
 
 }  // namespace hrt::plugin

@@ -12,16 +12,16 @@ namespace {
 using Kind = Implausible::Kind;
 
 constexpr double max_speed_mm_s = 5000.0;
-constexpr int max_in_a_row = 5;  // a tracker's excursion shows in two differences
+constexpr int max_in_a_row = 5;  // a single outlier of the tracker affects two differences
 constexpr std::uint64_t window_ns = 1'000'000;
 constexpr int max_samples_in_window = 50;
 constexpr std::uint64_t min_sample_ns = 100'000;
 constexpr double max_radii = 3.0;
 constexpr double max_target_radii = 2.0;
-constexpr double judged_fraction = 0.5;  // fraction of the path from which on its direction is judged
+constexpr double min_checked_fraction = 0.5;  // fraction of the path from which its direction is checked
 constexpr double max_off_course_deg = 90.0;
 constexpr double ended_fraction = 0.85;
-// A person whom the plate does not steer ends near the virtual target, plus the bias.
+// Without steering, the finger ends near the virtual target. An end this far beyond it cannot be due to a bias.
 constexpr double min_gap_deg = 5.0, min_turned_deg = 4.0, min_turned_fraction = 0.75;
 
 double from_centre_mm(const PlatePoint& place) { return std::hypot(place.right_mm, place.away_mm); }
@@ -33,7 +33,7 @@ Plausibility::Plausibility(double plate_radius_mm, const Reach& reach, bool may_
   if (may_be_in_radians) find(Kind::radians, 0.0, 0.0);
   const PlatePoint target = point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm);
   const double farthest_mm = std::max(from_centre_mm(reach.start), from_centre_mm(target));
-  if (farthest_mm > max_target_radii * radius_mm_) find(Kind::place_off_plate, farthest_mm, radius_mm_);
+  if (farthest_mm > max_target_radii * radius_mm_) find(Kind::target_off_plate, farthest_mm, radius_mm_);
 }
 
 void Plausibility::find(Kind kind, double first, double second) {
@@ -41,47 +41,47 @@ void Plausibility::find(Kind kind, double first, double second) {
 }
 
 void Plausibility::observe(const FingerSample& sample) {
-  judge_time(sample.time_ns);
+  check_time(sample.time_ns);
   if (sample.observation != Observation::position) return;
   ++positions_;
-  judge_speed(sample);
-  judge_place(sample.position);
-  if (!retargeted_) judge_direction(sample.position);
+  check_speed(sample);
+  check_place(sample.position);
+  if (!retargeted_) check_direction(sample.position);
   last_ = sample;
 }
 
-void Plausibility::judge_time(std::int64_t time_ns) {
+void Plausibility::check_time(std::int64_t time_ns) {
   if (!first_ns_ || elapsed_ns(*first_ns_, time_ns) > window_ns) {
     first_ns_ = time_ns;
     samples_ = 0;
   }
   if (++samples_ > max_samples_in_window)
-    find(Kind::time_stands, samples_, static_cast<double>(elapsed_ns(*first_ns_, time_ns)) / (samples_ - 1));
+    find(Kind::time_too_slow, samples_, static_cast<double>(elapsed_ns(*first_ns_, time_ns)) / (samples_ - 1));
 }
 
-void Plausibility::judge_speed(const FingerSample& sample) {
+void Plausibility::check_speed(const FingerSample& sample) {
   if (!last_) return;
   const double moved_mm = distance_mm(last_->position, sample.position);
   const std::uint64_t passed_ns = elapsed_ns(last_->time_ns, sample.time_ns);
   const double speed_mm_s = moved_mm / (1e-9 * std::max(1.0, static_cast<double>(passed_ns)));
   fast_positions_ = speed_mm_s > max_speed_mm_s ? fast_positions_ + 1 : 0;
   if (fast_positions_ < max_in_a_row) return;
-  // No tracker samples this fast: the clock is wrong, not the length.
+  // No tracker has a shorter sample period, so the unit of time is wrong rather than that of length.
   const bool is_time = passed_ns < min_sample_ns;
-  find(is_time ? Kind::time_stands : Kind::too_fast, is_time ? fast_positions_ : 1e-3 * speed_mm_s,
+  find(is_time ? Kind::time_too_slow : Kind::too_fast, is_time ? fast_positions_ : 1e-3 * speed_mm_s,
        static_cast<double>(passed_ns));
 }
 
-void Plausibility::judge_place(const PlatePoint& place) {
+void Plausibility::check_place(const PlatePoint& place) {
   if (from_centre_mm(place) <= max_radii * radius_mm_) return;
   ++far_positions_;
   far_ = {Kind::far_away, from_centre_mm(place), radius_mm_};
 }
 
-void Plausibility::judge_direction(const PlatePoint& place) {
+void Plausibility::check_direction(const PlatePoint& place) {
   const double covered = distance_mm(reach_.start, place) / reach_.real_distance_mm;
-  came_from_start_ = came_from_start_ || covered < judged_fraction;
-  if (!came_from_start_ || covered < judged_fraction || from_centre_mm(place) > max_radii * radius_mm_) {
+  came_from_start_ = came_from_start_ || covered < min_checked_fraction;
+  if (!came_from_start_ || covered < min_checked_fraction || from_centre_mm(place) > max_radii * radius_mm_) {
     wrong_positions_ = turned_positions_ = 0;
     return;
   }
@@ -103,31 +103,32 @@ void write_implausible(const Implausible& found, Text<320>& text) {
     case Kind::none:
       break;
     case Kind::radians:
-      text << "the directions of all targets are below 1.6 degrees and may be in radians: direction_deg is in degrees";
+      text << "the directions of all targets are below 1.6 degrees and probably in radians: set direction_deg in "
+              "degrees";
       break;
-    case Kind::place_off_plate:
+    case Kind::target_off_plate:
       text << "the start or the real target is " << found.first << " mm from the centre of a plate of radius "
-           << found.second << " mm: positions are in metres, in plate coordinates from the plate's centre";
+           << found.second << " mm: set positions in metres, in plate coordinates from the plate's centre";
       break;
-    case Kind::time_stands:
-      text << "times advance by " << found.second << " ns per sample: time_ns is in nanoseconds";
+    case Kind::time_too_slow:
+      text << "times advance by " << found.second << " ns per sample: set time_ns in nanoseconds";
       break;
     case Kind::too_fast:
       text << "the finger moves at " << found.first << " m/s, with " << found.second
-           << " ns between samples: positions are in metres, time_ns in nanoseconds";
+           << " ns between samples: set positions in metres and time_ns in nanoseconds";
       break;
     case Kind::far_away:
       text << "the finger is " << found.first << " mm from the centre of a plate of radius " << found.second
-           << " mm: positions are in metres; check the plate's pose in the world";
+           << " mm: set positions in metres, and check the plate's pose in the world";
       break;
     case Kind::wrong_way:
-      text << "the finger moves towards " << found.first << " degrees, where the virtual target is at " << found.second
-           << ": x is to the right, y up, z towards the user; axes may be swapped or mirrored";
+      text << "the finger moves towards " << found.first << " degrees, but the virtual target is at " << found.second
+           << ": check for swapped or mirrored axes; x is to the right, y up, z towards the user";
       break;
     case Kind::turns_with_plate:
-      text << "the finger ends " << found.first << " degrees beyond the virtual target, on the side away from the real "
-           << "one: the plate may turn in the wrong direction (positive is counter-clockwise), or an axis may be "
-              "mirrored";
+      text
+          << "the finger ends " << found.first << " degrees beyond the virtual target, on the side away from the real "
+          << "one: check the direction in which the plate turns (positive is counter-clockwise), and for mirrored axes";
       break;
   }
 }

@@ -52,7 +52,7 @@ hrt_result Session::find_pair(std::uint64_t real_target, std::uint64_t virtual_t
   return HRT_OK;
 }
 
-// Computes directions and distance of the pair as seen from the start; fails if a reach from there is not possible.
+// Computes directions and distance of the targets, seen from `start`. Fails if a reach from there is not possible.
 hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach) const {
   const TargetView real = view_from(start, model_.mount, pair.real);
   const TargetView seen = view_from(start, model_.mount, pair.virtual_target);
@@ -61,7 +61,7 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach)
   Reach aimed = *reach;
   aimed.start = start;
   aimed.virtual_direction_deg = seen.direction_deg;
-  // The short way round from the virtual direction.
+  // The equivalent angle that is nearest to the virtual direction.
   aimed.real_direction_deg = seen.direction_deg - wrap_deg(seen.direction_deg - real.direction_deg, 360.0);
   aimed.real_distance_mm = real.distance_mm;
   const double goal_deg = goal_direction_deg(model_.control.participant, aimed.virtual_direction_deg);
@@ -69,7 +69,7 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach)
     return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", aimed.real_direction_deg,
                 " degrees, the virtual one at ", goal_deg,
                 model_.control.participant.bias_deg != 0.0 ? " with the user's bias" : "",
-                "; allowed: less than 90 degrees apart");
+                "; allowed: less than 90 degrees apart. Choose another pair");
   *reach = aimed;
   return HRT_OK;
 }
@@ -86,20 +86,21 @@ hrt_result Session::begin(const ReachRequest& request) {
   auto& reaching = state_.emplace<Reaching>(pair, reach, model_.control);
   reaching.retargeter.begin(reach);
   reaching.awaits_finger = request.starts_at_finger;
-  reaching.judgement = judge(reach);
+  reaching.assessment = assess_registration(reach);
   reaching.plausibility = plausibility_of(reach);
   implausible_ = {};
   return HRT_OK;
 }
 
-// A felt start has no known position in the tracker's frame, and neither have directions from it.
+// If the start is found by touch, its position in the tracker's frame is unknown, and so are directions from it: they
+// are not checked.
 Plausibility Session::plausibility_of(const Reach& reach) const {
   Plausibility plausibility(mm_per_m * model_.mount.surface.radius_m, reach, targets.may_be_in_radians());
   if (model_.control.start_is_felt) plausibility.retarget();
   return plausibility;
 }
 
-// The finger is seen for the first time, and the reach starts there.
+// Starts a reach that waited for the first position of the finger.
 hrt_result Session::start_at(const PlatePoint& finger, Reaching* reaching) const {
   Reach reach = reaching->reach;
   reach.plate_orientation_deg = plate_orientation_deg_;
@@ -107,7 +108,7 @@ hrt_result Session::start_at(const PlatePoint& finger, Reaching* reaching) const
   reaching->retargeter.begin_here(reach);
   reaching->start = finger;
   reaching->reach = reach;
-  reaching->judgement = judge(reach);
+  reaching->assessment = assess_registration(reach);
   reaching->plausibility = plausibility_of(reach);
   reaching->awaits_finger = false;
   return HRT_OK;
@@ -131,8 +132,8 @@ hrt_result Session::update(const FingerSample& sample, PlateCommand* out) {
   out->lifted = sample.observation == Observation::lifted;
   out->off_plate = sample.off_plate;
   out->implausible = implausible_.kind != Implausible::Kind::none;
-  out->contacts_disagree = reaching.judgement.contacts_disagree;
-  out->registration_doubtful = reaching.judgement.is_poor || is_too_old(sample.time_ns);
+  out->contacts_disagree = reaching.assessment.contacts_disagree;
+  out->registration_doubtful = reaching.assessment.is_poor || is_too_old(sample.time_ns);
   reaching.registration_doubtful |= out->registration_doubtful;
   out->fault = !std::isfinite(out->plate_orientation_deg);
   if (out->fault) out->plate_orientation_deg = plate_orientation_deg_;
@@ -154,7 +155,7 @@ hrt_result Session::retarget(std::uint64_t real_target, std::uint64_t virtual_ta
   reaching.pair = pair;
   reaching.reach = reaching.retargeter.retarget(view_from(reaching.start, model_.mount, pair.real).point,
                                                 view_from(reaching.start, model_.mount, pair.virtual_target).point);
-  reaching.judgement = judge(from_start);
+  reaching.assessment = assess_registration(from_start);
   reaching.plausibility.retarget();
   return HRT_OK;
 }
@@ -163,8 +164,9 @@ hrt_result Session::check_contact_due() const {
   const auto* reaching = std::get_if<Reaching>(&state_);
   const auto* idle = std::get_if<Idle>(&state_);
   if (!reaching && !(idle && idle->last))
-    return fail(HRT_ERROR_WRONG_STATE,
-                "no reach is in progress or has ended since the configuration was set; begin one first");
+    return fail(
+        HRT_ERROR_WRONG_STATE,
+        "no reach is in progress, and none has ended since the configuration was last set; begin a reach first");
   if (reaching ? reaching->contact.has_value() : idle->last->was_touched)
     return fail(HRT_ERROR_WRONG_STATE, "this reach already has a contact; report another one in the next reach");
   if (!model_.registration.made)
@@ -173,12 +175,13 @@ hrt_result Session::check_contact_due() const {
   return HRT_OK;
 }
 
-// The estimate of the person at the end of a reach precedes its contact.
+// Stores the contact if the reach is in progress: end() applies it after the estimates of the user. After the reach,
+// applies it immediately.
 hrt_result Session::touched(const ContactReport& report) {
   HRT_RETURN_IF_FAILED(check_contact_due());
   auto* reaching = std::get_if<Reaching>(&state_);
-  const Ended reach = reaching ? Ended{reaching->start, reaching->pair.real, reaching->retargeter.finger()}
-                               : *std::get<Idle>(state_).last;
+  const EndedReach reach = reaching ? EndedReach{reaching->start, reaching->pair.real, reaching->retargeter.finger()}
+                                    : *std::get<Idle>(state_).last;
   if (!reach.finger)
     return fail(HRT_ERROR_INSUFFICIENT_DATA,
                 "no sample of this reach shows a motion; report the contact after the motion");
@@ -206,7 +209,7 @@ hrt_result Session::end(ReachSummary* out) {
     return fail(HRT_ERROR_INSUFFICIENT_DATA, "the reach has had no sample; hrt_reach_cancel() ends it");
   *out = reaching.retargeter.summary();
   out->registration_doubtful = reaching.registration_doubtful;
-  out->contacts_disagree = reaching.judgement.contacts_disagree;
+  out->contacts_disagree = reaching.assessment.contacts_disagree;
   out->implausible = implausible_.kind != Implausible::Kind::none;
   if (model_.adaptation == Adaptation::off || out->person) {
     out->estimate.motor_variance_deg2 = model_.control.participant.motor_variance_deg2;
@@ -218,14 +221,14 @@ hrt_result Session::end(ReachSummary* out) {
     if (model_.adaptation == Adaptation::carried && !out->implausible) learn(reaching.retargeter, *out);
     if (reaching.contact) {
       learn_contact(*reaching.contact, &model_);
-      out->contacts_disagree = judge(reaching.reach).contacts_disagree;
+      out->contacts_disagree = assess_registration(reaching.reach).contacts_disagree;
     }
   }
   state_ = idle;
   return HRT_OK;
 }
 
-// Impossible motions can give invalid beliefs: these are discarded.
+// Updates the model by the estimates of a reach. Discards estimates that are not valid, as from impossible motions.
 void Session::learn(const Retargeter& retargeter, const ReachSummary& summary) {
   SessionModel next = model_;
   if (!retargeter.leads_person()) {
@@ -238,8 +241,9 @@ void Session::learn(const Retargeter& retargeter, const ReachSummary& summary) {
   if (is_valid(next)) model_ = next;
 }
 
-// A registration is poor if one is required and was not made, or if it turns the real target by too much.
-Session::Judgement Session::judge(const Reach& reach) const {
+// Assesses the registration for a reach: missing although required, too inaccurate at the real target, or contradicted
+// by contacts.
+Session::RegistrationAssessment Session::assess_registration(const Reach& reach) const {
   const RetargeterConfig& control = model_.control;
   const PlateRegistration& required = model_.registration;
   const bool is_missing = (required.max_age_ns > 0 || required.max_sd_deg > 0.0) && !required.made;

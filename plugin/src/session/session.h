@@ -1,4 +1,5 @@
-// A session: one user and one plate, in core types. A call that fails changes nothing. Calls of a reach are real-time.
+// A session: the state of one user at one plate, in core types. A call that fails changes nothing. Calls of a reach are
+// real-time.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +21,18 @@ namespace hrt::plugin {
 struct ReachRequest {
   std::uint64_t real_target = 0;
   std::uint64_t virtual_target = 0;
-  std::optional<double> plate_orientation_deg;  ///< none: where the last command left the plate
-  double duration_s = 0.0;                      ///< expected; 0: unknown
+  std::optional<double> plate_orientation_deg;  ///< unset: the plate is at the last command
+  double duration_s = 0.0;                      ///< expected duration of the motion; 0: unknown
   bool starts_at_finger = false;                ///< the reach starts at the first position of the finger
 };
 
 class Session {
  public:
-  /// Requires is_valid(model), as set_model() does.
+  /// Requires is_valid(model).
   explicit Session(SessionModel model) : model_(std::move(model)) {}
 
   const SessionModel& model() const { return model_; }
-  /// Replaces the model between reaches.
+  /// Replaces the model. Requires is_valid(model). Fails during a reach or a set-up.
   hrt_result set_model(const SessionModel& model);
 
   /// Plate orientation of the last command.
@@ -48,19 +49,20 @@ class Session {
   hrt_result begin(const ReachRequest& request);
   hrt_result update(const FingerSample& sample, PlateCommand* out);
   hrt_result retarget(std::uint64_t real_target, std::uint64_t virtual_target);
-  /// Fails unless the contact of a reach may be reported now.
+  /// Fails unless a contact can be reported: in a reach or after it, once, with a registered plate.
   hrt_result check_contact_due() const;
   hrt_result touched(const ContactReport& report);
   hrt_result cancel();
   hrt_result end(ReachSummary* out);
-  /// A value of the present reach was not finite: nothing is learnt from it.
+  /// Discards the estimates of the present reach at its end, because a value was not finite.
   void mark_faulty();
 
   /// The likely mistake in the current reach, or in the last one.
   const Implausible& implausible() const { return implausible_; }
 
-  /// The reach under way as it was last aimed, and whether it starts where the finger is still to be seen.
+  /// Geometry of the reach in progress, after the last retarget.
   const Reach& reach() const { return std::get<Reaching>(state_).reach; }
+  /// True if the reach starts at the first position of the finger, and no sample has had one yet.
   bool awaits_finger() const { return is_reaching() && std::get<Reaching>(state_).awaits_finger; }
 
   hrt_result begin_setup(std::uint32_t parts, const SetupConfig& asked);
@@ -68,12 +70,12 @@ class Session {
   /// Ends a set-up without remaining parts. Not real-time, like begin_setup() and cancel_setup().
   hrt_result finish_setup();
   hrt_result cancel_setup();
-  /// The part under way, while setting up.
+  /// The part in progress. Requires is_setting_up().
   SetupPart setup_part() const { return std::get<SettingUp>(state_)->part(); }
   SetupStep setup_step() const { return std::get<SettingUp>(state_)->step(); }
   /// Report of the latest set-up.
   const SetupReport& setup_report() const { return *report_; }
-  /// Slides of the last calibration; empty before.
+  /// Slides of the last calibration; empty before the first one.
   const std::vector<CalibratedSlide>& slides() const {
     return report_ && report_->calibration ? report_->calibration->slides : former_slides_;
   }
@@ -81,42 +83,42 @@ class Session {
   Targets targets;
 
  private:
-  /// The targets of a reach, as they were when the reach was given them.
+  /// Copies of a reach's targets.
   struct Pair {
     TargetPlace real;
     TargetPlace virtual_target;
   };
-  /// The registration as it concerns a reach.
-  struct Judgement {
-    bool is_poor = false;  // true if it was poor at any sample
-    bool contacts_disagree = false;
+  /// Quality of the registration for a reach.
+  struct RegistrationAssessment {
+    bool is_poor = false;            // missing although required, or less accurate than required
+    bool contacts_disagree = false;  // contacts contradict it
   };
   /// A reach that has ended, and whose contact may still be reported.
-  struct Ended {
+  struct EndedReach {
     PlatePoint start;
     TargetPlace real;
     std::optional<SeenFinger> finger;
     bool was_touched = false;
   };
   struct Idle {
-    std::optional<Ended> last;
+    std::optional<EndedReach> last;
   };
   struct Reaching {
     Reaching(const Pair& targets, const Reach& first, const RetargeterConfig& config)
         : pair(targets), reach(first), start(first.start), retargeter(config) {}
 
     Pair pair;
-    Reach reach;       // the present aim
-    PlatePoint start;  // start of the first aim
+    Reach reach;       // geometry after the last retarget
+    PlatePoint start;  // start of the reach, before any retarget
     Retargeter retargeter;
     Plausibility plausibility;
     RepeatedPosition<PlatePoint> repeated;
     bool awaits_finger = false;
-    Judgement judgement;
+    RegistrationAssessment assessment;
     std::optional<std::int64_t> last_time_ns;
     std::optional<Contact> contact;
-    bool registration_doubtful = false;  // true if it was missing, too old or too inaccurate at any time
-    bool faulty = false;
+    bool registration_doubtful = false;  // true if it was missing, too old or too inaccurate at any sample
+    bool faulty = false;                 // see mark_faulty()
   };
   using SettingUp = std::unique_ptr<SessionSetup>;
 
@@ -124,7 +126,7 @@ class Session {
   hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* reach) const;
   Plausibility plausibility_of(const Reach& reach) const;
   hrt_result start_at(const PlatePoint& finger, Reaching* reaching) const;
-  Judgement judge(const Reach& reach) const;
+  RegistrationAssessment assess_registration(const Reach& reach) const;
   bool is_too_old(std::int64_t time_ns) const;
   void learn(const Retargeter& retargeter, const ReachSummary& summary);
 
@@ -132,8 +134,8 @@ class Session {
   std::variant<Idle, Reaching, SettingUp> state_;
   double plate_orientation_deg_ = 0.0;
   Implausible implausible_;
-  std::unique_ptr<SetupReport> report_;         // null before a set-up
-  std::vector<CalibratedSlide> former_slides_;  // slides of the last calibration before that of report_
+  std::unique_ptr<SetupReport> report_;         // report of the latest set-up; null before the first one
+  std::vector<CalibratedSlide> former_slides_;  // slides of the last calibration in an earlier set-up
 };
 
 }  // namespace hrt::plugin

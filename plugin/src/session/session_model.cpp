@@ -18,7 +18,7 @@ bool have_same_pose(const PlateMount& a, const PlateMount& b) {
          a.scale == b.scale;
 }
 
-// Factors of a covariance of the rotation in radians and the position to the right and away.
+// Factors that convert a covariance of rotation (radians) and position (metres) to millimetres.
 Eigen::Matrix3d mm_by_m() {
   const Eigen::Vector3d units{1.0, mm_per_m, mm_per_m};
   return units * units.transpose();

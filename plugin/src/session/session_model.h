@@ -10,7 +10,7 @@
 
 namespace hrt::plugin {
 
-/// Ranges of what set-ups and reaches find. Each value is checked again when a recording is replayed.
+/// Ranges of the values that set-ups and reaches estimate.
 struct Range {
   double low, high;
   bool has(double value) const { return value >= low && value <= high; }
@@ -26,29 +26,30 @@ enum class Adaptation : std::uint8_t {
   carried  ///< carried to the following reaches
 };
 
-/// Pose of the plate, and the location of a tracked finger on it. Lengths are in metres, as in scenes.
+/// Pose of the plate, and the values that convert tracked positions to plate coordinates. Lengths are in metres, as in
+/// scenes.
 struct PlateMount {
   Pose pose;           ///< pose of the plate in the engine's world; does not turn with the ridges
   double scale = 1.0;  ///< length in the world of 1 m on the plate, 0.5 to 2
   PlateSurface surface;
-  Vec3 fingertip_offset_m;  ///< from the tracked joint to the skin, in the joint's axes; 0: unknown
+  Vec3 fingertip_offset_m;  ///< vector from the tracked joint to the skin, in the joint's axes; 0: unknown
 };
 
 /// Source of the plate's pose, and requirements on it.
 struct PlateRegistration {
-  bool made = false;  ///< the pose is from a registration, made at `time_ns`
+  bool made = false;  ///< true if the pose is from a registration, which was made at `time_ns`
   std::int64_t time_ns = 0;
   std::int64_t max_age_ns = 0;  ///< 0: not checked
   double max_sd_deg = 0.0;      ///< largest SD of the bearing of a real target; 0: not checked
 };
 
 struct SessionModel {
-  /// Configuration of each reach. Its person is the prior of an unknown person unless `knows_person`; its touched.home
-  /// is the start.
+  /// Configuration of each reach. Unless `knows_person`, control.person is the prior of an unknown person.
+  /// control.touched.home is the start.
   RetargeterConfig control;
-  bool guides_to_arrival = true;  ///< otherwise in a fixed direction; read if the plate turns
+  bool guides_to_arrival = true;  ///< true: GUIDANCE_ARRIVAL; false: FIXED_DIRECTION. Read if the plate turns
   Adaptation adaptation = Adaptation::carried;
-  bool knows_person = false;  ///< control.person is from reaches or a calibration
+  bool knows_person = false;  ///< true if control.person is from reaches or a calibration
   PlateMount mount;
   Vec3 start_m;  ///< start of reaches, in plate coordinates
   PlateRegistration registration;
@@ -59,36 +60,38 @@ bool is_valid(const SessionModel& model);
 /// The start of reaches in the plane of the plate.
 inline const PlatePoint& start_of(const SessionModel& model) { return model.control.touched.home; }
 
-/// The point of the plate above which a position in plate coordinates is.
+/// Projects a position in plate coordinates onto the plate.
 PlatePoint plate_point(Vec3 position_m);
 
-/// A position in the engine's world, or in plate coordinates, as seen from the plate.
+/// Locates a finger on the plate from its position in the engine's world, or in plate coordinates.
 FingerOnPlate locate(const PlateMount& mount, Vec3 world_position_m);
 FingerOnPlate locate_on_plate(const PlateMount& mount, Vec3 plate_position_m);
 
-/// The person becomes unknown; or, of an unknown person, the prior follows what the model says of them.
+/// Sets control.person to the prior of an unknown person, computed from the model's tactile weight, its SD and the
+/// bias.
 void forget_person(SessionModel* model);
 
-/// The person becomes unknown, with the parameters that `defaults` has for one.
+/// Resets the parameters of the user to those of `defaults`, and calls forget_person().
 void forget_user(const SessionModel& defaults, SessionModel* model);
 
-/// The person is known from now on.
+/// Sets the belief about the user, and derives the tactile weight and its SD from it.
 void know_person(const PersonBelief& belief, SessionModel* model);
 
-/// The illusion of the person on a path of this length: linear if the person is unknown.
+/// Returns the illusion curve of the user for a path of this length: linear if the person is unknown.
 Illusion illusion_of(const SessionModel& model, double distance_mm);
 
-/// Forgets what contacts have shown of the registration.
+/// Resets the correction of the registration by contacts.
 void forget_contacts(SessionModel* model);
 
-/// Contacts are of one registration: those that `next` only has from `before` are forgotten with another pose.
+/// Calls forget_contacts(next) if the plate's pose in `next` differs from `before` but its contacts do not.
 void forget_contacts_elsewhere(const SessionModel& before, SessionModel* next);
 
-/// The model `profile`, which is `session` with a profile read into it, keeps the session's pose. Contacts of another
-/// pose are forgotten; those of the same pose have drifted. A profile without contacts leaves the session's.
+/// Completes the model `profile`, which is `session` with a profile read into it: restores the session's pose and, if
+/// the profile has no contacts, its contacts. Contacts of another pose are discarded; to those of the same pose, drift
+/// of the tracker is added.
 void take_contacts_of_profile(const SessionModel& session, bool has_contacts, SessionModel* profile);
 
-/// A covariance of the plate's pose in metres, as files and the C interface have it.
+/// Converts the covariance of the plate's pose from and to metres, the unit of files and of the C interface.
 FrameCovariance frame_of_m(const Eigen::Matrix3d& covariance_m);
 Eigen::Matrix3d frame_in_m(const FrameCovariance& covariance);
 

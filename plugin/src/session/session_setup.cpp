@@ -27,7 +27,7 @@ std::uint32_t missing(const SessionModel& model) {
   return parts;
 }
 
-// Straight ahead, on the plate.
+// Length of the plate ahead of the start, parallel to the mid-line.
 double room_ahead_mm(const SessionModel& model) {
   const PlatePoint& start = start_of(model);
   const double radius_mm = mm_per_m * model.mount.surface.radius_m;
@@ -35,7 +35,7 @@ double room_ahead_mm(const SessionModel& model) {
   return half_chord_mm - rim_margin_mm - start.away_mm;
 }
 
-// The start, and places on the rim a third of a right angle from the line across: none opposite the start.
+// Sets the default marks: the start, and five points on the rim, of which none is opposite the start.
 void set_usual_marks(const SessionModel& model, SetupConfig* config) {
   using Mark = Eigen::Vector3d;
   const double r = mm_per_m * model.mount.surface.radius_m;
@@ -49,8 +49,8 @@ void set_usual_marks(const SessionModel& model, SetupConfig* config) {
   config->mark_count = 6;
 }
 
-// From the start to the near side of each real target, in the order in which they were added. Fails if a target is too
-// near to slide to.
+// Sets the guides, from the start to the near side of each real target in the order of addition. Fails if there is no
+// real target, or if one is too near for a slide.
 hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupConfig* config) {
   const PlatePoint& start = start_of(model);
   for (const auto& [id, target] : targets.all()) {
@@ -73,7 +73,7 @@ SetupConfig completed(SetupConfig config, const SessionModel& model, const Targe
   config.parts = config.only_possible ? missing(model) : parts;
   if (config.mark_count == 0) set_usual_marks(model, &config);
   config.check_mark = std::min(config.check_mark, config.mark_count - 1);
-  if ((parts & setup_guides) != 0) static_cast<void>(find_guides(model, targets, &config));  // check() did
+  if ((parts & setup_guides) != 0) static_cast<void>(find_guides(model, targets, &config));  // succeeded in check()
   config.start = start_of(model);
   config.slide_distance_mm = std::min(max_slide_mm, room_ahead_mm(model));
   if (config.only_possible && config.slide_distance_mm < min_slide_room_mm)
@@ -145,7 +145,7 @@ hrt_result SessionSetup::finish(SessionModel* model, SetupReport* report) {
     return fail(HRT_ERROR_WRONG_STATE, step.done, " of ", step.of,
                 " touches or slides are done; call this once the instruction of a step is HRT_STEP_FINISH");
   if (!is_over()) {
-    // After an exception fit_ is empty: the next call begins again.
+    // If an exception is thrown, fit_ is null, and the next call begins the fit again.
     std::unique_ptr<PartFit> fitting = std::move(fit_);
     if (!fitting)
       fitting = std::make_unique<PartFit>(setup_, registration_of(*model, setup_.config().registration.touch_sd_mm));

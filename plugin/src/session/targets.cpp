@@ -8,8 +8,8 @@
 namespace hrt::plugin {
 namespace {
 
-// Ids are below 2^53, so that a double represents them. The top byte of a handle is not 0, and an index is smaller, so
-// that neither is accepted as an id.
+// Ids are below 2^53, so that a double represents them exactly. They are greater than any index, and the top byte of a
+// handle is not 0, so that neither an index nor a handle is accepted as an id.
 std::atomic<std::uint64_t> next_id{(std::uint64_t{0x7a} << 44) + 1};
 
 hrt_result name_taken(const Target& target) {

@@ -27,8 +27,8 @@ struct TargetPlace {
 struct Target {
   TargetRole role = TargetRole::real;
   TargetPlace place;
-  std::array<char, 64> name{};  ///< ended by a zero, followed by zeros
-  std::uint64_t served_by = 0;  ///< id of the real target that stands in for a virtual one; 0: unknown
+  std::array<char, 64> name{};  ///< padded with zeros, at least one
+  std::uint64_t served_by = 0;  ///< id of the real target that is assigned to a virtual one; 0: none
 };
 
 /// A target seen from the start of a reach, in the plane of the plate.
@@ -36,54 +36,53 @@ struct TargetView {
   double direction_deg;  ///< in (-180, 180]; 0 at the start itself
   double distance_mm;    ///< >= 0
   PlatePoint point;
-  bool at_start;  ///< nearer than min_distance_m: the direction is undetermined
+  bool at_start;  ///< true if it is nearer than min_distance_m, so that the direction is undetermined
 };
 TargetView view_from(const PlatePoint& start, const PlateMount& mount, const TargetPlace& place);
 
-/// Seen from where the session's reaches start.
+/// The target seen from the configured start of the session.
 inline TargetView view(const SessionModel& model, const TargetPlace& place) {
   return view_from(start_of(model), model.mount, place);
 }
 
-/// Fails if a target is too near to where the session's reaches start.
+/// Fails if a target is too near to the configured start of the session.
 hrt_result check_target(const SessionModel& model, const Target& target);
 
-/// Targets by id. Ids come from one counter for the process: none is given out twice, and later targets have greater
-/// ids.
+/// Targets by id. Ids are from one counter of the process: each is used once, and later targets have greater ids.
 class Targets {
  public:
   static constexpr std::size_t max_targets = 1'000'000;
 
   Targets();
   hrt_result add(const Target& target, std::uint64_t* out_id);
-  /// Allocates nothing if the name stays.
+  /// Replaces a target. Allocates nothing if the name is unchanged.
   hrt_result set(std::uint64_t id, const Target& target);
-  /// Both are ids of targets.
+  /// Sets Target::served_by. Requires that both ids exist.
   void set_served_by(std::uint64_t id, std::uint64_t real_target) { by_id_.at(id).served_by = real_target; }
   hrt_result remove(std::uint64_t id);
 
-  /// Returns the target, or null.
+  /// Returns the target with this id, or null.
   const Target* find(std::uint64_t id) const;
   /// Finds a target of a role, or fails naming `argument`.
   hrt_result find(const char* argument, std::uint64_t id, TargetRole role, const Target** out) const;
-  /// Returns the id, or 0.
+  /// Returns the id of the target with this name, or 0.
   std::uint64_t find(std::string_view name) const;
 
   const std::map<std::uint64_t, Target>& all() const { return by_id_; }
-  /// A reach needs one of each role.
+  /// True if there is a real and a virtual target, as a reach requires.
   bool has_both_roles() const { return real_count_ > 0 && by_id_.size() > real_count_; }
-  /// There are both roles, all given by directions within a right angle in radians, and two are not 0. In degrees such
-  /// targets lie within 3 mm at 100 mm: no other use is known than a mistake.
+  /// True if there are both roles, all targets are given by directions below 1.6, and at least two are not 0. In
+  /// degrees, all these targets would be within 3 mm of each other at 100 mm, which no application needs.
   bool may_be_in_radians() const;
 
-  /// A number that stands for a target in recordings: from 1 in a process of one session; 0 if there is no such target.
+  /// Returns the number of a target in recordings, from 1 in a process with one session; 0 if it does not exist.
   std::uint64_t number(std::uint64_t id) const { return by_id_.contains(id) ? id - before_first_ : 0; }
 
  private:
   std::map<std::uint64_t, Target> by_id_;
   std::map<std::string, std::uint64_t, std::less<>> by_name_;
   std::size_t real_count_ = 0;
-  std::uint64_t before_first_;  // the last id that was given out before
+  std::uint64_t before_first_;  // the last id that was assigned before this object was created
 };
 
 }  // namespace hrt::plugin

@@ -1,4 +1,4 @@
-// The texts of hrt_last_error(): one line of UTF-8 with the reason in it, whatever was given.
+// The texts of hrt_last_error() are one line of UTF-8 with the reason, for any input.
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -22,7 +22,7 @@ class ErrorTextTest : public SessionTest {
     EXPECT_EQ(text.find("\u0085"), std::string::npos) << "a line break";
   }
 
-  /// 300 characters of two bytes, at an odd offset.
+  /// Returns 300 characters of two bytes, at an odd offset.
   static std::string long_text() {
     std::string text = "x";
     for (int i = 0; i < 300; ++i) text += "\u00e4";
@@ -30,12 +30,12 @@ class ErrorTextTest : public SessionTest {
   }
 };
 
-TEST_F(ErrorTextTest, KeysOfProfiles) {
+TEST_F(ErrorTextTest, ControlCharactersInProfileKeysAreReplaced) {
   expect_line(load_profile(R"({"a\nb\u001b[31m\u0085c":1})"), HRT_ERROR_BAD_FORMAT, "is not a field of a profile");
   expect_line(load_profile("{\"" + long_text() + "\":1}"), HRT_ERROR_BAD_FORMAT, "is not a field of a profile");
 }
 
-TEST_F(ErrorTextTest, NamesOfTargets) {
+TEST_F(ErrorTextTest, LongTargetNamesAreTruncated) {
   const std::string name = long_text().substr(0, HRT_NAME_SIZE - 1);
   add(HRT_TARGET_REAL, 0.0, name.c_str());
   const hrt_target_config again = target_config(HRT_TARGET_REAL, 0.0, name.c_str());
@@ -43,8 +43,8 @@ TEST_F(ErrorTextTest, NamesOfTargets) {
   expect_line(hrt_target_add(session, &again, &target), HRT_ERROR_NAME_TAKEN, "name");
 }
 
-TEST_F(ErrorTextTest, PathsLeaveRoomForTheReason) {
-#if defined(_WIN32)  // where no name has a line break
+TEST_F(ErrorTextTest, LongPathsAreTruncatedBeforeTheReason) {
+#if defined(_WIN32)  // names of files cannot contain line breaks
   const char* reason = std::strerror(EINVAL);
 #else
   const char* reason = std::strerror(ENOENT);

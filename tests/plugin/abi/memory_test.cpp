@@ -1,4 +1,4 @@
-// The library's memory: all of it from the host's allocator, any of it refused.
+// All memory of the library is from the host's allocator, and any allocation may fail.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -12,7 +12,7 @@
 namespace hrt::test {
 namespace {
 
-// A life of a session, in steps that each must succeed, or fail for want of memory and change nothing.
+// Uses a session, in steps that each must succeed, or fail with OUT_OF_MEMORY and change nothing.
 hrt_result live(hrt_session* session) {
   const hrt_session_config config = session_config();
   if (const auto result = hrt_session_create(HRT_VERSION, &config, session); result != HRT_OK) return result;
@@ -28,7 +28,7 @@ hrt_result live(hrt_session* session) {
   return HRT_OK;
 }
 
-TEST(Memory, AllComesFromTheHostsAllocatorAndGoesBack) {
+TEST(Memory, AllMemoryIsFromTheHostsAllocatorAndReleased) {
   CountingAllocator allocator;
   hrt_session session{};
   ASSERT_OK(live(&session));
@@ -37,7 +37,7 @@ TEST(Memory, AllComesFromTheHostsAllocatorAndGoesBack) {
   EXPECT_EQ(allocator.held, 0);
 }
 
-TEST(Memory, EveryRequestMayBeRefused) {
+TEST(Memory, SessionSurvivesFailureOfAnyAllocation) {
   CountingAllocator allocator;
   hrt_session session{};
   ASSERT_OK(live(&session));
@@ -60,10 +60,10 @@ TEST(Memory, EveryRequestMayBeRefused) {
   }
 }
 
-// Refuses each request of an operation in turn, alone and with all that follow: every time a clean error, and
-// nothing held that was not before. Of more than 1000 requests every 101st, and the last ones.
+// Fails each allocation of an operation in turn, alone and with all later ones. Each time, the operation must return an
+// error and release what it allocated. Of more than 1000 allocations, every 101st and the last ones are tested.
 template <class Operation>
-void refuse_each_request(CountingAllocator& allocator, Operation&& operation) {
+void fail_each_allocation(CountingAllocator& allocator, Operation&& operation) {
   allocator.requests = 0;
   ASSERT_OK(operation());
   const long requests = allocator.requests, held = allocator.held;
@@ -90,14 +90,14 @@ class SessionMemory : public SessionTest {
   CountingAllocator allocator;
 };
 
-TEST_F(SessionMemory, EveryRequestOfProfilesMayBeRefused) {
+TEST_F(SessionMemory, ProfilesSurviveFailureOfAnyAllocation) {
   const std::string profile = R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})";
-  refuse_each_request(allocator, [&] { return load_profile(profile); });
+  fail_each_allocation(allocator, [&] { return load_profile(profile); });
 }
 
-// Each part of a set-up is begun with every request refused, and finished with every one of the first
-// fifty, and every 211th beyond.
-TEST(Memory, EveryRequestOfASetupMayBeRefused) {
+// hrt_setup_begin() of each part is tested with a failure of every allocation, hrt_setup_finish() with one of each of
+// the first fifty, and of every 211th after that.
+TEST(Memory, SetupSurvivesFailureOfAnyAllocation) {
   CountingAllocator allocator;
   const hrt_session_config config = session_config();
   hrt_setup_config setup = hrt_setup_config_init();
@@ -105,7 +105,7 @@ TEST(Memory, EveryRequestOfASetupMayBeRefused) {
   for (const std::uint32_t part : {HRT_SETUP_FINGERTIP, HRT_SETUP_REGISTRATION, HRT_SETUP_CALIBRATION}) {
     hrt_session session{};
     ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
-    refuse_each_request(allocator, [&] {
+    fail_each_allocation(allocator, [&] {
       const hrt_result result = hrt_setup_begin(session, part, &setup);
       if (result == HRT_OK) {
         EXPECT_OK(hrt_setup_cancel(session));
@@ -118,7 +118,7 @@ TEST(Memory, EveryRequestOfASetupMayBeRefused) {
     auto step = output<hrt_setup_step>();
     for (int frame = 0; frame < 20'000 && step.instruction != HRT_STEP_FINISH; ++frame) {
       const hrt_sample sample = person.follow(step);
-      if (part == HRT_SETUP_CALIBRATION && frame % 3 != 0) continue;  // at 30 Hz, as the fit takes time
+      if (part == HRT_SETUP_CALIBRATION && frame % 3 != 0) continue;  // at 30 Hz, because the fit takes time
       ASSERT_OK(hrt_setup_update(session, &sample, &step));
     }
     const long held = allocator.held;
@@ -147,11 +147,11 @@ TEST(Memory, EveryRequestOfASetupMayBeRefused) {
   }
 }
 
-TEST_F(SessionMemory, EveryRequestOfRecordingsMayBeRefused) {
+TEST_F(SessionMemory, RecordingsSurviveFailureOfAnyAllocation) {
   auto status = output<hrt_recording_status>();
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("hrt_memory" + std::to_string(getpid()) + ".csv");
-  refuse_each_request(allocator, [&] {
+  fail_each_allocation(allocator, [&] {
     const hrt_result result = hrt_recording_start(session, path.string().c_str());
     if (result == HRT_OK) {
       EXPECT_OK(hrt_recording_stop(session, &status));
@@ -163,11 +163,11 @@ TEST_F(SessionMemory, EveryRequestOfRecordingsMayBeRefused) {
   std::ifstream file(HRT_GOLDEN_RECORDING);
   std::string text, line;
   for (int i = 0; i < 16 && std::getline(file, line); ++i) text += line + "\n";
-  refuse_each_request(allocator, [&] { return hrt_recording_replay(nullptr, text.data(), text.size(), &report); });
+  fail_each_allocation(allocator, [&] { return hrt_recording_replay(nullptr, text.data(), text.size(), &report); });
   EXPECT_GT(report.rows, 0u);
 }
 
-TEST_F(SessionMemory, ARecordingThatFindsNoneLeavesTheFile) {
+TEST_F(SessionMemory, RecordingWithoutMemoryLeavesTheFileUnchanged) {
   const std::string path = testing::TempDir() + "hrt_memory_kept" + std::to_string(getpid()) + ".csv";
   std::ofstream(path) << "kept";
   allocator.budget = allocator.bytes + 1'000'000;
@@ -178,7 +178,7 @@ TEST_F(SessionMemory, ARecordingThatFindsNoneLeavesTheFile) {
   std::filesystem::remove(path);
 }
 
-TEST_F(SessionMemory, EveryRequestOfASceneMayBeRefused) {
+TEST_F(SessionMemory, SceneSurvivesFailureOfAnyAllocation) {
   const std::string gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],"nodes":[
     {"name":"plate","extras":{"haptic":{"role":"plate","radius_m":0.1}}},
     {"name":"cylinder","translation":[0,0,-0.05],"extras":{"haptic":{"role":"real","name":"cylinder"}}},
@@ -187,7 +187,7 @@ TEST_F(SessionMemory, EveryRequestOfASceneMayBeRefused) {
   hrt_scene scene{};
   ASSERT_OK(hrt_scene_load("memory", gltf.data(), gltf.size(), &scene));
   hrt_target ids[2];
-  refuse_each_request(allocator, [&] {
+  fail_each_allocation(allocator, [&] {
     const hrt_result result = hrt_scene_register(scene, session, 2, ids);
     if (result == HRT_OK) {
       for (const hrt_target id : ids) EXPECT_OK(hrt_target_remove(session, id));
@@ -197,7 +197,7 @@ TEST_F(SessionMemory, EveryRequestOfASceneMayBeRefused) {
   ASSERT_OK(hrt_scene_destroy(scene));
 }
 
-TEST(Memory, AllocatorStaysWhileMemoryIsHeld) {
+TEST(Memory, AllocatorCannotChangeWhileMemoryIsInUse) {
   const hrt_session_config config = session_config();
   hrt_session session{};
   ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
@@ -219,7 +219,7 @@ TEST(Memory, AllocatorStaysWhileMemoryIsHeld) {
   EXPECT_OK(hrt_host_set(nullptr));
 }
 
-TEST(Memory, AllocatorIsChecked) {
+TEST(Memory, IncompleteAllocatorIsRejected) {
   hrt_host host{};
   expect_error(hrt_host_set(&host), HRT_ERROR_STRUCT_SIZE, "host");
   host = hrt_host_init();

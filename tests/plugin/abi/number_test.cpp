@@ -1,4 +1,4 @@
-// Numbers as text: to the same bits and back, by the C++ library's reader too where there is one.
+// Conversion of numbers to text and back restores every bit, also with std::from_chars where it exists.
 #include "plugin/src/abi/text.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ std::string written(double number) {
   return std::string(text, write_number(number, text));
 }
 
-TEST(Number, Texts) {
+TEST(Number, WritesTheShortestTextThatReadsBack) {
   EXPECT_EQ(written(0.0), "0");
   EXPECT_EQ(written(-0.0), "-0");
   EXPECT_EQ(written(0.1), "0.1");
@@ -31,7 +31,7 @@ TEST(Number, Texts) {
   EXPECT_EQ(written(-std::numeric_limits<double>::max()), "-1.7976931348623157e+308");
 }
 
-TEST(Number, Readings) {
+TEST(Number, ReadsDecimalNumbersAndRejectsOtherTexts) {
   double number = 7.0;
   for (const char* text : {"", " 1", "+1", "1 ", "0x1", "1,5", "1e", "e1", ".", "-", "--1", "1e999", "1.5.5"}) {
     EXPECT_FALSE(read_number(text, &number)) << text;
@@ -45,7 +45,7 @@ TEST(Number, Readings) {
   EXPECT_TRUE(std::isnan(number));
 }
 
-TEST(Number, WholeReadings) {
+TEST(Number, ReadsIntegersAndRejectsOtherTexts) {
   std::int64_t number = 7;
   for (const char* text : {"", "1.0", "1 ", "9223372036854775808", "NaN"}) {
     EXPECT_FALSE(read_number(text, &number)) << text;

@@ -1,4 +1,4 @@
-// Two threads: each with its own session, and both on one, which the contract forbids.
+// Two threads, each with its own session, or both with one session, which the contract forbids.
 #include <atomic>
 #include <thread>
 
@@ -10,7 +10,7 @@ namespace {
 
 using ThreadTest = SessionTest;
 
-TEST_F(ThreadTest, SecondThreadIsRefusedAndNothingIsCorrupted) {
+TEST_F(ThreadTest, SecondThreadGetsBusyAndNothingIsCorrupted) {
   begin_reach();
   std::atomic<int> ready{0};
   std::atomic<long> taken{0}, refused{0}, other{0};
@@ -41,7 +41,7 @@ TEST_F(ThreadTest, SecondThreadIsRefusedAndNothingIsCorrupted) {
   EXPECT_EQ(end().counts.samples, taken);
 }
 
-// The results of one thread with its own session do not depend on what another does with its own.
+// The results of a session do not depend on calls of another thread on another session.
 TEST(Threads, SessionsAreIndependent) {
   const auto run = [](double& last_deg) {
     const hrt_session_config config = session_config();

@@ -1,4 +1,4 @@
-// Recordings, and replaying them.
+// Recordings and their replay.
 #include "recording_fixture.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace hrt::test {
 namespace {
 
-// Rows whose result is changed do not replay.
+// Checks that rows with a changed result are reported as different.
 void expect_compared(const std::string& text, const std::vector<std::string>& calls) {
   for (const std::string& call : calls) {
     std::string other = text;
@@ -23,7 +23,7 @@ void expect_compared(const std::string& text, const std::vector<std::string>& ca
   }
 }
 
-/// The cells of a row.
+/// Splits a row into cells.
 std::vector<std::string> split(const std::string& row) {
   std::istringstream line(row);
   std::vector<std::string> cells;
@@ -38,9 +38,8 @@ std::string join(const std::vector<std::string>& cells) {
   return row;
 }
 
-// Both controllers, with every kind of sample and errors among them, give the same bits in every build on
-// every host.
-TEST_F(RecordingTest, ReplaysToTheSameBits) {
+// Both controllers, with every flag of a sample and with errors, give the same commands in every build on every host.
+TEST_F(RecordingTest, BothControllersWithEverySampleReplayBitForBit) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   play();
   const hrt_recording_status status = stop();
@@ -53,8 +52,8 @@ TEST_F(RecordingTest, ReplaysToTheSameBits) {
   EXPECT_EQ(report.hash, 0x7b7900e42ec5b22eu) << "which is 0x" << std::hex << report.hash;
 }
 
-// Targets that move, reaches that are abandoned or start where the finger is, and refusals of both.
-TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayToTheSameBits) {
+// Moved targets, cancelled reaches, reaches that start at the finger, and rejected retargets and cancellations.
+TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayBitForBit) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
     hrt_session_config config = session_config();
@@ -86,8 +85,8 @@ TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayToTheSameBits) {
   expect_compared(text, {"\nretarget,0,", "\nretarget,-4,", "\nretarget,-5,", "\ncancel,0,", "\ncancel,-5,"});
 }
 
-// In a reach and after it, refused ones and those that cannot be read too.
-TEST_F(RecordingTest, ContactsReplayToTheSameBits) {
+// Contacts in a reach and after it, rejected ones, and ones whose struct cannot be read.
+TEST_F(RecordingTest, ContactsReplayBitForBit) {
   hrt_session_config config = session_config();
   config.flags = HRT_SESSION_REGISTERED;
   create(config);
@@ -125,10 +124,10 @@ TEST_F(RecordingTest, ContactsReplayToTheSameBits) {
   EXPECT_GT(replay(elsewhere).first_different_line, 270u) << "what follows depends on it";
 }
 
-TEST_F(RecordingTest, RecordingOfAllHostsGivesItsHash) { expect_golden_bits(); }
+TEST_F(RecordingTest, ScriptedReachReplaysToItsHash) { expect_golden_bits(); }
 
-// Releases differ in how they spell a number, not in its bits.
-TEST_F(RecordingTest, OtherSpellingsOfANumberAreNoDifference) {
+// Releases may write different texts for the same double.
+TEST_F(RecordingTest, EqualNumbersWithOtherTextsAreNoDifference) {
   std::string text = recording();
   const std::size_t update = text.find("\nupdate,0,");
   const std::size_t weight = text.find(",0.15,", update);
@@ -137,7 +136,7 @@ TEST_F(RecordingTest, OtherSpellingsOfANumberAreNoDifference) {
   EXPECT_EQ(replay(text).first_different_line, 0u);
 }
 
-// They are not read, so they may hold anything; -0 is not 0 in a row.
+// Fields that are not read may have any value; -0 and 0 differ in a row.
 TEST_F(RecordingTest, UnreadFieldsAndNegativeZeroReplay) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   hrt_target_config config = target_config(HRT_TARGET_REAL, -5.0);
@@ -159,7 +158,7 @@ TEST_F(RecordingTest, UnreadFieldsAndNegativeZeroReplay) {
   EXPECT_EQ(report.rows, 4u);
 }
 
-TEST_F(RecordingTest, TheServingTargetIsRecordedByItsNumber) {
+TEST_F(RecordingTest, ServedByIsRecordedAsTheTargetsNumber) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0);
   hrt_target_config config = target_config(HRT_TARGET_VIRTUAL, 5.0);
   config.served_by = real;
@@ -182,8 +181,8 @@ TEST_F(RecordingTest, LinesMayEndInCrLf) {
   expect_same(replay(text));
 }
 
-// The end line has a checksum of all before it, whatever the changed text is good for.
-TEST_F(RecordingTest, AlteredOrCutIsNotComplete) {
+// The end line has a checksum of all preceding lines, so any change is detected.
+TEST_F(RecordingTest, AlteredOrTruncatedRecordingIsNotComplete) {
   const std::string text = recording();
   EXPECT_EQ(ending(text), HRT_ENDING_COMPLETE);
   const auto changed = [&](const std::string& part, const std::string& by) {
@@ -209,8 +208,8 @@ TEST_F(RecordingTest, AlteredOrCutIsNotComplete) {
             HRT_ENDING_LOST_ROWS);
 }
 
-// Whatever came out of a call is compared: each cell of a row in turn is made another.
-TEST_F(RecordingTest, EveryNumberThatCameOutIsCompared) {
+// Each output cell of a row in turn is changed, and must be reported.
+TEST_F(RecordingTest, EveryOutputColumnIsCompared) {
   const std::string text = recording();
   std::istringstream lines(text);
   std::vector<std::string> names;
@@ -244,8 +243,8 @@ TEST_F(RecordingTest, EveryNumberThatCameOutIsCompared) {
                           (1 + std::size(plugin::columns_of<hrt_reach_summary>)));
 }
 
-// Calls that are refused for their arguments are calls too.
-TEST_F(RecordingTest, RefusedCallsAreRecordedAndReplayed) {
+// Calls that fail because of their arguments are recorded, too.
+TEST_F(RecordingTest, FailedCallsAreRecordedAndReplayed) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   std::string expected;
@@ -263,7 +262,7 @@ TEST_F(RecordingTest, RefusedCallsAreRecordedAndReplayed) {
   auto command = output<hrt_command>();
   hrt_sample sample = direction_sample(0, 1.0), both = sample, short_sample = sample;
   both.flags = 3;
-  short_sample.struct_size = 88;  // enough for a command, not for a sample
+  short_sample.struct_size = 88;  // valid for a command, too small for a sample
   called("update", hrt_reach_update(session, &sample, &command), HRT_OK);
   called("update", hrt_reach_update(session, nullptr, &command), HRT_ERROR_NULL_ARGUMENT);
   called("update", hrt_reach_update(session, &sample, nullptr), HRT_ERROR_NULL_ARGUMENT);
@@ -282,12 +281,12 @@ TEST_F(RecordingTest, RefusedCallsAreRecordedAndReplayed) {
     recorded += row.substr(0, row.find(',', row.find(',') + 1)) + "\n";
   EXPECT_EQ(recorded, expected);
   expect_same(replay(text));
-  // Had one of them been taken, the replay would say so.
+  // With another result, each of these rows is reported as different.
   expect_compared(text, {"\nbegin,-2,", "\nbegin,-3,", "\nbegin,-4,", "\nupdate,-1,", "\nend,-5,"});
 }
 
-// A recording that starts late starts from where plate, targets and what was learnt are then.
-TEST_F(RecordingTest, MayStartAnyTimeBetweenReaches) {
+// A recording that starts later begins with the present plate orientation, targets and estimates.
+TEST_F(RecordingTest, StartsBetweenReachesWithThePresentState) {
   hrt_session_config config = paper_config();
   config.plate.max_speed_deg_s = 100.0;
   config.adaptation = HRT_ADAPTATION_CARRIED;
@@ -315,7 +314,7 @@ TEST_F(RecordingTest, MayStartAnyTimeBetweenReaches) {
   EXPECT_NE(replay(other).first_different_line, 0u);
 }
 
-TEST_F(RecordingTest, CutOffAnywhereIsIncompleteOrRefused) {
+TEST_F(RecordingTest, TruncationAtAnyByteIsIncompleteOrRejected) {
   const std::string golden = recording();
   for (std::size_t size = 0; size + 1 < golden.size(); size += size < 4000 ? 1 : 997) {
     auto report = output<hrt_replay_report>();
@@ -329,7 +328,7 @@ TEST_F(RecordingTest, CutOffAnywhereIsIncompleteOrRefused) {
   }
 }
 
-TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
+TEST_F(RecordingTest, MalformedRecordingsAreRejectedNamingTheLine) {
   const std::string golden = recording();
   const std::string header = golden.substr(0, golden.find("# config"));
   const std::string with_config = golden.substr(0, golden.find('\n', header.size()) + 1);
@@ -344,7 +343,7 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
            ",\"direction_deg\":-5,\"distance_m\":0.1,\"position_m\":[0,0,0]}";
   };
   const std::string version = "# haptic retargeting recording, version ", added = target("\"a\"", "\"place\":1");
-  // The text, and what its refusal names.
+  // A text, and a part of the expected error.
   const std::pair<std::string, std::string> refused[] = {
       {"", ""},
       {"time,x\n1,2\n", ""},
@@ -391,7 +390,7 @@ TEST_F(RecordingTest, ReplayStopsWhereRowsWereLost) {
   EXPECT_EQ(report.rows, 2u);
 }
 
-TEST_F(RecordingTest, CallsOutOfOrderAreRefused) {
+TEST_F(RecordingTest, CallsOutOfOrderAreRejected) {
   auto status = output<hrt_recording_status>();
   expect_error(hrt_recording_stop(session, &status), HRT_ERROR_WRONG_STATE);
   expect_error(hrt_recording_get_status(session, &status), HRT_ERROR_WRONG_STATE);

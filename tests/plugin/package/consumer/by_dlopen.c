@@ -1,4 +1,4 @@
-/* An engine that has the headers and finds the library when it runs. */
+/* An engine that is compiled with the headers and loads the library at run time. */
 #include <dlfcn.h>
 #include <haptic_retargeting/functions.h>
 #include <stdio.h>
@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* A library that lacks two functions. */
+/* Acts like dlsym() for a library that lacks two functions. */
 static void* find_most(void* library, const char* name) {
   if (!strcmp(name, "hrt_reach_retarget") || !strcmp(name, "hrt_reach_cancel")) return NULL;
   return dlsym(library, name);
@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   if (hrt.session_create(HRT_VERSION, &config, &session) != HRT_OK) return 5;
   if (hrt.session_destroy(session) != HRT_OK || hrt.session_destroy(session) != HRT_ERROR_INVALID_HANDLE) return 6;
   if (strstr(hrt.last_error(), "hrt_session_destroy: session ") != hrt.last_error()) return 7;
-  /* Closing ends what is left open. Later children meet nothing of the library. */
+  /* dlclose() ends the recording. A later fork must not call code of the unloaded library. */
   if (hrt.session_create(HRT_VERSION, &config, &session) != HRT_OK) return 8;
   if (hrt.recording_start(session, argv[2]) != HRT_OK) return 8;
   if (dlclose(library) != 0) return 9;

@@ -1,4 +1,4 @@
-#include "plugin/src/session/found_model.h"
+#include "plugin/src/session/setup_results.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,7 +10,8 @@
 namespace hrt::plugin {
 namespace {
 
-// Recordings and profiles hold metres: the session uses the value that they give back.
+// Converts to metres and back. Recordings and profiles contain metres, and the session must use the value that is read
+// from them.
 double as_read_from_m(double mm) { return mm_per_m * (mm / mm_per_m); }
 
 void apply_noise(const RestNoise& rest, EstimatorConfig* config) {
@@ -31,7 +32,7 @@ Interval believed(const SessionModel& model, PersonState::Index trait) {
   return interval_about(person.mean(trait), std::sqrt(person.covariance(trait, trait)));
 }
 
-// The pose, scale and uncertainty of a registration that holds.
+// Writes an accepted registration into the model: pose, scale, uncertainty and time.
 void apply_registration(const Registration& found, std::int64_t time_ns, SessionModel* model) {
   Eigen::Quaterniond q(found.rotation);
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
@@ -45,8 +46,8 @@ void apply_registration(const Registration& found, std::int64_t time_ns, Session
   model->registration.time_ns = time_ns;
 }
 
-// Applies the values of the person and of the tracker's noise that are known. A known weight or bias replaces what
-// reaches have learnt of the person; with curve and habit known, the calibration is the belief about the person.
+// Writes the determined parameters of the user and of the tracker's noise into the model. A weight or bias replaces the
+// estimates from reaches; if curve and habit are determined too, the calibration replaces the whole belief.
 void apply_calibration(const Calibration& calibration, SessionModel* model) {
   const Interval& weight = calibration.tactile_weight;
   Participant& participant = model->control.participant;
@@ -74,7 +75,8 @@ void apply_calibration(const Calibration& calibration, SessionModel* model) {
   model->control.reach.bound_deg = calibration.peak_offset_deg;
 }
 
-// The frame takes over from the learnt bias as much as it turns bearings.
+// Writes the correction of the registration. Changes the estimated bias by the mean angle by which the correction
+// rotates bearings, because reaches had estimated this angle as a bias of the user.
 void apply_guides(const TouchedFrame& found, const SetupConfig& config, SessionModel* model) {
   TouchedFrame& touched = model->control.touched;
   double turned = 0.0;
@@ -108,7 +110,7 @@ Registration registration_of(const SessionModel& model, double touch_sd_mm) {
                             .touch_sd_mm = touch_sd_mm};
   const FrameCovariance& plane = model.control.frame;
   const double height_mm2 = 0.5 * (plane(1, 1) + plane(2, 2));
-  // The turn, and the place to the right and away (-z), in the plate's axes.
+  // Rotation, and position to the right and away (-z), in the plate's axes.
   Eigen::Matrix3d place_mm2 = height_mm2 * Eigen::Matrix3d::Identity();
   place_mm2(0, 0) = plane(1, 1);
   place_mm2(2, 2) = plane(2, 2);

@@ -6,11 +6,11 @@
 
 namespace hrt::plugin {
 
-/// The registration that the model has, with touches of `touch_sd_mm`. The model does not hold the uncertainty of tilt
-/// and height: it is taken to be as large as that in the plane.
+/// Returns the registration in the model, for touches with an SD of `touch_sd_mm`. The model does not contain the
+/// uncertainty of tilt and height, which is assumed to be as large as that in the plane.
 Registration registration_of(const SessionModel& model, double touch_sd_mm);
 
-/// The person's values that differ from the model by a retest.
+/// Parameters of the user that differ between a retest and the model.
 struct RetestDifference {
   bool tactile_weight = false;
   bool bias = false;
@@ -18,7 +18,7 @@ struct RetestDifference {
 };
 RetestDifference difference(const SessionModel& model, const Calibration& calibration);
 
-/// Writes the fit of one part into the model. False if the fit leaves the part without a result.
+/// Writes the result of one part into the model. Returns false if the part has no result.
 bool apply(const SetupFit& fit, const SetupConfig& config, SessionModel* model);
 
 }  // namespace hrt::plugin

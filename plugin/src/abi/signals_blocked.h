@@ -1,4 +1,4 @@
-// Threads of ours in the host's process.
+// Threads that the library starts in the host's process.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 
 namespace hrt {
 
-/// Starts a thread that leaves the process's signals to the host's threads.
+/// Starts a thread that blocks all signals, so that the host's threads receive those of the process.
 template <class Run>
-std::thread start_quiet_thread(Run run) {
+std::thread start_thread_with_signals_blocked(Run run) {
 #if defined(_WIN32)
   return std::thread(run);
 #else
