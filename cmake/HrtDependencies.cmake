@@ -1,6 +1,6 @@
-# Dependencies, each found once. cmake/install_packages names their Debian packages.
+# Finds the dependencies. cmake/install_packages names their Debian packages.
 
-# The call has no version, because the package of Eigen 5 refuses a request for 3.4, with which it is compatible.
+# The call has no version, because the package of Eigen 5 rejects a request for 3.4, although it is compatible.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.4)
   message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: 3.4 or later is needed")
@@ -25,7 +25,7 @@ if(HRT_BUILD_MOCK_RUNTIME)
   find_path(HRT_VULKAN_INCLUDE vulkan/vulkan_core.h REQUIRED)
 endif()
 if(HRT_BUILD_EXPERIMENT)
-  # Its header calls libcrypto if it was built with it.
+  # The header of cpp-httplib calls libcrypto if the package was built with it.
   pkg_check_modules(HRT_HTTPLIB REQUIRED IMPORTED_TARGET GLOBAL cpp-httplib libcrypto)
 endif()
 if(EMSCRIPTEN)  # for the tests of the npm package, and for the page

@@ -29,7 +29,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/HapticRetargetingConfigVersion.cmake
   DESTINATION ${HRT_CMAKE_DIR} COMPONENT development)
 
-# With ${pcfiledir} the file remains valid when the tree is moved.
+# The prefix is relative to ${pcfiledir}, so that the file remains valid when the installation is moved.
 file(RELATIVE_PATH HRT_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" HRT_PC_PREFIX "${HRT_PC_PREFIX}")
 foreach(library ${HRT_LIBRARIES})
@@ -53,11 +53,11 @@ install(FILES plugin/THIRD_PARTY_NOTICES.md DESTINATION ${CMAKE_INSTALL_DOCDIR} 
 install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 install(FILES scene/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME scene.md COMPONENT development)
 install(DIRECTORY samples/hello DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
-foreach(page SETUP PROCESS README)  # the README refers to the others
+foreach(page SETUP PROCESS README)  # README links to the others, and is therefore last
   hrt_install_readme(${CMAKE_CURRENT_SOURCE_DIR}/plugin/${page}.md ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 endforeach()
 
-# Components tools and mock_runtime, for Debian's packages. On Windows hrt-plate is part of the single package.
+# Components tools and mock_runtime, for Debian's packages. The package for Windows contains hrt-plate.
 set(component tools EXCLUDE_FROM_ALL)
 if(WIN32)
   set(component runtime)
@@ -89,7 +89,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 if(WIN32)
   set(CPACK_GENERATOR ZIP)
-else()  # for any Linux; plugin/packaging makes packages for Debian
+else()  # for any Linux; plugin/packaging makes Debian packages
   set(CPACK_GENERATOR TGZ)
 endif()
 set(CPACK_STRIP_FILES ON)

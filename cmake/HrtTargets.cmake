@@ -1,20 +1,20 @@
-# Compiler flags of all targets: hrt_add_library and hrt_add_executable are
-# add_library and add_executable with these flags.
+# Compiler flags of all targets. hrt_add_library and hrt_add_executable are add_library and add_executable with these
+# flags.
 
 add_library(hrt_flags INTERFACE)
 target_compile_features(hrt_flags INTERFACE cxx_std_20)
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(hrt_flags INTERFACE
-    # A fused multiply-add rounds once instead of twice, and compilers fuse different
-    # operations: results would depend on the host.
+    # A fused multiply-add rounds once instead of twice, and compilers fuse different operations: results would depend on
+    # the compiler and the processor.
     -ffp-contract=off
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion
-    # Designated initialisers may omit fields with defaults; ints index arrays.
+    # Allowed: designated initialisers that omit fields with defaults, and array indices of type int.
     -Wno-missing-field-initializers -Wno-sign-conversion
     # gcc 12 wrongly reports an overlap in "text" + std::string.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-    # In a unity build a name of another source is not shadowed, and gcc 12 wrongly reports reads of an empty
-    # std::optional in inlined functions that check it.
+    # In a unity build, names of another source would be reported as shadowed, and gcc 12 wrongly reports reads of an
+    # empty std::optional in inlined functions that check it.
     $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>
     $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast>)
@@ -23,7 +23,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND HRT_SANITIZE STREQUAL "thread")
   # gcc 12 wrongly reports a use after free in Eigen's matrices.
   target_compile_options(hrt_flags INTERFACE -Wno-use-after-free)
 endif()
-if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which detect these and more errors
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # sanitizers detect the same errors
   target_compile_options(hrt_flags INTERFACE -fstack-protector-strong
     $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE>
     $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=$<IF:$<BOOL:$<TARGET_PROPERTY:HRT_HARDENED>>,3,2>>)
@@ -38,11 +38,11 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which detect thes
 endif()
 if(WIN32 AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(hrt_flags INTERFACE -fstack-protector-strong)
-  target_link_options(hrt_flags INTERFACE -fstack-protector-strong)  # links its runtime statically, like the others
+  target_link_options(hrt_flags INTERFACE -fstack-protector-strong)  # links libssp statically
 endif()
 target_compile_definitions(hrt_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
-# Build type for the sanitizers: fast enough to run all tests, with names and lines in reports, and half the compile
-# time of a release with debug information.
+# Build type for the sanitizers: fast enough to run all tests, with functions and lines in reports. It takes half the
+# compile time of a release with debug information.
 set(CMAKE_C_FLAGS_SANITIZE "-O1 -g1")
 set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1")
 if(HRT_SANITIZE)
@@ -59,23 +59,25 @@ endfunction()
 function(hrt_add_executable name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:hrt_flags>)
-  if(HRT_SANITIZE)  # C programs also load libraries that need the C++ part of clang's sanitizers
+  if(HRT_SANITIZE)  # programs in C load libraries that need the C++ part of clang's sanitizers
     set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   endif()
   if(EMSCRIPTEN)
-    # For node: access to its files, and its exit code. -O1 does not optimise the loader; the compiled code is optimised.
+    # Node gives access to files, and returns the exit code. -O1 leaves the JavaScript loader unoptimised; the compiled
+    # code is optimised.
     target_link_options(${name} PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sWASM_ASYNC_COMPILATION=0
                         -sALLOW_MEMORY_GROWTH=1)
   endif()
 endfunction()
 
-# hrt_harden(name): enables all hardening of the compiler, for targets that read untrusted arguments, files and lines.
+# hrt_harden(name): enables the compiler's run-time checks (HRT_HARDENED above) for a target that parses untrusted
+# arguments, files or serial data.
 function(hrt_harden name)
   set_target_properties(${name} PROPERTIES HRT_HARDENED ON)
 endfunction()
 
-# hrt_precompile(name HEADERS...): precompiles headers, for targets of many C++ sources, whose compile time is mostly
-# that of Eigen's headers. The options let ccache store the objects. In unity builds they cost more than they save.
+# hrt_precompile(name HEADERS...): precompiles headers for a target with many C++ sources, whose compile time is mostly
+# that of Eigen's headers. The options let ccache store the objects. Unity builds are faster without precompiled headers.
 function(hrt_precompile name)
   get_target_property(as_one ${name} UNITY_BUILD)
   if(NOT as_one)
@@ -85,14 +87,14 @@ function(hrt_precompile name)
   endif()
 endfunction()
 
-# hrt_fuzzed(name): adds the counters of libFuzzer to a target that fuzz targets run.
+# hrt_fuzzed(name): adds the counters of libFuzzer to a target, if fuzz targets are built.
 function(hrt_fuzzed name)
   if(HRT_FUZZ)
     target_compile_options(${name} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
 
-# Before 1.0 a minor version may change the interface, afterwards a major version.
+# Before version 1.0, a minor version may change the interface; after that, only a major version may.
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   set(HRT_ABI_VERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   set(HRT_COMPATIBILITY SameMinorVersion)
@@ -101,9 +103,9 @@ else()
   set(HRT_COMPATIBILITY SameMajorVersion)
 endif()
 
-# hrt_make_loadable(name MAP): makes a shared library loadable by any process. It exports the names in MAP and contains
-# the C++ runtime. On Windows the folder of the DLL also has import libraries for MinGW (.dll.a) and MSVC (.lib),
-# and a .def file for others.
+# hrt_make_loadable(name MAP): configures a shared library that any process can load. It exports only the names in MAP,
+# and contains the C++ runtime. On Windows, import libraries for MinGW (.dll.a) and MSVC (.lib) and a .def file for other
+# compilers are written to the folder of the DLL.
 function(hrt_make_loadable name map)
   set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${HRT_ABI_VERSION})
   if(WIN32)
@@ -123,7 +125,8 @@ function(hrt_make_loadable name map)
     target_link_options(${name} PRIVATE LINKER:--gc-sections LINKER:-z,max-page-size=16384
       LINKER:--version-script=${map})
   elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
-    # Otherwise the thread-local variables of a dlopened library are allocated at their first use in a thread.
+    # Without this option, thread-local variables of a library that was loaded by dlopen() are allocated at their first
+    # use in a thread, which may be a real-time call.
     target_compile_options(${name} PRIVATE -ftls-model=initial-exec)
     target_link_options(${name} PRIVATE LINKER:--version-script=${map})
     set_target_properties(${name} PROPERTIES LINK_DEPENDS ${map})
@@ -134,12 +137,12 @@ endfunction()
 # hrt_bring_runtime(name): links the C++ runtime statically on Linux, because the host may have another one.
 function(hrt_bring_runtime name)
   target_link_options(${name} PRIVATE -static-libstdc++ LINKER:--gc-sections $<$<CONFIG:Release>:LINKER:--strip-all>)
-  if(NOT HRT_SANITIZE)  # sanitizers are defined in the program
+  if(NOT HRT_SANITIZE)  # the functions of sanitizers are defined in the program
     target_link_options(${name} PRIVATE -static-libgcc LINKER:-z,defs)
   endif()
 endfunction()
 
-# hrt_install_readme(README FOLDER [PICTURES folder/] options of install()...)
+# hrt_install_readme(README FOLDER [PICTURES folder/] options of install()...): installs a page by packaged_readme.cmake.
 function(hrt_install_readme readme folder)
   cmake_parse_arguments(ARG "" PICTURES "" ${ARGN})
   install(CODE "

@@ -1,4 +1,4 @@
-# Converts a page for a package, such as its README: copies its pictures, and replaces links to files outside the package by text.
+# Converts a page, such as a README, for a package: copies its pictures, and replaces links to files outside the package by text.
 #   cmake -D README=FILE -D FOLDER=PACKAGE [-D PICTURES=FOLDER_IN_PACKAGE/] -P cmake/packaged_readme.cmake
 cmake_path(GET README PARENT_PATH here)
 file(READ ${README} text)

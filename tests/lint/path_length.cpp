@@ -1,5 +1,5 @@
-// The two paths that path_length counts, under callgrind: one update of a reach, and one target from a glTF file to a
-// session.
+// Runs the two paths that tests/lint/path_length counts under callgrind: one update of a reach, and the registration of
+// a scene from a glTF file.
 #include <valgrind/callgrind.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ hrt_result counted(Call&& call) {
   return result;
 }
 
-// An update in the middle of a reach by positions under HRT_GUIDANCE_ARRIVAL, every 11 ms.
+// Runs a reach by positions under HRT_GUIDANCE_ARRIVAL, every 11 ms; an update in the middle is counted.
 hrt_result update_once(hrt_session session) {
   hrt_reach_config reach = hrt_reach_config_init();
   hrt_target_config target = hrt_target_config_init();
