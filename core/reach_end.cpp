@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/math/trigonometry.h"
 
@@ -15,62 +16,57 @@ constexpr double max_off_course_deg = 60.0;
 
 }  // namespace
 
-ReachEnd::ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt,
-                   const std::optional<TrackerNoise>& noise, const PhaseTuning& tuning)
-    : start_(start), target_(target), way_from_(start), finger_({}, noise, tuning), start_is_felt_(start_is_felt) {}
-
 void ReachEnd::retarget(const PlatePoint& target, const PlatePoint& finger) {
   const bool jumps = distance_mm(target_, target) >= max_target_step_mm;
   target_ = target;
-  over_ = missed_ = false;  // until the next sample shows a finger that still rests there
+  progress_.arrived = missed_ = false;  // until the next sample shows a finger that still rests there
   if (!jumps) return;
   way_from_ = finger;
   retargeted_ = true;
-  finger_.lift();  // the time of the rest starts again
+  rest_from_s_ = now_s_;
 }
 
-void ReachEnd::observe(const FingerSample& sample) {
+void ReachEnd::observe(const FingerSample& sample, const FingerPhase& finger) {
   came_to_start_ = false;
-  if (sample.observation == Observation::lifted) finger_.lift();
+  if (sample.observation == Observation::lifted) at_rest_ = false;
   if (sample.observation != Observation::position) return;
-  const bool was_at_rest = finger_.at_rest();
-  finger_.observe(sample.time_ns, sample.position);
-  if (start_is_felt_ && !finger_.has_moved()) felt_offset_ = start_ - finger_.rest_place();
+  now_s_ = finger.places()[0].time_s;
+  const bool was_at_rest = std::exchange(at_rest_, finger.at_rest());
+  if (start_is_felt_ && !finger.has_moved()) felt_offset_ = start_ - finger.rest_place();
   const bool is_there = is_at_start(on_plate(sample.position));
   if (!seen_) comes_from_elsewhere_ = !is_there;
   seen_ = true;
   was_at_start_ = was_at_start_ || is_there;
-  if (over_ || !finger_.at_rest()) return;
-  judge_rest();
-  came_to_start_ = comes_from_elsewhere_ && finger_.has_moved() && !was_at_rest && !retargeted_ &&
-                   is_at_start(on_plate(finger_.rest_place()));
+  if (!progress_.arrived && at_rest_) {
+    judge_rest(finger);
+    came_to_start_ = comes_from_elsewhere_ && finger.has_moved() && !was_at_rest && !retargeted_ &&
+                     is_at_start(on_plate(finger.rest_place()));
+  }
+  const bool begun = was_at_start_ || finger.has_moved();
+  const PlatePoint place = on_plate(finger.smoothed());
+  const bool off_course = begun && distance_mm(way_from_, place) > missed_covered * distance_mm(way_from_, target_) &&
+                          degrees_off_course(place) > max_off_course_deg;
+  progress_.off_target = missed_ || off_course;
+  progress_.not_at_start = !begun;
 }
 
 double ReachEnd::degrees_off_course(const PlatePoint& place) const {
   return std::abs(wrap_deg(bearing_deg(way_from_, place) - bearing_deg(way_from_, target_), 360.0));
 }
 
-void ReachEnd::judge_rest() {
-  if (!was_at_start_ && !finger_.has_moved()) return;
-  const PlatePoint place = on_plate(finger_.rest_place());
+void ReachEnd::judge_rest(const FingerPhase& finger) {
+  if (!was_at_start_ && !finger.has_moved()) return;
+  const PlatePoint place = on_plate(finger.rest_place());
+  const double rest_s = std::min(finger.rest_s(), now_s_ - rest_from_s_);
   const double way_mm = distance_mm(way_from_, target_);
   const double covered_mm = distance_mm(way_from_, place);
   const bool is_near =
       distance_mm(place, target_) <= std::max(near_fraction * distance_mm(start_, target_), min_near_mm);
   const bool is_there = is_near && (covered_mm >= near_covered * way_mm || way_mm <= min_near_mm);
-  const bool stays = finger_.rest_s() >= missed_rest_s && covered_mm >= missed_covered * way_mm &&
+  const bool stays = rest_s >= missed_rest_s && covered_mm >= missed_covered * way_mm &&
                      degrees_off_course(place) <= max_off_course_deg;
-  over_ = stays || (is_there && finger_.rest_s() >= near_rest_s);
-  missed_ = over_ && !is_near;
-}
-
-ReachProgress ReachEnd::progress() const {
-  if (!seen_) return {};
-  const PlatePoint place = on_plate(finger_.smoothed());
-  const bool begun = was_at_start_ || finger_.has_moved();
-  const bool off_course = begun && distance_mm(way_from_, place) > missed_covered * distance_mm(way_from_, target_) &&
-                          degrees_off_course(place) > max_off_course_deg;
-  return {.arrived = over_, .off_target = missed_ || off_course, .not_at_start = !begun};
+  progress_.arrived = stays || (is_there && rest_s >= near_rest_s);
+  missed_ = progress_.arrived && !is_near;
 }
 
 }  // namespace hrt

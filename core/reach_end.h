@@ -9,8 +9,6 @@
 // correct themselves within 0.3 s of the end of a first motion, and pause for longer on the way.
 #pragma once
 
-#include <optional>
-
 #include "core/reach/finger_sample.h"
 #include "core/reach/reach.h"
 #include "core/tracker/finger_phase.h"
@@ -27,15 +25,16 @@ class ReachEnd {
  public:
   ReachEnd() = default;
   /// Begins a reach from `start` to a different point `target`. `start_is_felt`: the position of the first rest is the
-  /// start. `noise`: noise of the tracker, if it is known.
-  ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt,
-           const std::optional<TrackerNoise>& noise, const PhaseTuning& tuning = {});
+  /// start.
+  ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt)
+      : start_(start), target_(target), way_from_(start), start_is_felt_(start_is_felt) {}
 
   /// Changes the target to `target` while the finger is at `finger`.
   void retarget(const PlatePoint& target, const PlatePoint& finger);
 
-  void observe(const FingerSample& sample);
-  ReachProgress progress() const;
+  /// Processes a sample. `finger`: the finger, which has processed it.
+  void observe(const FingerSample& sample, const FingerPhase& finger);
+  const ReachProgress& progress() const { return progress_; }
   /// True if the finger, first seen elsewhere, came to rest at the start with the last sample: the reach begins now.
   bool came_to_start() const { return came_to_start_; }
 
@@ -43,20 +42,22 @@ class ReachEnd {
   PlatePoint on_plate(const PlatePoint& seen) const { return seen + felt_offset_; }
   bool is_at_start(const PlatePoint& place) const { return distance_mm(start_, place) <= at_start_mm; }
   double degrees_off_course(const PlatePoint& place) const;
-  void judge_rest();
+  void judge_rest(const FingerPhase& finger);
 
   PlatePoint start_;
   PlatePoint target_;
   PlatePoint way_from_;
   PlatePoint felt_offset_;  // offset of the perceived from the tracked position
-  FingerPhase finger_;
   bool start_is_felt_ = false;
   bool seen_ = false;
   bool comes_from_elsewhere_ = false;
   bool was_at_start_ = false;
   bool retargeted_ = false;
   bool came_to_start_ = false;
-  bool over_ = false;
+  bool at_rest_ = false;
+  double now_s_ = 0.0;        // time of the last position
+  double rest_from_s_ = 0.0;  // a rest counts from this time on
+  ReachProgress progress_;
   bool missed_ = false;
 };
 

@@ -77,42 +77,57 @@ void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& h
   reach_ = reach;
   passed_ = felt_passed_ = reach.start;
   end_ = ReachEnd(reach.start, point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm),
-                  config_.start_is_felt, noise_of(config_.estimator, config_.tuning), config_.tuning.phase);
+                  config_.start_is_felt);
   if (config_.mode == ControlMode::reach) {
     leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, handover);
   } else {
     leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach, handover);
   }
+  command_ = std::visit([](const auto& leader) { return leader.command(); }, *leader_);
 }
 
 const PlateCommand& Retargeter::update(const FingerSample& sample) {
   const auto* person = std::get_if<PersonReach>(&*leader_);
   if (person && sample.observation == Observation::direction && !person->seen()) lead_by_directions();
-  end_.observe(sample);
-  if (end_.came_to_start()) begin(reach_, handover());
-  return std::visit([&](auto& leader) -> const PlateCommand& { return leader.update(sample, end_.progress()); },
-                    *leader_);
+  observe(sample);
+  if (end_.came_to_start()) {
+    PlateHandover now = *handover();
+    --now.samples;  // the new reach processes the sample again
+    begin(reach_, now);
+    observe(sample);
+  }
+  const ReachProgress& progress = end_.progress();
+  command_.arrived = progress.arrived;
+  command_.off_target = command_.off_target || progress.off_target;
+  command_.not_at_start = progress.not_at_start;
+  return command_;
+}
+
+void Retargeter::observe(const FingerSample& sample) {
+  std::visit(
+      [&](auto& leader) {
+        command_ = leader.update(sample);
+        end_.observe(sample, leader.finger());
+      },
+      *leader_);
 }
 
 const PlateCommand& Retargeter::step(double finger_direction_deg) {
   if (leads_person()) lead_by_directions();
-  return std::get_if<PaperReach>(&*leader_)->step(finger_direction_deg);
+  return command_ = std::get_if<PaperReach>(&*leader_)->step(finger_direction_deg);
 }
 
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
   reach_ = seen_from_here(real, virtual_place);
   std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
   end_.retarget(real, reach_.start);
+  command_.arrived = false;
   return reach_;
-}
-
-const PlateCommand& Retargeter::command() const {
-  return std::visit([](const auto& leader) -> const PlateCommand& { return leader.command(); }, *leader_);
 }
 
 ReachSummary Retargeter::summary() const {
   ReachSummary summary = std::visit([](const auto& leader) { return leader.summary(); }, *leader_);
-  const ReachProgress progress = end_.progress();
+  const ReachProgress& progress = end_.progress();
   summary.off_target = summary.off_target || progress.off_target;
   summary.not_at_start = progress.not_at_start;
   return summary;

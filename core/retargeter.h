@@ -41,7 +41,7 @@ class Retargeter {
   const PlateCommand& step(double finger_direction_deg);
 
   /// The last one; begin()'s before the first sample. Valid until the next call. Requires begin().
-  const PlateCommand& command() const;
+  const PlateCommand& command() const { return command_; }
   /// Requires begin().
   ReachSummary summary() const;
   /// The reach is led by the controller for people.
@@ -59,6 +59,7 @@ class Retargeter {
 
  private:
   void begin(const Reach& reach, const std::optional<PlateHandover>& handover);
+  void observe(const FingerSample& sample);
   std::optional<PlateHandover> handover() const;
   void lead_by_directions();
   Reach seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place);
@@ -66,6 +67,7 @@ class Retargeter {
   RetargeterConfig config_;
   Reach reach_{};  // the last aim
   ReachEnd end_;
+  PlateCommand command_;
   // Position of the finger at that time or later, and the position that the person perceived.
   PlatePoint passed_;
   PlatePoint felt_passed_;

@@ -55,7 +55,7 @@ PlateOrientation PaperReach::initial_plate(const std::optional<PlateHandover>& h
           ActiveBound::none};
 }
 
-const PlateCommand& PaperReach::update(const FingerSample& sample, const ReachProgress& progress) {
+const PlateCommand& PaperReach::update(const FingerSample& sample) {
   const Observation observed = estimator_.observe(sample, plate_);
   const bool decides = observed == Observation::position ||
                        (observed == Observation::direction && estimator_.current_step() != decision_.step);
@@ -67,9 +67,6 @@ const PlateCommand& PaperReach::update(const FingerSample& sample, const ReachPr
     decide({estimator_.current_step(), aimed, limited});
   }
   if (decides || estimator_.predicted()) show_finger(plate_.orientation_at_deg(estimator_.step_end_ns()));
-  command_.arrived = progress.arrived;
-  command_.off_target = progress.off_target;
-  command_.not_at_start = progress.not_at_start;
   return publish(!decides);
 }
 
@@ -81,7 +78,6 @@ void PaperReach::retarget(const PlatePoint& real, const Reach& now) {
   target_ = real;
   estimator_.turn_to(goal_deg);
   control_ = PaperControl(config_.mpc, config_.plate, config_.step_period_ns, goal_deg);
-  command_.arrived = false;
 }
 
 const PlateCommand& PaperReach::step(double finger_direction_deg) {

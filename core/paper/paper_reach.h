@@ -31,8 +31,8 @@ class PaperReach {
   PaperReach(const PaperReachConfig& config, const Reach& reach,
              const std::optional<PlateHandover>& handover = std::nullopt);
 
-  /// Takes one sample in, not before the last one's. `progress`: with this sample.
-  const PlateCommand& update(const FingerSample& sample, const ReachProgress& progress = {});
+  /// Takes one sample in, not before the last one's.
+  const PlateCommand& update(const FingerSample& sample);
 
   /// Changes the real target to `real`. `now`: the reach as seen from the finger.
   void retarget(const PlatePoint& real, const Reach& now);
@@ -47,6 +47,7 @@ class PaperReach {
   double speed_mm_s() const { return 0.0; }  ///< not used to aim
   ReachSummary summary() const;
   PlateHandover handover() const;
+  const FingerPhase& finger() const { return estimator_.finger(); }
 
  private:
   /// Direction to which the finger is steered, and whether it is feasible.

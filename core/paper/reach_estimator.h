@@ -59,6 +59,7 @@ class ReachEstimator {
   /// Counts of the whole reach, with the present step once it has a sample.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
+  const FingerPhase& finger() const { return finger_; }
   /// Last position, observed or predicted; none until a position is observed.
   const std::optional<PlatePoint>& place() const { return place_; }
 

@@ -42,7 +42,6 @@ PersonEstimator::PersonEstimator(const PersonBelief& belief, double virtual_dire
 
 bool PersonEstimator::observe(double time_s, const PlatePoint& position, const PlateTrace& plate) {
   const bool was_waiting = !begun();
-  const bool was_at_rest = finger_.at_rest();
   const FingerPhase::Seen seen = finger_.see(time_s, position);
   if (seen == FingerPhase::Seen::ignored) return false;
   if (seen == FingerPhase::Seen::merged) return true;
@@ -53,14 +52,18 @@ bool PersonEstimator::observe(double time_s, const PlatePoint& position, const P
   if (was_waiting) {
     begin_motion();
   } else if (seen == FingerPhase::Seen::set_down) {
+    clock_stopped_ = true;
     carry_to(time_s, plate);
     filter_.place_at(position - origin());
     return true;
   } else {
     ++backlog_;
-    if (was_at_rest && moving()) filter_.loosen_clock(tuning().pause_clock_sd_s);
+    if (finger_.phase() == Phase::moving && std::exchange(clock_stopped_, false))
+      filter_.loosen_clock(tuning().pause_clock_sd_s);
   }
-  return catch_up(plate);
+  const bool taken = catch_up(plate);
+  if (caught_up()) finger_.find_pause();
+  return taken;
 }
 
 void PersonEstimator::predict(double time_s, const PlateTrace& plate) {
@@ -70,6 +73,7 @@ void PersonEstimator::predict(double time_s, const PlateTrace& plate) {
 void PersonEstimator::lift(double time_s, const PlateTrace& plate) {
   predict(time_s, plate);
   finger_.lift();
+  clock_stopped_ = true;
   log_.close();
   backlog_ = 0;
 }
@@ -88,7 +92,10 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
   retarget_->virtual_direction_deg = virtual_direction_deg;
   retarget_->longer_mm += longer_mm;
   // The finger rests at its former target until it leaves.
-  if (moving() && filter_.mean(PersonState::phase) > tuning().last_phase) finger_.pause_at(filter_s_, place());
+  if (moving() && filter_.mean(PersonState::phase) > tuning().last_phase) {
+    if (!finger_.at_rest()) finger_.pause_at(filter_s_, place());
+    clock_stopped_ = true;
+  }
 }
 
 std::optional<PersonFilter> PersonEstimator::after_retarget() const {
@@ -111,6 +118,7 @@ void PersonEstimator::begin_motion() {
   filter_ = PersonFilter(belief_, virtual_direction_deg_, path_mm_, noise(), tuning());
   filter_.begin(best.log_rate, tuning().onset_sd_s, finger_.rest_place_sd_mm());
   log_.begin(filter_, onset_s_);
+  clock_stopped_ = false;
   filter_s_ = onset_s_;
   backlog_ = 0;
   while (backlog_ < places.count() - 1 && places[backlog_].time_s > onset_s_) ++backlog_;
@@ -152,6 +160,7 @@ bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
     return true;
   }
   if (find_pause(innovation.nis)) {
+    clock_stopped_ = true;
     relocate(finger_.rest_place());
     fit_ = {};  // the start of a pause is not modelled
     return true;
@@ -183,7 +192,7 @@ PersonBelief PersonEstimator::learnt() const { return log_.belief(filter_.belief
 bool PersonEstimator::find_pause(double nis) {
   if (backlog_ > 0 || nis <= tuning().min_pausing_nis) return false;
   const double speed_mm_s = filter_.now().speed_mm_s;
-  return speed_mm_s > tuning().min_pausing_speed_mm_s && finger_.find_pause(speed_mm_s);
+  return speed_mm_s > tuning().min_pausing_speed_mm_s && (finger_.at_rest() || finger_.find_pause(speed_mm_s));
 }
 
 }  // namespace hrt

@@ -84,11 +84,13 @@ class PersonEstimator {
 
   /// The motion has begun.
   bool begun() const { return finger_.has_moved(); }
-  /// True if the finger moves, and is not at rest or lifted.
-  bool moving() const { return finger_.phase() == Phase::moving; }
+  /// True if the finger moves, and has neither paused on the way nor been lifted. A finger that rests where the filter
+  /// expects the end of the motion has not paused.
+  bool moving() const { return begun() && !clock_stopped_; }
   /// True if the filter has processed all positions.
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
+  const FingerPhase& finger() const { return finger_; }
   /// The filter with the person's answer to a moved target, while that is still to come.
   std::optional<PersonFilter> after_retarget() const;
   /// Time of the filter; before the onset, of the last position.
@@ -132,7 +134,8 @@ class PersonEstimator {
   ModelFit fit_;
   MotionLog log_;
 
-  int backlog_ = 0;  // number of the last positions that the filter has not processed
+  bool clock_stopped_ = false;  // the person's clock: the motion has paused
+  int backlog_ = 0;             // number of the last positions that the filter has not processed
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;
 };

@@ -77,6 +77,10 @@ double PersonFilter::own_deg(double path_fraction, double wander_kept) const {
          strayed_deg_mm(path_fraction) * mean_(X::strayed);
 }
 
+double PersonFilter::turn_kept(double seconds) const {
+  return unanswered_deg_ == 0.0 ? 1.0 : exponential(-seconds / tuning_.answer_s);
+}
+
 double PersonFilter::own_to_come_mm() const {
   const double s = pace(mean_(X::phase)).share;
   return -mean_(X::strayed) - rad_per_deg * mean_(X::habit) * path_mm_ * s * (1.0 - s);
@@ -142,7 +146,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   carry(step);
   move_state(step);
   add_noise(step);
-  if (unanswered_deg_ != 0.0) unanswered_deg_ *= exponential(-seconds / tuning_.answer_s);
+  unanswered_deg_ *= turn_kept(seconds);
 }
 
 // F P F', as (P F')' F': columns are contiguous. A step leaves the traits as they are. `f` is a copy, which writing

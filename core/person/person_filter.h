@@ -108,6 +108,8 @@ class PersonFilter {
   double goal_deg(double turn_kept = 1.0) const {
     return virtual_direction_deg_ + mean_(X::bias) + turn_kept * unanswered_deg_;
   }
+  /// Fraction of the answer to a moved target that is still to come after `seconds`; 1 without such an answer.
+  double turn_kept(double seconds) const;
   /// o at a fraction of the path, after `wander_kept` of the wander.
   double own_deg(double path_fraction, double wander_kept) const;
   /// Lateral distance, to the left, that the own path adds until arrival: it returns to the line.

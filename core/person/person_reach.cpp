@@ -108,7 +108,7 @@ double PersonReach::place_variance_mm2() const {
 
 double PersonReach::speed_mm_s() const { return estimator_.moving() ? filter().now().speed_mm_s : 0.0; }
 
-const PlateCommand& PersonReach::update(const FingerSample& sample, const ReachProgress& progress) {
+const PlateCommand& PersonReach::update(const FingerSample& sample) {
   ++counts_.samples;
   if (!origin_ns_) origin_ns_ = sample.time_ns;
   plate_.advance(sample.time_ns);
@@ -130,8 +130,7 @@ const PlateCommand& PersonReach::update(const FingerSample& sample, const ReachP
                          .finger = on_plate(estimator_.place()),
                          .plate_deg = plate_.orientation_deg(),
                          .decided = std::exchange(turned_ready_, false) || decides,
-                         .predicted = sample.observation == Observation::none,
-                         .progress = progress},
+                         .predicted = sample.observation == Observation::none},
                         answered);
   count(command_, observed);
   return command_;

@@ -39,9 +39,8 @@ class PersonReach {
   PersonReach(const PersonReachConfig& config, const Reach& reach,
               const std::optional<PlateHandover>& handover = std::nullopt);
 
-  /// Takes one sample in, not before the last one's, of any observation but a direction. `progress`: with
-  /// this sample.
-  const PlateCommand& update(const FingerSample& sample, const ReachProgress& progress = {});
+  /// Takes one sample in, not before the last one's, of any observation but a direction.
+  const PlateCommand& update(const FingerSample& sample);
 
   /// Changes the real target to `real`. Of `now`, the reach as seen from the finger, directions, distance and start are
   /// used.
@@ -60,6 +59,7 @@ class PersonReach {
   ReachSummary summary() const;
   PlateHandover handover() const;
   const PersonFilter& filter() const { return estimator_.filter(); }
+  const FingerPhase& finger() const { return estimator_.finger(); }
 
   /// Estimate of the person from this reach; none if the reach ended early or did not fit the model.
   std::optional<PersonBelief> learnt() const;

@@ -66,9 +66,6 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
       .active = decision.plate.active,
       .for_people = true,
       .held = !moment.decided,
-      .off_target = moment.progress.off_target,
-      .arrived = moment.progress.arrived,
-      .not_at_start = moment.progress.not_at_start,
   };
   if (!estimator.begun()) return command;
 
@@ -91,7 +88,7 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
   command.predicted = moment.predicted;
   command.unreachable = !gap_is_feasible(config, goal, filter);
   command.misfit = !estimator.model_fits();
-  command.off_target |= phase > tuning.first_judged_phase && std::abs(command.predicted_miss_deg) > goal.near_deg();
+  command.off_target = phase > tuning.first_judged_phase && std::abs(command.predicted_miss_deg) > goal.near_deg();
   command.resting = !moving;
   return command;
 }

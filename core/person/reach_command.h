@@ -46,7 +46,6 @@ struct ReachMoment {
   double plate_deg = 0.0;  ///< orientation of the plate
   bool decided = false;    ///< the decision is of this sample
   bool predicted = false;  ///< no sample
-  ReachProgress progress;
 };
 
 /// `answered`: the estimator's filter, or the one with the person's answer to a moved target that is still to come.

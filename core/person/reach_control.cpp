@@ -33,7 +33,7 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
   const double arrives_s = outlook.now_s + outlook.latency_s;
   const double step_s = (arrives_s + tuning.sensory_delay_s - filter_s) / dead_time_steps;
   const double half_wander_kept = exponential(-0.5 * step_s / tuning.wander_s);
-  const double step_turn_kept = exponential(-step_s / tuning.answer_s);
+  const double step_turn_kept = filter.turn_kept(step_s);
   const SinCos line = sin_cos_deg(line_deg);
   const PlatePoint to_target = aim.target - filter.position();
   Motion motion{
@@ -84,7 +84,7 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
   const double remaining_s = std::max(0.0, 1.0 - from.phase) / rate;
   const double step_s = remaining_s / arrival_nodes;
   const double half_kept = kept_error(filter.mean(X::gain), 0.5 * step_s);
-  const double step_turn_kept = exponential(-step_s / filter.tuning().answer_s);
+  const double step_turn_kept = filter.turn_kept(step_s);
   Arrival arrival{from.lateral_mm, 0.0};
   double steered_deg = from.steered_deg;
   double unsteered = 1.0;  // fraction of Gamma that the person has not yet answered

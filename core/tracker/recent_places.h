@@ -36,9 +36,7 @@ class RecentPlaces {
   /// Number of stored places, from 0 to `capacity`.
   int count() const { return count_; }
   /// `back` of 0 is the last place; less than count().
-  const Timed<Point>& operator[](int back) const {
-    return places_[static_cast<std::size_t>((last_ + capacity - back) % capacity)];
-  }
+  const Timed<Point>& operator[](int back) const { return places_[static_cast<unsigned>(last_ - back) % capacity]; }
   /// Mean of the last `places`, 1 to count().
   Point mean_of_last(int places) const {
     Point mean = (1.0 / places) * (*this)[0].position;

@@ -15,10 +15,27 @@ FingerSample position_at(std::int64_t time_ns, const PlatePoint& position) {
   return {.time_ns = time_ns, .observation = Observation::position, .position = position};
 }
 
-ReachEnd reach_end() { return {start, target, false, {}}; }
+// The end of a reach with the phase of the finger that it depends on.
+class ObservedReach {
+ public:
+  explicit ObservedReach(bool start_is_felt = false) : end_(start, target, start_is_felt) {}
+
+  void observe(const FingerSample& sample) {
+    if (sample.observation == Observation::lifted) finger_.lift();
+    if (sample.observation == Observation::position) finger_.observe(sample.time_ns, sample.position);
+    end_.observe(sample, finger_);
+  }
+  void retarget(const PlatePoint& to, const PlatePoint& finger) { end_.retarget(to, finger); }
+  const ReachProgress& progress() const { return end_.progress(); }
+  bool came_to_start() const { return end_.came_to_start(); }
+
+ private:
+  FingerPhase finger_;
+  ReachEnd end_;
+};
 
 // Observes a finger at `place` from `from_ms` to `to_ms`. Returns when the reach was over, or -1.
-int rest(ReachEnd& end, const PlatePoint& place, int from_ms, int to_ms) {
+int rest(ObservedReach& end, const PlatePoint& place, int from_ms, int to_ms) {
   for (int t = from_ms; t < to_ms; t += 10) {
     end.observe(position_at(t * ms, place));
     if (end.progress().arrived) return t;
@@ -38,7 +55,7 @@ TEST(ReachEnd, HasItsTwoRestsByHand) {
        {Rest{{0.0, 91.0}, 400, false}, Rest{{0.0, 89.0}, 2000, false}, Rest{{20.0, 98.0}, 400, false},
         Rest{{0.0, 31.0}, 2000, true}, Rest{{0.0, 29.0}, -1, false}, Rest{{0.0, 130.0}, 2000, true},
         Rest{{0.0, -100.0}, -1, true}, Rest{{100.0, 0.0}, -1, true}, Rest{{0.0, -20.0}, -1, false}}) {
-    ReachEnd end = reach_end();
+    ObservedReach end;
     EXPECT_EQ(rest(end, start, 0, 500), -1);
     EXPECT_FALSE(end.progress().not_at_start);
     const int over_ms = rest(end, expected.place, 500, 4000);
@@ -51,14 +68,14 @@ TEST(ReachEnd, HasItsTwoRestsByHand) {
 // A finger that rests elsewhere from the beginning has not arrived, not even at the target.
 TEST(ReachEnd, WaitsForAFingerThatRestsElsewhere) {
   for (const PlatePoint& place : {target, PlatePoint{0.0, 500.0}, PlatePoint{200.0, 0.0}, PlatePoint{0.0, -100.0}}) {
-    ReachEnd end = reach_end();
+    ObservedReach end;
     EXPECT_EQ(rest(end, place, 0, 4000), -1);
     EXPECT_TRUE(end.progress().not_at_start);
   }
 }
 
 TEST(ReachEnd, BeginsWhenTheFingerComesToTheStart) {
-  ReachEnd end = reach_end();
+  ObservedReach end;
   EXPECT_EQ(rest(end, {0.0, -100.0}, 0, 1000), -1);
   bool came = false;
   for (int t = 1000; t < 3000; t += 10) {
@@ -71,7 +88,7 @@ TEST(ReachEnd, BeginsWhenTheFingerComesToTheStart) {
 
 // The finger feels the start, 30 mm from where the tracker sees it.
 TEST(ReachEnd, AFeltStartIsWhereTheFingerRests) {
-  ReachEnd end(start, target, true, {});
+  ObservedReach end(true);
   EXPECT_EQ(rest(end, {30.0, 0.0}, 0, 500), -1);
   EXPECT_FALSE(end.progress().not_at_start);
   for (int t = 500; t < 1000; t += 10) end.observe(position_at(t * ms, {30.0, 0.196 * (t - 500)}));
@@ -80,7 +97,7 @@ TEST(ReachEnd, AFeltStartIsWhereTheFingerRests) {
 
 // A target that moves a little in each call keeps the time of the rest; a jump restarts it, and the finger must follow.
 TEST(ReachEnd, KeepsItsRestUnlessTheTargetJumps) {
-  ReachEnd end = reach_end();
+  ObservedReach end;
   rest(end, start, 0, 500);
   for (int t = 500; t < 900; t += 10) {
     end.retarget({0.0, 100.0 + 1e-3 * t}, {0.0, 100.0});
@@ -94,7 +111,7 @@ TEST(ReachEnd, KeepsItsRestUnlessTheTargetJumps) {
 
 TEST(ReachEnd, AFingerThatCreepsRestsAndOneThatSlidesDoesNot) {
   for (const double speed_mm_s : {2.0, 40.0}) {
-    ReachEnd end = reach_end();
+    ObservedReach end;
     rest(end, start, 0, 500);
     for (int t = 500; t < 1100; t += 10) end.observe(position_at(t * ms, {0.0, 93.0 + 1e-3 * speed_mm_s * (t - 500)}));
     EXPECT_EQ(end.progress().arrived, speed_mm_s < 10.0);
@@ -103,7 +120,7 @@ TEST(ReachEnd, AFingerThatCreepsRestsAndOneThatSlidesDoesNot) {
 
 TEST(ReachEnd, LiftsAndGapsAreNoRest) {
   for (const bool lifted : {true, false}) {
-    ReachEnd end = reach_end();
+    ObservedReach end;
     rest(end, start, 0, 500);
     for (int t = 600; t < 3600; t += 10) {
       FingerSample sample = position_at(t * ms, target);
@@ -121,7 +138,7 @@ TEST(ReachEnd, IsFoundSoonAfterTheMotionAndNotWithinIt) {
     for (const double noise_mm : {0.0, 1.2, 3.0}) {
       for (const double duration_s : {0.8, 1.5, 3.0}) {
         for (std::uint32_t i = 0; i < 40; ++i) {
-          ReachEnd end = reach_end();
+          ObservedReach end;
           Tracker tracker({.rate_hz = rate_hz, .white_mm = noise_mm}, {}, Draws(3, i, 0, 0));
           const double pause_s = 0.7 * duration_s;
           for (int t = 0; t < 1000.0 * duration_s + 1600.0; ++t) {
