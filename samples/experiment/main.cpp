@@ -6,14 +6,12 @@
 #include <cerrno>
 #include <cstring>
 #include <iostream>
-#include <map>
 #include <optional>
-#include <sstream>
 
 #include "samples/app/base/interrupt.h"
 #include "samples/app/text/format.h"
 #include "samples/app/text/whole_file.h"
-#include "samples/app/xr/watchdog.h"
+#include "samples/app/xr/check.h"
 #include "samples/experiment/design/design.h"
 #include "samples/experiment/output/export.h"
 #include "samples/experiment/session/led.h"
@@ -74,43 +72,32 @@ void run_one(const Options& options) {
             << (options.simulated ? ", SIMULATED: no person took part\n" : "\n");
 }
 
+std::string run_simulated(const Design& design, const Options& options, unsigned participant) {
+  SimulatedSubject subject(design, participant, options.reach.seed);
+  return run_session(design, {options.data, participant, 1}, subject, Disk());
+}
+
 // Runs all participants in several processes. In threads of one process the plugin would give the targets of a session
 // other numbers, which recordings have.
 void simulate(const Options& options) {
   const Design design = read_design(options.study);
   freeze(design, options.data, Disk());
-  int ends[2];  // lines "3 done", or "0 " and why a session failed
-  if (pipe(ends) != 0) throw Refusal(std::string("a pipe cannot be made: ") + std::strerror(errno));
   for (unsigned first = 1; first <= options.threads; ++first) {
     const pid_t child = fork();
     if (child < 0) throw Refusal(std::string("a process cannot be made: ") + std::strerror(errno));
     if (child > 0) continue;
-    for (unsigned participant = first; participant <= design.participants; participant += options.threads) {
-      std::string line;
-      try {
-        SimulatedSubject subject(design, participant, options.reach.seed);
-        line = std::to_string(participant) + " " + run_session(design, {options.data, participant, 1}, subject, Disk());
-      } catch (const std::exception& error) {
-        line = std::string("0 ") + error.what();
-      }
-      if (write(ends[1], (line + "\n").data(), line.size() + 1) < 0) _exit(1);
+    try {
+      for (unsigned participant = first; participant <= design.participants; participant += options.threads)
+        run_simulated(design, options, participant);
+    } catch (const std::exception&) {
+      // The parent process runs the session again, and reports the error.
     }
     _exit(0);
   }
-  close(ends[1]);
-  std::string lines;
-  char buffer[4096];
-  for (ssize_t size = 0; (size = read(ends[0], buffer, sizeof buffer)) > 0;) lines.append(buffer, size);
-  close(ends[0]);
   while (wait(nullptr) > 0) continue;
-  std::map<unsigned, std::string> found;
-  std::istringstream stream(lines);
-  std::string end;
-  for (unsigned participant = 0; stream >> participant && std::getline(stream >> std::ws, end);)
-    found[participant] = end;
-  if (found.contains(0)) throw Refusal(found[0]);
-  if (found.size() != design.participants) throw Refusal("a process of the simulation ended early");
-  for (const auto& [participant, how] : found) std::cout << "sub-" << participant << ": " << how << "\n";
+  // A session that has ended stays as it is.
+  for (unsigned participant = 1; participant <= design.participants; ++participant)
+    std::cout << "sub-" << participant << ": " << run_simulated(design, options, participant) << "\n";
   std::cout << "SIMULATED: no person took part\n";
 }
 

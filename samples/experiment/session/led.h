@@ -13,7 +13,6 @@
 #include "samples/app/run/options.h"
 #include "samples/app/run/reach.h"
 #include "samples/app/run/registration.h"
-#include "samples/app/xr/watchdog.h"
 #include "samples/experiment/live/live.h"
 #include "samples/experiment/session/simulated.h"
 

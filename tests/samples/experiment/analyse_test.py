@@ -328,58 +328,38 @@ def test_report():
             assert (hashlib.sha256((data / "export/trials.csv").read_bytes()).hexdigest()) in report
 
 
-def test_text():
-    """Names that look like something else, not ASCII, a byte order mark and CRLF, in a locale without UTF-8; and errors in one line."""
-    names = ["NA", "null", "None", "0", "True", "gefühlt 😀"]
-    study = {"title": "Blöcke \u2028 <b>", "participants": 2, "practice_trials": 0, "repeats": 1, "max_run": 9, "set_up": "none", "order": "random_in_blocks",
-             "pairs": [{"name": "nan", "virtual_deg": 6, "real_deg": 0}], "conditions": [{"name": name, "controller": "none"} for name in names],
-             "analysis": {"reference": "NA"}, "question": "Bent?", "answers": ["N/A", "no"]}
-    with tempfile.TemporaryDirectory() as folder:
-        data, design = pathlib.Path(folder, "dätä"), pathlib.Path(folder, "study.json")
-        design.write_bytes(b"\xef\xbb\xbf" + json.dumps(study, ensure_ascii=False, indent=1).replace("\n", "\r\n").encode())
-        run = lambda *words: subprocess.run(words, check=True, capture_output=True, env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0"})
-        run(sys.argv[2], "simulate", design, "--data", data)
-        run(sys.argv[2], "simulate", design, "--data", f"{folder}/one", "--threads", "1")
-        run("diff", "-r", data, f"{folder}/one")  # the same bytes for any number of threads
-        run(sys.argv[2], "export", "--data", data, "--unblind")
-        run(sys.argv[1] + "/analyse", data)
-        run(sys.argv[1] + "/bids", data)
-        report = (data / "export/report.html").read_text(encoding="utf-8")
-        assert all(f"<th>{name}</th>" in report for name in names) and "Registered test" in report and "Blöcke \u2028 &lt;b&gt;" in report
-        events = (data / "export/bids/sub-01/ses-01/motion/sub-01_ses-01_task-reach_events.tsv").read_text(encoding="utf-8")
-        assert all(f"\t{name}\t" in events for name in names), events
-        assert set(analysis.read_table(data / "export/trials.csv").answer) <= {"N/A", "no"}
-        (data / "export/people.csv").write_text("nothing\n")
-        broken = subprocess.run([sys.argv[1] + "/analyse", data], capture_output=True, text=True, check=False)
-        assert broken.returncode == 1 and broken.stderr.startswith("analyse: ") and broken.stderr.count("\n") == 1, broken.stderr
-
-
 def test_a_whole_study():
-    """Three conditions, two levels, eight participants, non-ASCII names, a byte order mark and CRLF, from the design to the report. The results
-    are those of scipy and of lme4, called here on the exported table."""
-    names = ["geführt", "papier 論文", "ohne"]
-    study = {"title": "Führung", "participants": 8, "practice_trials": 2, "repeats": 4, "max_run": 9, "set_up": "none", "order": "random_in_blocks", "rounds": 2,
+    """Three conditions, two levels, eight participants, from the design to the report, in a locale without UTF-8: names that are not ASCII or look
+    like something else, a byte order mark and CRLF. The results are those of scipy and of lme4, called here on the exported table."""
+    names = ["NA", "papier 論文 😀", "0"]
+    study = {"title": "Führung \u2028 <b>", "participants": 8, "practice_trials": 2, "repeats": 4, "max_run": 9, "set_up": "none", "order": "random_in_blocks", "rounds": 2,
              "conditions": [{"name": name, "controller": kind} for name, kind in zip(names, ("people", "paper", "none"))],
              "pairs": [{"name": "links", "virtual_deg": 6, "real_deg": 0}], "between": {"factor": "Hand", "levels": ["rechts", "links"]},
-             "catch_share": 0.2, "question": "Wurde etwas umgelenkt?", "answers": ["ja", "nein"], "noticeability": {"trials": 10, "condition": "papier 論文", "control": "geführt", "runs": 2},
+             "catch_share": 0.2, "question": "Wurde etwas umgelenkt?", "answers": ["N/A", "nein"], "noticeability": {"trials": 10, "condition": names[1], "control": names[0], "runs": 2},
              "questionnaires": [{"name": "Person", "when": "before", "answers": "text", "items": ["Alter", "Händigkeit"]},
                                 {"name": "Anstrengung", "when": "block", "high": 20, "items": ["Mühe"]}],
-             "exclusions": {"max_false_alarms": 0.9}, "analysis": {"measure": "abs_miss_deg", "reference": "ohne"}}
+             "exclusions": {"max_false_alarms": 0.9}, "analysis": {"measure": "abs_miss_deg", "reference": names[2]}}
     with tempfile.TemporaryDirectory() as folder:
         data, design = pathlib.Path(folder, "dätä"), pathlib.Path(folder, "study.json")
         design.write_bytes(b"\xef\xbb\xbf" + json.dumps(study, ensure_ascii=False, indent=1).replace("\n", "\r\n").encode())
-        run = lambda *words: subprocess.run(words, check=True, capture_output=True, text=True, encoding="utf-8").stdout
-        assert "abs_miss_deg` of each condition differs from that of ohne, in either direction." in run(sys.argv[2], "preregister", design)
-        for words in ([sys.argv[2], "simulate", design, "--data", data], [sys.argv[2], "export", "--data", data, "--unblind"],
-                      [sys.argv[1] + "/analyse", data], [sys.argv[1] + "/bids", data]):
+        run = lambda *words: subprocess.run(words, check=True, capture_output=True, text=True, encoding="utf-8",
+                                            env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0"}).stdout
+        assert "abs_miss_deg` of each condition differs from that of 0, in either direction." in run(sys.argv[2], "preregister", design)
+        for words in ([sys.argv[2], "simulate", design, "--data", data], [sys.argv[2], "simulate", design, "--data", f"{folder}/one", "--threads", "1"],
+                      ["diff", "-r", data, f"{folder}/one"],  # the same bytes for any number of threads
+                      [sys.argv[2], "export", "--data", data, "--unblind"], [sys.argv[1] + "/analyse", data], [sys.argv[1] + "/bids", data]):
             run(*words)
         report = (data / "export/report.html").read_text(encoding="utf-8")
+        assert all(f"<th>{name}</th>" in report for name in names) and "Führung \u2028 &lt;b&gt;" in report
+        events = (data / "export/bids/sub-01/ses-01/motion/sub-01_ses-01_task-reach_events.tsv").read_text(encoding="utf-8")
+        assert all(f"\t{name}\t" in events for name in names), events
         answers = pandas.read_csv(data / "export/questionnaires.csv")
         assert len(answers) == 8 * (2 + 2) and set(answers.when) == {"before", "block 1", "block 2"} and "By Hand" in report, answers
         # Without a gap the plate moves at least as far.
         still, bent = (float(re.search(f"{name} a gap (\\d+)°", report)[1]) for name in ("without", "with"))
-        assert still >= bent > 20 and "Threshold above the bend in use under papier 論文" in report, (still, bent)
+        assert still >= bent > 20 and f"Threshold above the bend in use under {names[1]}" in report, (still, bent)
         every = analysis.read_table(data / "export/trials.csv")
+        assert set(every.answer[every.kind == "reaches"].dropna()) <= {"N/A", "nein"}
         trials = every[(every.kind == "reaches") & (every.is_catch == 0) & (every.end == "counted")]
         plan = analysis.registered(study)
         found = analysis.compare(every, plan, 1)
@@ -394,11 +374,14 @@ def test_a_whole_study():
         fitted = subprocess.run(["Rscript", "-e", script], input=table.to_csv(index=False), capture_output=True, text=True, check=True).stdout
         fitted = pandas.read_csv(io.StringIO(fitted), index_col=0).values
         for i, name in enumerate(names[:2]):
-            p = scipy.stats.ttest_rel(means[name], means["ohne"]).pvalue
+            p = scipy.stats.ttest_rel(means[name], means[names[2]]).pvalue
             assert abs(found.t[name] / p - 1) < 1e-3 and f"<td>{found.estimate[name]:.3g}</td>" in report, (found, p)
             assert abs(mixed.estimate[name] / fitted[i][0] - 1) < 1e-3 and abs(mixed.mixed_model[name] - fitted[i][2]) < max(2e-2 * fitted[i][2], 1e-4), (mixed, fitted)
         if os.environ.get("HRT_EXPERIMENT_REPORT"):  # to look at
             shutil.copy(data / "export/report.html", os.environ["HRT_EXPERIMENT_REPORT"])
+        (data / "export/people.csv").write_text("nothing\n")
+        broken = subprocess.run([sys.argv[1] + "/analyse", data], capture_output=True, text=True, check=False)
+        assert broken.returncode == 1 and broken.stderr.startswith("analyse: ") and broken.stderr.count("\n") == 1, broken.stderr
 
 
 def bids_validator():
@@ -448,6 +431,5 @@ test_own_data()
 test_population()
 test_whole_studies()
 test_power()
-test_text()
 test_a_whole_study()
 test_report()

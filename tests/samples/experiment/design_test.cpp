@@ -29,9 +29,9 @@ TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
            "  - `max_s` (Longest duration, seconds): 8, by default\n",
            "- `listed_orders` (Orders of the conditions, by name, assigned to the participants in turn): none\n",
            "  - number 2\n    - `config` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
-    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+    EXPECT_TRUE(has(text, line));
   for (const auto& [name, field] : design_schema()["properties"].items())
-    EXPECT_NE(text.find("- `" + name + "` ("), std::string::npos) << name;
+    EXPECT_TRUE(has(text, "- `" + name + "` (")) << name;
 }
 
 // Direction, margin, stopping and the power of this design, and of no other one.
@@ -39,19 +39,18 @@ TEST(ExperimentDesign, ThePreregistrationStatesHypothesisAndPower) {
   const auto text_of = [](const json& analysis) {
     return preregistration_text(small_design(3, [&](json& study) { study["analysis"] = analysis; }));
   };
-  const auto has = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find(part), std::string::npos) << part << text;
-  };
-  has(text_of({{"direction", "less"}}), "is less than that of hidden none.");
-  has(text_of({{"direction", "less"}}),
-      "one-sided t of `abs_miss_deg`, 1 test, Holm's correction, family-wise level 0.05");
-  has(text_of({{"hypothesis", "equivalence"}, {"margin", 2}}),
-      "is less than 2 from that of hidden none, to either side.");
-  has(text_of({{"hypothesis", "below_margin"}}), "two one-sided t tests, margin 1, of `abs_miss_deg`, 2 tests");
+  EXPECT_TRUE(has(text_of({{"direction", "less"}}), "is less than that of hidden none."));
+  EXPECT_TRUE(has(text_of({{"direction", "less"}}),
+                  "one-sided t of `abs_miss_deg`, 1 test, Holm's correction, family-wise level 0.05"));
+  EXPECT_TRUE(has(text_of({{"hypothesis", "equivalence"}, {"margin", 2}}),
+                  "is less than 2 from that of hidden none, to either side."));
+  EXPECT_TRUE(
+      has(text_of({{"hypothesis", "below_margin"}}), "two one-sided t tests, margin 1, of `abs_miss_deg`, 2 tests"));
   const Design design = small_design(3);
   const std::string table = "a table, SHA-256 " + design.sha256 + "\n";
-  has(preregistration_text(design, table), "```\n" + table + "```");
-  has(preregistration_text(design), "after 10 reaches in a row that do not count, or 120 minutes after consent");
+  EXPECT_TRUE(has(preregistration_text(design, table), "```\n" + table + "```"));
+  EXPECT_TRUE(
+      has(preregistration_text(design), "after 10 reaches in a row that do not count, or 120 minutes after consent"));
   EXPECT_NE(refusal_of([&] { preregistration_text(small_design(4), table); }), "");
 }
 
@@ -194,7 +193,7 @@ TEST(ExperimentDesign, RefusalsNameThePlace) {
     EXPECT_TRUE(why.starts_with("study.json.") && why.find(wrong.place) != std::string::npos)
         << wrong.place << ": " << why;
   }
-  EXPECT_NE(refusal_of([] { parse_design("{", "study.json"); }).find("study.json"), std::string::npos);
+  EXPECT_TRUE(has(refusal_of([] { parse_design("{", "study.json"); }), "study.json"));
   EXPECT_EQ(refusal_of([] { parse_design(R"({"seed": 1, "seed": 2})", "study.json"); }),
             "study.json: \"seed\" occurs twice in one object");
 }
@@ -205,14 +204,14 @@ TEST(ExperimentDesign, TheProtocolHasTheTimePlan) {
   EXPECT_EQ(text.find_first_of("{}"), std::string::npos) << text;
   for (const char* part : {"| 5 | set-up", "| 11 | questionnaire SSQ", "| 12 | block 0: practice, 3 trials",
                            "| 14 | block 1: reaches, 13 trials", "last of 12 participants", "15 minutes the block"})
-    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    EXPECT_TRUE(has(text, part));
 }
 
 TEST(ExperimentDesign, TextHasNoConditionsName) {
   const std::string text = design_text(small_design(2));
-  EXPECT_EQ(text.find("secret"), std::string::npos);
-  EXPECT_EQ(text.find("hidden"), std::string::npos);
-  EXPECT_NE(text.find("follows each other one 1 to 1 times"), std::string::npos) << text;
+  EXPECT_FALSE(has(text, "secret"));
+  EXPECT_FALSE(has(text, "hidden"));
+  EXPECT_TRUE(has(text, "follows each other one 1 to 1 times"));
 }
 
 }  // namespace

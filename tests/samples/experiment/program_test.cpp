@@ -64,26 +64,28 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
 
 TEST(ExperimentProgram, RefusesInOneLine) {
   const TemporaryFolder folder;
-  const std::string study = written(folder, "study.json", R"({"title": "x"})");
-  const Outcome design = Program({"design", study}).wait();
-  EXPECT_EQ(design.exit_code, 1);
-  EXPECT_EQ(design.err, "hrt-experiment: study.json.participants is missing\n");
-  written(folder, "good.json", small_design(1).text);
-  const Outcome nobody = Program({"run", folder / "good.json", "--participant", "1"}).wait();
-  EXPECT_EQ(nobody.exit_code, 1);
-  EXPECT_TRUE(has(nobody.err, "--scene: is missing")) << nobody.err;
-  const Outcome third =
-      Program({"run", folder / "good.json", "--participant", "5", "--simulated", "1", "--data", folder / "data"})
-          .wait();
-  EXPECT_TRUE(has(third.err, "--participant: 5 is not from 1 to 2")) << third.err;
-  const Outcome ignored =
-      Program({"run", folder / "good.json", "--participant", "1", "--simulated", "1", "--plate", "servo"}).wait();
-  EXPECT_TRUE(has(ignored.err, "--plate requires --scene")) << ignored.err;
-  const Outcome empty = Program({"export", "--data", folder / "data"}).wait();
-  EXPECT_EQ(empty.exit_code, 1);
-  // A person without an experimenter at a terminal.
-  const Outcome alone = Program({"run", folder / "good.json", "--participant", "1", "--scene", scene}).wait();
-  EXPECT_TRUE(has(alone.err, "needs an experimenter at a terminal")) << alone.err;
+  const std::string bad = written(folder, "study.json", R"({"title": "x"})");
+  const std::string good = written(folder, "good.json", small_design(1).text);
+  struct Case {
+    std::vector<std::string> arguments;
+    int exit_code;
+    const char* named;
+  };
+  for (const auto& [arguments, exit_code, named] :
+       {Case{{"design", bad}, 1, "study.json.participants is missing"},
+        Case{{"run", good, "--participant", "1"}, 1, "--scene: is missing"},
+        Case{{"run", good, "--participant", "5", "--simulated", "1", "--data", folder / "data"},
+             1,
+             "--participant: 5 is not from 1 to 2"},
+        Case{
+            {"run", good, "--participant", "1", "--simulated", "1", "--plate", "servo"}, 2, "--plate requires --scene"},
+        Case{{"export", "--data", folder / "data"}, 1, "study.json: cannot be read"},
+        Case{{"run", good, "--participant", "1", "--scene", scene}, 1, "needs an experimenter at a terminal"}}) {
+    const Outcome outcome = expect_exit(exit_code, Program(arguments).wait());
+    EXPECT_TRUE(outcome.err.starts_with("hrt-experiment: "));
+    EXPECT_EQ(occurrences(outcome.err, "\n"), 1U);
+    EXPECT_TRUE(has(outcome.err, named));
+  }
 }
 
 // Until it turns.

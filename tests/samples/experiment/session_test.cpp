@@ -172,8 +172,7 @@ TEST(ExperimentJournal, ASecondProcessIsRefused) {
   const Disk disk;
   fs::create_directories(folder.path / session_name);
   const Journal journal(folder.path / session_name / "journal.jsonl", disk, [] { return Now{}; });
-  EXPECT_NE(refusal_of([&] { run_simulated(small_design(1), folder.path); }).find("another process writes it"),
-            std::string::npos);
+  EXPECT_TRUE(has(refusal_of([&] { run_simulated(small_design(1), folder.path); }), "another process writes it"));
 }
 
 // A full disk, as a limit of the size of a file.
@@ -203,8 +202,7 @@ TEST(ExperimentJournal, AFullDiskKeepsWhatIsThere) {
 TEST(ExperimentJournal, AFolderThatCannotBeWrittenIsNamed) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "x";
-  EXPECT_NE(refusal_of([&] { run_simulated(small_design(1), folder.path / "file"); }).find("cannot be created"),
-            std::string::npos);
+  EXPECT_TRUE(has(refusal_of([&] { run_simulated(small_design(1), folder.path / "file"); }), "cannot be created"));
 }
 
 // A subject that leaves after some trials, and whose clock jumps before the session is resumed.
@@ -264,8 +262,7 @@ TEST(ExperimentSession, AChangedDesignIsRefused) {
   const TemporaryFolder folder;
   run_simulated(small_design(1), folder.path);
   const Design changed = small_design(2);
-  EXPECT_NE(refusal_of([&] { run_simulated(changed, folder.path, Disk(), 2); }).find(changed.sha256),
-            std::string::npos);
+  EXPECT_TRUE(has(refusal_of([&] { run_simulated(changed, folder.path, Disk(), 2); }), changed.sha256));
   // The same one repeats nothing.
   const std::string journal = content_of(folder.path / session_name / "journal.jsonl");
   EXPECT_EQ(run_simulated(small_design(1), folder.path), "done");
@@ -278,8 +275,8 @@ TEST(ExperimentSession, ReachesThatDoNotCount) {
   const Design twice = small_design(2, [](json& s) { s["validity"] = {{"max_attempts", 1}}; });
   run_simulated(twice, some.path);
   const std::string rows = lasting(twice, some.path);
-  EXPECT_NE(rows.find(",missing,"), std::string::npos);
-  EXPECT_NE(rows.find(",finger lost,"), std::string::npos);
+  EXPECT_TRUE(has(rows, ",missing,"));
+  EXPECT_TRUE(has(rows, ",finger lost,"));
   const Design never = small_design(2, [](json& s) {
     s["simulated"]["invalid_share"] = 0.5;
     s["stop"] = {{"max_invalid_in_a_row", 1}};
@@ -296,12 +293,12 @@ TEST(ExperimentSession, ConditionsAreLetters) {
   for (const auto& entry : fs::recursive_directory_iterator(folder.path)) {
     if (!entry.is_regular_file() || entry.path().filename() == "study.json") continue;
     for (const char* name : {"secret", "hidden"}) {
-      EXPECT_EQ(entry.path().string().find(name), std::string::npos);
-      EXPECT_EQ(read_file(entry.path()).find(name), std::string::npos) << entry.path();
+      EXPECT_FALSE(has(entry.path().string(), name));
+      EXPECT_FALSE(has(read_file(entry.path()), name)) << entry.path();
     }
   }
-  EXPECT_EQ(export_study(design, folder.path, false).files.at("trials.csv").find("secret"), std::string::npos);
-  EXPECT_NE(export_study(design, folder.path, true).files.at("trials.csv").find("secret people"), std::string::npos);
+  EXPECT_FALSE(has(export_study(design, folder.path, false).files.at("trials.csv"), "secret"));
+  EXPECT_TRUE(has(export_study(design, folder.path, true).files.at("trials.csv"), "secret people"));
 }
 
 // No letter is tied to a condition that the design reveals: practice and noticeability have none, and letters differ
@@ -350,8 +347,7 @@ TEST(ExperimentSession, TheLongestTimeCountsOverReboots) {
     EXPECT_EQ(run_session(design, {folder.path, 1, 1}, second, Disk({}, false)),
               max_minutes < 10.0 ? "stopped" : "done");
     const std::string people = export_study(design, folder.path, false).files.at("people.csv");
-    EXPECT_NE(people.find(max_minutes < 10.0 ? "stopped,the session took too long," : "done,"), std::string::npos)
-        << people;
+    EXPECT_TRUE(has(people, max_minutes < 10.0 ? "stopped,the session took too long," : "done,"));
   }
 }
 
@@ -373,17 +369,16 @@ TEST(ExperimentSession, EverythingLeavesTheJournal) {
   Unplugged unplugged(design, 1, 7);
   EXPECT_NE(refusal_of([&] { run_session(design, {folder.path, 1, 1}, unplugged, Disk({}, false)); }), "");
   const std::string failed = export_study(design, folder.path, false).files.at("people.csv");
-  EXPECT_NE(failed.find("open,the plate does not answer,"), std::string::npos) << failed;
+  EXPECT_TRUE(has(failed, "open,the plate does not answer,"));
   EXPECT_EQ(run_simulated(design, folder.path), "done");
   auto files = export_study(design, folder.path, false).files;
-  EXPECT_NE(files["people.csv"].find("1,1,\"simulated, seed 7\"," + design.levels[schedule_of(design, 1).level]),
-            std::string::npos);
+  EXPECT_TRUE(has(files["people.csv"], "1,1,\"simulated, seed 7\"," + design.levels[schedule_of(design, 1).level]));
   EXPECT_EQ(occurrences(files["questionnaires.csv"], "\"Fragen, é\",after,"), 2U);
-  EXPECT_NE(files["questionnaires.csv"].find(",1,Übelkeit,"), std::string::npos);
+  EXPECT_TRUE(has(files["questionnaires.csv"], ",1,Übelkeit,"));
   for (const char* block : {",effort,block 1,", ",effort,block 2,"})
     EXPECT_EQ(occurrences(files["questionnaires.csv"], block), 1U) << files["questionnaires.csv"];
   EXPECT_EQ(occurrences(files["questionnaires.csv"], ",simulated,"), 2U);
-  EXPECT_NE(files["events.csv"].find(",closed,"), std::string::npos);
+  EXPECT_TRUE(has(files["events.csv"], ",closed,"));
   const std::string journal = content_of(folder.path / session_name / "journal.jsonl");
   EXPECT_EQ(occurrences(files["attempts.csv"], "\n"), 1 + occurrences(journal, "\"event\":\"attempt\""));
   EXPECT_EQ(occurrences(files["attempts.csv"], "interrupted"), 1U);
@@ -391,7 +386,7 @@ TEST(ExperimentSession, EverythingLeavesTheJournal) {
     if (!name.ends_with(".csv")) continue;
     std::istringstream header(content.substr(0, content.find('\n')));
     for (std::string column; std::getline(header, column, ',');)
-      EXPECT_NE(files["dictionary.md"].find("| `" + column + "` | "), std::string::npos) << name << column;
+      EXPECT_TRUE(has(files["dictionary.md"], "| `" + column + "` | ")) << name << column;
   }
 }
 

@@ -71,25 +71,16 @@ TEST(ReachFault, TheHandFreezesOrJumps) {
 }
 
 // A runtime may report no hands without focus (XR_EXT_hand_tracking): the program handles this as a dropout.
-TEST(ReachFault, FocusComesAndGoes) {
-  for (const std::string state : {"SYNCHRONIZED", "VISIBLE", "FOCUSED"}) {
-    const std::string script = calm_with(event_at(100, R"("do": "session_state", "state": ")" + state + '"') + "," +
-                                         event_at(120, R"("do": "session_state", "state": "FOCUSED")"));
-    expect_all_reached(run_desk(script), script);
-  }
-}
-
-TEST(ReachFault, AStateIsReportedTwice) {
+TEST(ReachFault, SessionStatesComeAndGo) {
+  const auto state_at = [](int frame, const std::string& state) {
+    return event_at(frame, R"("do": "session_state", "state": ")" + state + '"');
+  };
   const std::string repeat = R"("do": "repeat_session_state")";
-  const std::string script = calm_with(event_at(1, repeat) + "," + event_at(100, repeat));
-  expect_all_reached(run_desk(script), script);
-}
-
-TEST(ReachFault, TheRuntimeStopsTheSessionAndStartsItAgain) {
-  for (const int frame : {1, 100, 272, 400}) {
-    const std::string script = calm_with(event_at(frame, R"("do": "session_state", "state": "STOPPING")"));
-    expect_all_reached(run_desk(script), script);
-  }
+  std::vector<std::string> events{event_at(1, repeat) + "," + event_at(100, repeat)};
+  for (const char* state : {"SYNCHRONIZED", "VISIBLE", "FOCUSED"})
+    events.push_back(state_at(100, state) + "," + state_at(120, "FOCUSED"));
+  for (const int frame : {1, 100, 272, 400}) events.push_back(state_at(frame, "STOPPING"));
+  for (const std::string& each : events) expect_all_reached(run_desk(calm_with(each)), each);
 }
 
 // The script loses every session at the same frame: the first session ends in its second reach. The next session
@@ -192,6 +183,11 @@ TEST(ReachFault, TheRuntimeLacksWhatIsNeeded) {
     expect_refused(run_desk(R"({"withhold_extensions": [")" + extension + "\"]}"), 6,
                    "the OpenXR runtime has no " + extension + ", which hrt-reach needs");
   expect_refused(run_desk(R"({"hand_tracking": false})"), 6, "has no hand tracking on this system");
+  expect_refused(run_desk(failing_call("xrGetSystem", 1, "XR_ERROR_FORM_FACTOR_UNAVAILABLE")), 6,
+                 "no head-mounted display");
+  const Outcome timeless =
+      expect_exit(7, run_desk(R"({"frame_times": false, "withhold_extensions": ["XR_KHR_convert_timespec_time"]})"));
+  EXPECT_TRUE(has(timeless.err, "gives its frames no time and has no XR_KHR_convert_timespec_time"));
 }
 
 TEST(ReachFault, TheRuntimeLacksWhatIsUseful) {
@@ -218,20 +214,9 @@ TEST(ReachFault, FramesHaveNoTimes) {
   EXPECT_NEAR(times_s.back() - times_s.front(), 3.0, 0.7);
 }
 
-TEST(ReachFault, ThereIsNoTime) {
-  const Outcome outcome =
-      expect_exit(7, run_desk(R"({"frame_times": false, "withhold_extensions": ["XR_KHR_convert_timespec_time"]})"));
-  EXPECT_TRUE(has(outcome.err, "gives its frames no time and has no XR_KHR_convert_timespec_time")) << outcome.err;
-}
-
 TEST(ReachFault, AFrameComesLate) {
   EXPECT_EQ(run_desk(R"({"seed": 1, "calls": [{"function": "xrWaitFrame", "call": 150, "delay_ms": 400}]})").out,
             run_program({desk}).out);
-}
-
-TEST(ReachFault, NoHeadsetIsThere) {
-  const Outcome outcome = expect_exit(6, run_desk(failing_call("xrGetSystem", 1, "XR_ERROR_FORM_FACTOR_UNAVAILABLE")));
-  EXPECT_TRUE(has(outcome.err, "no head-mounted display"));
 }
 
 }  // namespace

@@ -66,17 +66,16 @@ std::vector<std::string> person_and(const std::vector<std::string>& more) {
 std::vector<Row> rows_of(const Outcome& outcome) {
   // Names may contain spaces and signs; decimals distinguish directions from names.
   static const std::regex pattern(
-      R"((.*?) +([+-]\d+\.\d)  (.*?) +([+-]\d+\.\d) +([+-]\d+\.\d\d) +(\d+\.\d|-) +([+-]\d+\.\d\d) +(\d+\.\d) )"
-      R"(+([0-9.]+|-) +(\d\.\d+) +([0-9.-]+) +(\d+) +(\d+) +(\d+)%  (reached|missed).*)");
+      R"((.*?) +[+-]\d+\.\d  .*? +[+-]\d+\.\d +([+-]\d+\.\d\d) +(\d+\.\d|-) +([+-]\d+\.\d\d) +(\d+\.\d) )"
+      R"(+([0-9.]+|-) +(\d\.\d+) +[0-9.-]+ +(\d+) +(\d+) +(\d+)%  (reached|missed).*)");
   std::vector<Row> rows;
   std::istringstream lines(outcome.out);
   std::smatch match;
   for (std::string line; std::getline(lines, line);)
     if (std::regex_match(line, match, pattern))
-      rows.push_back({match[1], std::stod(match[2]), std::stod(match[4]), std::stod(match[5]),
-                      match[6] == "-" ? 0.0 : std::stod(match[6]), std::stod(match[7]), std::stod(match[8]), match[9],
-                      std::stod(match[10]), match[11], std::stoi(match[12]), std::stoi(match[13]), std::stoi(match[14]),
-                      match[15] == "reached", line.find("cannot be held") != std::string::npos});
+      rows.push_back({match[1], std::stod(match[2]), match[3] == "-" ? 0.0 : std::stod(match[3]), std::stod(match[4]),
+                      std::stod(match[5]), match[6], std::stod(match[7]), std::stoi(match[8]), std::stoi(match[9]),
+                      std::stoi(match[10]), match[11] == "reached"});
   return rows;
 }
 

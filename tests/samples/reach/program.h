@@ -50,20 +50,16 @@ inline void expect_said(const Outcome& outcome, std::initializer_list<const char
 /// A row of the result table.
 struct Row {
   std::string virtual_name;
-  double virtual_direction_deg;
-  double real_direction_deg;
   double final_direction_deg;
   double peak_felt_deg;
   double miss_deg;
   double miss_mm;
   std::string touch;  ///< "-" if unknown
   double assumed;
-  std::string holds;  ///< "-" if unknown
   int frames;
   int lost;
   int bound_percent;
   bool reached;
-  bool unreachable;  ///< the controller reports the target as unreachable
 };
 std::vector<Row> rows_of(const Outcome& outcome);
 
