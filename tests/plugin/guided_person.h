@@ -30,7 +30,7 @@ class GuidedPerson {
   Eigen::Vector3d offset_m{0.002, -0.008, -0.012};  ///< from the joint to the skin, in the axes of the joint
   double touch_sd_m = 0.0015;
   double noise_m = 0.001;
-  double scale = 1.0;  ///< length in the tracker's unit of 1 m
+  double scale = 1.0;  ///< tracked length of 1 m; not 1 if the tracker's unit is wrong
   int latency_ms = 40;
   int frame_ms = 11;
   bool in_plate = false;  ///< true: the tracker reports the fingertip in plate coordinates, without a joint

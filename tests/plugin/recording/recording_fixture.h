@@ -1,4 +1,4 @@
-// Fixture of the tests of recordings: a session whose calls go to a file of its own.
+// Fixture of the tests of recordings: a session, and the path of its recording.
 #pragma once
 
 #include <unistd.h>
@@ -41,7 +41,7 @@ inline void expect_golden_bits() {
   EXPECT_EQ(report.hash, HRT_GOLDEN_HASH) << "which is 0x" << std::hex << report.hash;
 }
 
-/// How the recording ends, HRT_ENDING_*.
+/// Replays a recording and returns HRT_ENDING_*.
 inline std::uint32_t ending(const std::string& text) {
   const hrt_replay_report report = replay(text);
   EXPECT_EQ(report.complete, report.ending == HRT_ENDING_COMPLETE ? 1u : 0u);
@@ -93,13 +93,13 @@ class RecordingTest : public SessionTest {
     return hrt_reach_update(session, &sample, &command);
   }
 
-  /// Noise that is the same on every host.
+  /// Returns pseudo-random noise that is the same on every host.
   double noise() {
     state_ = state_ * 6364136223846793005u + 1442695040888963407u;
     return static_cast<double>(state_ >> 40) / double{1 << 23} - 1.0;
   }
 
-  /// Three reaches that use both controllers and every kind of sample, errors among them.
+  /// Runs three reaches with both controllers and every flag of a sample, and makes calls that fail.
   void play() {
     const hrt_target real = add(HRT_TARGET_REAL, -5.0, "cylinder"), cup = add(HRT_TARGET_VIRTUAL, 5.0, "a \"cup\"");
     reach_by_direction(real, cup);
