@@ -13,6 +13,8 @@ from abi import Abi, Enumeration, Function, Names, Struct, Type, Value, pascal
 # Enumerations with other names in C#.
 _ENUMS = {"HRT_ERROR": "Result", "HRT_LOG": "LogLevel", "HRT_TARGET": "TargetRole"}
 _HANDLES = {"hrt_target": "TargetId"}
+# Handles that their classes keep as numbers.
+_OWNED = ("hrt_session", "hrt_person", "hrt_plate")
 _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong", "double": "double",
           "hrt_result": "Result", "size_t": "UIntPtr", "void": "void"}
 # Array types that several structs use.
@@ -138,6 +140,8 @@ class Renderer(Names):
         type_, name = parameter.type, camel(parameter.name)
         if not type_.pointer or type_.name == "void" and not parameter.count:
             return f"{self.value(type_)} {name}"
+        if type_.name in _OWNED:
+            return f"out ulong {name}"
         element = "byte" if type_.name in ("char", "void") else _TYPES.get(type_.name) or self.types[type_.name]
         if parameter.count or element == "byte":
             return f"{'[In]' if type_.const else '[In, Out]'} {element}[] {name}"

@@ -7,13 +7,6 @@ namespace Hrt.HostTests
     // Tests libhrt_plate from C# with the firmware on an emulated board; run by with_plate.
     public sealed class PlateTests
     {
-        static string Device()
-        {
-            string device = Environment.GetEnvironmentVariable("HRT_PLATE_DEVICE");
-            Assert.IsNotNull(device, "no emulated plate: run by with_plate");
-            return device;
-        }
-
         // Waits up to 30 s for a report that fulfils a condition, and returns it.
         static PlateReport Eventually(HapticRetargetingPlate plate, Func<PlateReport, bool> wanted)
         {
@@ -29,7 +22,7 @@ namespace Hrt.HostTests
             PlateOptions options = PlateOptions.Default;
             Assert.AreEqual(300000000, options.hostTimeoutNs);
             options.hostTimeoutNs = 10000000000; // a busy machine
-            using (var plate = new HapticRetargetingPlate(Device(), options))
+            using (var plate = new HapticRetargetingPlate(Environment.GetEnvironmentVariable("HRT_PLATE_DEVICE"), options))
             {
                 PlateReport report = plate.WaitUntilReady();
                 Assert.AreEqual("protocol 2, firmware 1.1.0, serial number 000000", report.description.ToString());

@@ -15,34 +15,31 @@ static class Check
 		}
 	}
 
-	static HapticRetargetingLibrary Rules(UnrealTargetPlatform Platform)
+	static ReadOnlyTargetRules For(UnrealTargetPlatform Platform)
 	{
-		return new HapticRetargetingLibrary(new ReadOnlyTargetRules { Platform = Platform });
+		return new ReadOnlyTargetRules { Platform = Platform };
 	}
 
 	static void Main(string[] Arguments)
 	{
 		ModuleRules.Folder = Path.Combine(Arguments[0], "Source/ThirdParty/HapticRetargetingLibrary");
-		HapticRetargetingLibrary Linux = Rules(UnrealTargetPlatform.Linux), Windows = Rules(UnrealTargetPlatform.Win64);
+		var Linux = new HapticRetargetingLibrary(For(UnrealTargetPlatform.Linux));
+		var Windows = new HapticRetargetingLibrary(For(UnrealTargetPlatform.Win64));
 		Expect(Linux.Type == ModuleRules.ModuleType.External, "an external module");
 		string Header = Path.Combine(Linux.PublicSystemIncludePaths.Single(), "haptic_retargeting/haptic_retargeting.h");
 		foreach (string Named in Linux.PublicAdditionalLibraries.Concat(Linux.RuntimeDependencies.Files).Append(Header))
 		{
 			Expect(File.Exists(Named), Named + " exists");
 		}
-		Expect(Linux.RuntimeDependencies.Files.Count == 4, "both libraries are staged by both names");
-
-		string[] Libraries = { "haptic_retargeting", "hrt_plate" };
-		Expect(Windows.PublicAdditionalLibraries.Select(Path.GetFileName).SequenceEqual(Libraries.Select(Each => Each + ".lib")), "import libraries");
-		string[] Dlls = Libraries.Select(Each => Path.Combine(Windows.ModuleDirectory, "Win64", Each + ".dll")).ToArray();
-		Expect(Windows.RuntimeDependencies.Files.SequenceEqual(Dlls), "staged from where the module loads them");
-		Expect(Windows.PublicDelayLoadDLLs.SequenceEqual(Dlls.Select(Path.GetFileName)), "and loaded late");
-
-		HapticRetargeting Module = new HapticRetargeting(new ReadOnlyTargetRules { Platform = UnrealTargetPlatform.Linux });
+		string[] Dlls = { "haptic_retargeting.dll", "hrt_plate.dll" };
+		string Folder = Path.Combine(Windows.ModuleDirectory, "Win64");
+		Expect(Windows.RuntimeDependencies.Files.SequenceEqual(Dlls.Select(Dll => Path.Combine(Folder, Dll))), "staged from where the module loads them");
+		Expect(Windows.PublicDelayLoadDLLs.SequenceEqual(Dlls), "and loaded late");
+		var Module = new HapticRetargeting(For(UnrealTargetPlatform.Linux));
 		Expect(Module.PublicDependencyModuleNames.Contains("HapticRetargetingLibrary"), "the module has the library");
 		try
 		{
-			Rules(UnrealTargetPlatform.Mac);
+			new HapticRetargetingLibrary(For(UnrealTargetPlatform.Mac));
 			Expect(false, "a platform without library is refused");
 		}
 		catch (BuildException)

@@ -15,12 +15,7 @@ namespace Hrt
         {
             HapticRetargetingLibrary.Load();
             config.structSize = SizeOf<PersonConfig>.Value;
-            Own((out ulong created) =>
-            {
-                Result result = Native.hrt_person_create(ref config, seed, out PersonHandle handle);
-                created = handle.value;
-                return result;
-            });
+            Own((out ulong created) => Native.hrt_person_create(ref config, seed, out created));
         }
 
         internal PersonHandle Handle => new PersonHandle { value = Value };

@@ -25,12 +25,7 @@ namespace Hrt
             Load();
             byte[] name = Utf8.ZeroEnded(device, nameof(device));
             options.structSize = SizeOf<PlateOptions>.Value;
-            Own((out ulong created) =>
-            {
-                Result result = PlateNative.hrt_plate_open(name, ref options, out PlateHandle handle);
-                created = handle.value;
-                return result;
-            });
+            Own((out ulong created) => PlateNative.hrt_plate_open(name, ref options, out created));
         }
 
         /// <summary>Waits up to 6 s until the plate is open. Throws <see cref="InvalidOperationException"/> with the reason

@@ -23,12 +23,7 @@ namespace Hrt
         {
             HapticRetargetingLibrary.Load();
             config.structSize = SizeOf<SessionConfig>.Value;
-            Own((out ulong created) =>
-            {
-                Result result = Native.hrt_session_create(Constants.Version, ref config, out SessionHandle handle);
-                created = handle.value;
-                return result;
-            });
+            Own((out ulong created) => Native.hrt_session_create(Constants.Version, ref config, out created));
         }
 
         /// <summary>The configuration. It cannot be set during a reach; targets are kept.</summary>
