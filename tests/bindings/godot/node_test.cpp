@@ -117,7 +117,7 @@ TEST(GodotNode, WarnsOfALikelyMistake) {
   for (int64_t frame = 0; frame < 200; ++frame)
     node.call(method("update"), std::array<Value, 2>{Vector3{0, 0, 5}, frame * 11'111'111});
   node.end();
-  EXPECT_NE(engine.logged.find("positions are in metres"), std::string::npos) << engine.logged;
+  EXPECT_NE(engine.logged.find("set positions in metres"), std::string::npos) << engine.logged;
 }
 
 TEST(GodotNode, WarnsOfInvalidPropertiesAndPose) {

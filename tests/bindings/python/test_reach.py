@@ -48,7 +48,7 @@ def test_a_likely_mistake_goes_to_the_logger(session: hrt.Session, caplog: pytes
         for frame in range(200):
             reach.update(11_111_111 * frame, position_m=(0, 0, 5))
     assert [(record.name, record.levelname) for record in caplog.records] == [("haptic_retargeting", "WARNING")]
-    assert "positions are in metres" in caplog.text
+    assert "set positions in metres" in caplog.text
 
 
 def test_exception_within_a_reach_cancels_it(session: hrt.Session, straight: np.ndarray) -> None:

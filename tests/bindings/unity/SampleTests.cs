@@ -55,7 +55,7 @@ namespace Hrt.HostTests
                 session.WriteLog();
             }
             StringAssert.StartsWith("warning: ", logged.Single());
-            StringAssert.Contains("positions are in metres", logged.Single());
+            StringAssert.Contains("set positions in metres", logged.Single());
         }
 
         // For each of the three virtual objects, the hand ends at the cylinder (within 1.5 degrees at 10 cm), or the

@@ -87,7 +87,7 @@ TEST_F(Component, LogsALikelyMistake) {
   for (int frame = 0; frame < 200; ++frame) EXPECT_TRUE(component_.UpdateFinger(FVector(-500, 0, 0), frame / 90.0));
   FHapticSummary summary;
   ASSERT_TRUE(component_.EndReach(summary));
-  EXPECT_NE(last_log().find("positions are in centimetres"), std::string::npos) << last_log();
+  EXPECT_NE(last_log().find("set positions in centimetres"), std::string::npos) << last_log();
 }
 
 TEST_F(Component, HasNoStepBeforeTheFirstCommand) {

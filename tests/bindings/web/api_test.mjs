@@ -48,7 +48,7 @@ sessionTest("a likely mistake goes to the console", ({ session, real, virtual })
   session.endReach();
   console.warn = warn;
   assert.equal(lines.length, 1);
-  assert.match(lines[0], /positions are in metres/);
+  assert.match(lines[0], /set positions in metres/);
 });
 
 function slide(session, frames) {
