@@ -32,7 +32,7 @@ const strips: readonly {
     title: "plate: normal of the ridges",
     range: [-95, 95],
     unit: "°",
-    lines: [{ label: "plate", colour: "chartPlate", value: ({ plate_deg }) => plate_deg }],
+    lines: [{ label: "plate", colour: "chart", value: ({ plate_deg }) => plate_deg }],
   },
   {
     title: "direction: finger, and as felt",

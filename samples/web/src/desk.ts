@@ -3,7 +3,7 @@
 import type { VisitorScene } from "./files/scene";
 import { ahead, type Course, type Place, type SlideEnd, start } from "./geometry";
 import { element, say } from "./page";
-import { dot, path, plate, targets } from "./plan";
+import { dot, paths, plate, targets } from "./plan";
 import { type LabelName, Stage } from "./stage/stage";
 import type { Colours } from "./theme";
 import { maxTrace } from "./trace";
@@ -30,7 +30,8 @@ export class Desk {
   /** Null if the browser has no WebGL; a flat picture is drawn instead. */
   readonly stage: Stage | null;
   readonly #flat = element("no-view", SVGSVGElement);
-  readonly #paths: { real: Place[]; felt: Place[] } = { real: [], felt: [] };
+  /** Positions for the flat picture. */
+  #path: { finger: Place; felt: Place }[] = [];
   /** Called when the browser has restored WebGL and the picture must be drawn again. */
   onRestored: () => void = () => {};
   readonly #named = Object.fromEntries(
@@ -104,8 +105,7 @@ export class Desk {
     this.frame.dataset.hand = "yes";
   }
   clearPaths(): void {
-    this.#paths.real = [];
-    this.#paths.felt = [];
+    this.#path = [];
     this.#change((stage) => stage.clearPaths());
   }
   resize(): void {
@@ -120,12 +120,12 @@ export class Desk {
   }
 
   /** Sets the opacity of the true hand, its path and the cylinder, from 0 to 1. */
-  reveal(share: number): void {
-    if (share === this.#revealed) return;
-    this.#revealed = share;
-    this.#change((stage) => stage.reveal(share));
-    this.#named.finger.hidden = share === 0;
-    this.#named.real.hidden = share === 0 || this.#labels.length > this.#own.length;
+  reveal(fraction: number): void {
+    if (fraction === this.#revealed) return;
+    this.#revealed = fraction;
+    this.#change((stage) => stage.reveal(fraction));
+    this.#named.finger.hidden = fraction === 0;
+    this.#named.real.hidden = fraction === 0 || this.#labels.length > this.#own.length;
   }
 
   /** Words the labels for a visitor who moves the finger (`own`), or for one who watches. */
@@ -145,11 +145,7 @@ export class Desk {
       label.className = `label ${target.real ? "real" : "felt"}`;
       label.textContent = target.name;
       element("labels", HTMLDivElement).append(label);
-      this.#labels.push({
-        element: label,
-        at: (stage, out) => stage.targetToCanvas(target.drawn, out),
-        side: 0,
-      });
+      this.#labels.push({ element: label, at: (stage, out) => stage.targetToCanvas(target.drawn, out), side: 0 });
     }
   }
 
@@ -161,10 +157,7 @@ export class Desk {
 
   /** Extends the paths to the true and the perceived position of the finger. */
   extendPaths(finger: Readonly<Place>, felt: Readonly<Place>): void {
-    if (!this.stage && this.#paths.real.length < maxTrace) {
-      this.#paths.real.push({ ...finger });
-      this.#paths.felt.push({ ...felt });
-    }
+    if (!this.stage && this.#path.length < maxTrace) this.#path.push({ finger: { ...finger }, felt: { ...felt } });
     this.stage?.truePath.extend(finger.right_m, finger.away_m);
     this.stage?.feltPath.extend(felt.right_m, felt.away_m);
   }
@@ -182,25 +175,30 @@ export class Desk {
   }
 
   #drawFlat(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
-    const truth = this.#revealed > 0 ? path("real", this.#paths.real) + dot("real", finger) : "";
-    this.#flat.innerHTML =
-      plate(plate_deg) +
-      targets(this.#course, true, this.#revealed > 0) +
-      path("felt", this.#paths.felt) +
-      dot("felt", felt) +
-      truth;
+    const all = this.#revealed > 0,
+      shown = paths(this.#path, all) + dot("felt", felt) + (all ? dot("real", finger) : "");
+    this.#flat.innerHTML = plate(plate_deg) + targets(this.#course, true, all) + shown;
   }
 
-  /** Places each label beside or above the object that it names, within the picture. */
+  /** Places each label beside or above the object that it names, within the picture. Labels above objects are in one row. */
   #drawLabels(stage: Stage): void {
     const { clientWidth, clientHeight } = this.canvas,
-      gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth);
-    for (const { element: label, at, side } of this.#labels) {
-      if (label.hidden) continue;
-      at(stage, this.#at);
-      const { offsetWidth: width, offsetHeight: height } = label;
-      const x = this.#at.x - width / 2 + side * (width / 2 + gap_px),
-        y = this.#at.y - height / 2 - (side === 0 ? height : 0);
+      gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth),
+      away = this.#course.virtual_deg < this.#course.real_deg ? -1 : 1; // the labels of a mirrored course are mirrored
+    const shown = this.#labels
+      .filter(({ element: label }) => !label.hidden)
+      .map(({ element: label, at, side }) => {
+        at(stage, this.#at);
+        const { offsetWidth: width, offsetHeight: height } = label;
+        const x = this.#at.x - width / 2 + away * side * (width / 2 + gap_px),
+          y = this.#at.y - height / 2 - (side === 0 ? height : 0);
+        return { label, side, x, y, width, height };
+      });
+    let free_px = 0; // right end of the last label in the row
+    for (const each of shown.sort((a, b) => a.x - b.x)) {
+      const { label, side, y, width, height } = each,
+        x = side === 0 ? Math.max(each.x, free_px) : each.x;
+      if (side === 0) free_px = x + width + margin_px;
       const within = (value: number, most: number) => Math.min(Math.max(value, margin_px), most - margin_px).toFixed(1);
       label.style.transform = `translate(${within(x, clientWidth - width)}px, ${within(y, clientHeight - height)}px)`;
     }

@@ -1,5 +1,6 @@
 // Perceived position of a sliding finger: each step of its motion, rotated by the angle that the ridges add.
 import { ahead, direction_deg, type Place } from "./geometry";
+import type { World } from "./person";
 
 /** Time over which a direction is averaged, because tracked positions and a mouse's pixels are coarse. */
 const smoothing_ms = 60;
@@ -13,6 +14,8 @@ export class Felt {
   #speedRight_m_s = 0;
   #speedAway_m_s = 0;
 
+  constructor(private readonly world: World) {}
+
   get speed_m_s(): number {
     return Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
   }
@@ -24,22 +27,20 @@ export class Felt {
     this.finger_deg = this.felt_deg = NaN;
   }
 
-  /** Adds a motion that took a time above 0. `shift_deg`: perceived minus true direction of a motion in `finger_deg`. */
-  move(right_m: number, away_m: number, milliseconds: number, shift_deg: (finger_deg: number) => number): void {
-    const share = 1 - Math.exp(-milliseconds / smoothing_ms);
-    this.#speedRight_m_s += share * ((1000 * right_m) / milliseconds - this.#speedRight_m_s);
-    this.#speedAway_m_s += share * ((1000 * away_m) / milliseconds - this.#speedAway_m_s);
+  /** Adds a motion that took a time above 0, over the plate of the world. */
+  move(right_m: number, away_m: number, milliseconds: number): void {
+    const weight = 1 - Math.exp(-milliseconds / smoothing_ms);
+    this.#speedRight_m_s += weight * ((1000 * right_m) / milliseconds - this.#speedRight_m_s);
+    this.#speedAway_m_s += weight * ((1000 * away_m) / milliseconds - this.#speedAway_m_s);
     let added_deg = 0;
     if (this.speed_m_s < minSpeed_m_s) {
       this.finger_deg = this.felt_deg = NaN;
     } else {
       this.finger_deg = direction_deg(this.#speedRight_m_s, this.#speedAway_m_s);
-      added_deg = shift_deg(this.finger_deg);
+      added_deg = this.world.felt_shift_deg(this.world.plate_deg(), this.finger_deg);
       this.felt_deg = this.finger_deg + added_deg;
     }
-    Object.assign(
-      this.place,
-      ahead(this.place, direction_deg(right_m, away_m) + added_deg, Math.hypot(right_m, away_m)),
-    );
+    const felt_deg = direction_deg(right_m, away_m) + added_deg;
+    Object.assign(this.place, ahead(this.place, felt_deg, Math.hypot(right_m, away_m)));
   }
 }

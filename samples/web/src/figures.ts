@@ -4,10 +4,10 @@ import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
 import { ahead, bearing_deg, distance_m, type Place, start } from "./geometry";
 import { element, say } from "./page";
-import type { World } from "./person";
-import { arrow, arrows, dot, normal_deg, path, plate, targets, word } from "./plan";
+import { places, type World } from "./person";
+import { arrow, arrows, dot, normal_deg, paths, plate, targets, word } from "./plan";
 import { defaultSettings } from "./settings";
-import { Watch } from "./watch";
+import { SimulatedReach } from "./simulated_reach";
 
 const strong = 0.3,
   turned_deg = 50;
@@ -26,7 +26,7 @@ const handle = (at: Readonly<Place>): string => `<g class="handle">${dot("real",
 
 export function showFigures(library: Library, world: World): void {
   const settings = { ...defaultSettings(), tactile_weight: strong, noise_mm: 0.3, pace_s: 2 },
-    watch = new Watch(library, world, settings);
+    watch = new SimulatedReach(library, world, settings);
   const still = () => {
     world.set_person(1, strong, 2);
     world.set_apparatus(0, settings.plate_deg_s);
@@ -34,48 +34,33 @@ export function showFigures(library: Library, world: World): void {
   const felt = (plate_deg: number, hand_deg: number) => hand_deg + world.felt_shift_deg(plate_deg, hand_deg);
 
   /** True and perceived positions of a reach to a glass straight ahead, over ridges that do not turn. */
-  const unled: { finger: Place; felt: Place }[] = [];
+  const unguided: ReturnType<typeof places>[] = [];
   still();
   world.begin_reach(1, start.right_m, start.away_m, 0, distance_m, turned_deg);
   for (let ms = 0; world.over() === 0 && ms < 10_000; ++ms) {
     world.advance();
-    if (ms % 20 !== 0) continue;
-    unled.push({
-      finger: { right_m: world.finger_right_m(), away_m: world.finger_away_m() },
-      felt: { right_m: world.felt_right_m(), away_m: world.felt_away_m() },
-    });
+    if (ms % 20 === 0) unguided.push(places(world));
   }
 
-  /** Third reach of a person whom the plugin steers. */
-  const led = (changes: Partial<typeof settings>) => {
-    watch.apply({ ...settings, person: watch.number, ...changes });
-    watch.apply({ ...settings, ...changes });
+  let off_mm = NaN;
+  /** Draws the third reach of a person whom the plugin steers. */
+  const guided = (gap_deg: number): string => {
+    watch.apply({ ...settings, person: watch.number, gap_deg });
+    watch.apply({ ...settings, gap_deg });
     for (let reach = 1; ; ++reach) {
       while (watch.phase !== "arrived") watch.advance();
       if (reach === 3) break;
       watch.begin();
     }
     const last = watch.trace.at(-1)!;
-    const picture =
+    off_mm = watch.result?.toCylinder_mm ?? NaN;
+    return (
       plate(watch.trace.filter(({ finger_deg }) => !Number.isNaN(finger_deg)).at(-1)!.plate_deg) +
       targets(watch.course) +
-      path(
-        "real",
-        watch.trace.map(({ finger }) => finger),
-      ) +
-      path(
-        "felt",
-        watch.trace.map((at) => at.felt),
-      ) +
+      paths(watch.trace) +
       dot("felt", last.felt, 4) +
-      dot("real", last.finger, 3);
-    return { picture, off_mm: watch.result?.toCylinder_mm ?? NaN };
-  };
-  let off_mm = NaN;
-  const reach = (changes: Partial<typeof settings>): string => {
-    const { picture, off_mm: off } = led(changes);
-    off_mm = off;
-    return picture;
+      dot("real", last.finger, 3)
+    );
   };
   const ended = () =>
     off_mm < 4 ? "The hand ends at the cylinder." : `The hand misses the cylinder by ${off_mm.toFixed(0)} mm.`;
@@ -118,19 +103,12 @@ export function showFigures(library: Library, world: World): void {
     {
       value: ({ away_m }) => (100 * (away_m - start.away_m)) / distance_m,
       draw: (percent) => {
-        const gone = unled.slice(0, Math.max(1, Math.round((percent / 100) * unled.length))),
+        const gone = unguided.slice(0, Math.max(1, Math.round((percent / 100) * unguided.length))),
           at = gone.at(-1)!;
         return (
           plate(turned_deg) +
           targets({ ...pageCourse(settings), virtual_deg: 0 }, true, false) +
-          path(
-            "real",
-            gone.map(({ finger }) => finger),
-          ) +
-          path(
-            "felt",
-            gone.map((each) => each.felt),
-          ) +
+          paths(gone) +
           dot("felt", at.felt, 4) +
           handle(at.finger)
         );
@@ -140,8 +118,7 @@ export function showFigures(library: Library, world: World): void {
     },
     {
       value: (at) => -2 * bearing_deg(start, at),
-      draw: (gap_deg) =>
-        reach({ gap_deg: Math.abs(gap_deg) }) + word("real", { right_m: 0.045, away_m: 0.068 }, "drag it"),
+      draw: (gap_deg) => guided(Math.abs(gap_deg)) + word("real", { right_m: 0.045, away_m: 0.068 }, "drag it"),
       text: (gap_deg) => `${ended()}${gap_deg > 22 ? " No plate can lead this person that far aside." : ""}`,
     },
   ];

@@ -75,8 +75,3 @@ export function slideEnd(finger: Readonly<Place>, felt: Readonly<Place>, course:
     feltToGlass_mm: 1000 * length_m(felt, glass),
   };
 }
-
-/** Equivalent orientation of the same ridges, within 90 degrees of the mid-line. */
-export function folded_deg(orientation_deg: number): number {
-  return orientation_deg - 180 * Math.round(orientation_deg / 180);
-}

@@ -9,24 +9,24 @@ import { showFigures } from "./figures";
 import type { RecordedReach } from "./files/recording";
 import { TakeAway } from "./files/takeaway";
 import { distance_m, start } from "./geometry";
-import { Hand } from "./hand";
 import { Compare } from "./modes/compare";
-import { Sliding } from "./modes/sliding";
-import { Viewing } from "./modes/viewing";
-import { Watching } from "./modes/watching";
+import { SceneMode } from "./modes/scene_mode";
+import { SlideMode } from "./modes/slide_mode";
+import { WatchMode } from "./modes/watch_mode";
 import { check, chosen, element, messageOf, part, radios, report, say } from "./page";
 import { Panel } from "./panel";
 import { createWorld } from "./person";
-import { Connecting } from "./plate/connecting";
+import { PlatePanel } from "./plate/plate_panel";
 import { Results } from "./results";
 import { defaultSettings, fromLink, type Mode, modes, onSlider, toLink } from "./settings";
+import { SimulatedReach } from "./simulated_reach";
+import { Sounds } from "./sounds";
 import { readColours } from "./theme";
-import { Ticks } from "./ticks";
 import { TraceTable } from "./trace";
+import { VisitorReach } from "./visitor_reach";
 import { Voice } from "./voice";
-import { Watch } from "./watch";
-import type { Wear } from "./wear/wear";
-import type { Wearing } from "./wear/wearing";
+import type { HeadsetMode } from "./wear/headset_mode";
+import type { HeadsetReach } from "./wear/headset_reach";
 
 /** Longest time that one frame may advance: slow machines keep real time, and a hidden page continues where it stopped. */
 const maxFrame_ms = 1000;
@@ -51,22 +51,23 @@ async function main(): Promise<void> {
   ]);
   const linked = fromLink(location.hash.slice(1));
   showProblems(linked.problems);
-  const watch = new Watch(library, watchWorld, linked.settings);
-  const hand = new Hand(library, handWorld, linked.settings),
-    plain = new Hand(library, handWorld, { ...linked.settings, controller: "off" });
+  const watch = new SimulatedReach(library, watchWorld, linked.settings);
+  const hand = new VisitorReach(library, handWorld, linked.settings),
+    unguided = new VisitorReach(library, handWorld, { ...linked.settings, controller: "off" });
   const compare = new Compare(),
     voice = new Voice(),
-    plate = new Connecting(),
+    sounds = new Sounds(still),
+    plate = new PlatePanel(),
     results = new Results();
   const table = new TraceTable();
-  const watching = new Watching(watch, watchWorld, desk, results, linked.settings, voice, still);
-  const sliding = new Sliding(hand, plain, handWorld, desk, compare, voice, new Ticks(still), linked.settings, still);
-  const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
+  const watching = new WatchMode(watch, watchWorld, desk, results, linked.settings, voice, still);
+  const sliding = new SlideMode(hand, unguided, handWorld, desk, compare, voice, sounds, linked.settings, still);
+  const viewing = new SceneMode(library, sceneWorld, linked.settings, showMode);
   let mode: Mode = "hand",
     recorded: RecordedReach | null = null;
   // Parts that are loaded when they are needed.
   let chart: Chart | null = null,
-    wearing: Wearing | null = null;
+    wearing: HeadsetMode | null = null;
 
   const goals = { real_deg: 0, virtual_deg: 0, weight: NaN };
   const takeAway = new TakeAway(
@@ -141,15 +142,13 @@ async function main(): Promise<void> {
   }
 
   async function bringHeadset(): Promise<void> {
-    const parts = await part(
-      "The headset's part",
-      Promise.all([createWorld(), import("./wear/wear"), import("./wear/wearing")]),
-    );
+    const loading = Promise.all([createWorld(), import("./wear/headset_reach"), import("./wear/headset_mode")]),
+      parts = await part("The headset's part", loading);
     if (wearing || !parts) return;
-    const [world, { Wear }, { Wearing }] = parts,
+    const [world, { HeadsetReach }, { HeadsetMode }] = parts,
       { settings } = panel,
-      wear = new Wear(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
-    wearing = new Wearing(wear, world, desk, voice);
+      wear = new HeadsetReach(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
+    wearing = new HeadsetMode(wear, world, desk, voice);
     wearing.onFrame = follow;
     wearing.onLeft = () => {
       desk.setView(mode !== "hand");
@@ -171,7 +170,7 @@ async function main(): Promise<void> {
   }
 
   /** Returns the object whose reaches are shown. */
-  function reaches(): Watch | Hand | Wear {
+  function reaches(): SimulatedReach | VisitorReach | HeadsetReach {
     return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, scene: viewing.watch }[mode];
   }
 
@@ -181,7 +180,7 @@ async function main(): Promise<void> {
     plate.frame(elapsed_ms, performance.now(), shown.command.plate_orientation_deg);
     // Reaches that are computed immediately or step by step do not run in the real time of a plate.
     const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
-    for (const each of [watch, hand, plain, viewing.watch, ...(wearing ? [wearing.wear] : [])])
+    for (const each of [watch, hand, unguided, viewing.watch, ...(wearing ? [wearing.wear] : [])])
       each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
   }
 
@@ -257,13 +256,8 @@ async function main(): Promise<void> {
   if (!document.body.classList.contains("researchers")) showFigures(library, figureWorld);
   else void bringChart();
   wake();
-  if (
-    await part(
-      "The hand",
-      desk.bringHand().then(() => true),
-    )
-  )
-    wake();
+  await part("The hand", desk.bringHand());
+  wake();
 }
 
 function showProblems(problems: readonly string[]): void {
@@ -273,7 +267,8 @@ function showProblems(problems: readonly string[]): void {
 element("retry", HTMLButtonElement).addEventListener("click", () => location.reload());
 main().catch((error: unknown) => {
   element("main", HTMLElement).inert = false;
+  document.body.classList.add("failed");
   say(element("caption", HTMLParagraphElement), "");
-  report(`The page cannot start: ${messageOf(error)}.`, true);
+  report(`The page cannot start: ${messageOf(error)}. Check the connection, then try again.`, true);
   throw error;
 });

@@ -37,15 +37,10 @@ export function say(where: Element, text: string): void {
 }
 
 /** Formats a direction for people; "–" for NaN. */
-export function sideways(angle_deg: number, digits = 0, none = "straight ahead", to = ""): string {
+export function sideways(angle_deg: number, digits = 0): string {
   if (Number.isNaN(angle_deg)) return "–";
   const size = Math.abs(angle_deg).toFixed(digits);
-  return Number(size) === 0 ? none : `${size}° ${to}${angle_deg > 0 ? "left" : "right"}`;
-}
-
-/** Formats a rotation for people. */
-export function turned(angle_deg: number): string {
-  return sideways(angle_deg, 1, "nothing", "to the ");
+  return Number(size) === 0 ? "straight ahead" : `${size}° ${angle_deg > 0 ? "left" : "right"}`;
 }
 
 /** Shows an error until it is called with "". `retry`: offers to reload the page, whose address keeps the settings. */

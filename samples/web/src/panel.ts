@@ -11,21 +11,13 @@ import {
   sliders,
 } from "./settings";
 
-const texts: Readonly<Record<SliderName, (value: number) => string>> = {
-  tactile_weight: (value) => value.toFixed(2),
-  gap_deg: (value) => `${value.toFixed(1)}°`,
-  noise_mm: (value) => `${value.toFixed(1)} mm`,
-  pace_s: (value) => `${value.toFixed(1)} s`,
-  plate_deg_s: (value) => `${value} °/s`,
-};
-
-/** The same values in words, for screen readers. */
-const words: Readonly<Record<SliderName, (value: number) => string>> = {
-  tactile_weight: (value) => `${(100 * value).toFixed(0)} percent touch`,
-  gap_deg: (value) => `${value} degrees`,
-  noise_mm: (value) => `${value} millimetres`,
-  pace_s: (value) => `${value} seconds`,
-  plate_deg_s: (value) => `${value} degrees a second`,
+/** Formats of each value: as text, and in words for screen readers. */
+const formats: Readonly<Record<SliderName, (value: number) => readonly [string, string]>> = {
+  tactile_weight: (value) => [value.toFixed(2), `${(100 * value).toFixed(0)} percent touch`],
+  gap_deg: (value) => [`${value.toFixed(1)}°`, `${value} degrees`],
+  noise_mm: (value) => [`${value.toFixed(1)} mm`, `${value} millimetres`],
+  pace_s: (value) => [`${value.toFixed(1)} s`, `${value} seconds`],
+  plate_deg_s: (value) => [`${value} °/s`, `${value} degrees a second`],
 };
 
 export class Panel {
@@ -72,9 +64,9 @@ export class Panel {
     for (const name of sliderNames) {
       const input = element(name, HTMLInputElement),
         value = this.settings[name],
-        text = texts[name](value);
+        [text, words] = formats[name](value);
       if (Number(input.value) !== value) input.value = String(value);
-      input.setAttribute("aria-valuetext", words[name](value));
+      input.setAttribute("aria-valuetext", words);
       const output = document.querySelector(`output[for="${name}"]`);
       if (output) say(output, text);
     }

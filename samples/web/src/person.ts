@@ -1,5 +1,6 @@
 // The simulated side: person, plate and tracker of core/, in a separate WebAssembly module (person.cpp).
 import personModule from "person.wasm";
+import type { Place } from "./geometry";
 
 type Does =
   | "set_person"
@@ -16,6 +17,14 @@ type Felt = "felt_right_m" | "felt_away_m" | "felt_error_deg" | "peak_felt_error
 type Series = "begin_series" | "answer" | "next_gap_deg" | "limit_deg" | "limit_lower_deg" | "limit_upper_deg";
 /** The exports of person.cpp, which documents them. */
 export type World = Readonly<Record<Does | Plate | Finger | Felt | Series, (...values: number[]) => number>>;
+
+/** Returns the true and the perceived position of the person's finger, in a picture that is `scale` times as large. */
+export function places(world: World, scale = 1): { finger: Place; felt: Place } {
+  return {
+    finger: { right_m: scale * world.finger_right_m(), away_m: scale * world.finger_away_m() },
+    felt: { right_m: scale * world.felt_right_m(), away_m: scale * world.felt_away_m() },
+  };
+}
 
 let compiled: Promise<WebAssembly.Module> | null = null;
 

@@ -9,11 +9,19 @@ const mm = (place: Readonly<Place>): string =>
 const line = (places: readonly Readonly<Place>[]): string => `M${places.map(mm).join(" L")}`;
 
 export const dot = (kind: Kind, at: Readonly<Place>, radius_mm = 5): string =>
-  `<circle class="${kind}" r="${radius_mm}" transform="translate(${mm(at)})"/>`;
+  Number.isNaN(at.right_m) ? "" : `<circle class="${kind}" r="${radius_mm}" transform="translate(${mm(at)})"/>`;
 export const word = (kind: Kind, at: Readonly<Place>, text: string, anchor = "middle"): string =>
   `<text class="${kind}" text-anchor="${anchor}" transform="translate(${mm(at)})">${text}</text>`;
-export const path = (kind: Kind, places: readonly Readonly<Place>[]): string =>
+const path = (kind: Kind, places: readonly Readonly<Place>[]): string =>
   places.length < 2 ? "" : `<path class="${kind}" d="${line(places)}"/>`;
+
+type Step = Readonly<Record<"finger" | "felt", Readonly<Place>>>;
+/** Draws the paths of the true and the perceived positions. `all`: false: of the perceived ones only. */
+export function paths(steps: readonly Step[], all = true): string {
+  const felt = steps.map((step) => step.felt).filter(({ right_m }) => !Number.isNaN(right_m)),
+    real = all ? steps.map(({ finger }) => finger) : [];
+  return path("real", real) + path("felt", felt);
+}
 
 /** Draws an arrow from `from` in this direction. */
 export function arrow(kind: Kind, from: Readonly<Place>, direction_deg: number, length_m: number): string {
@@ -59,13 +67,7 @@ export function normal_deg(plate_deg: number, finger_deg: number): number {
 }
 
 /** Draws three arrows from one point: true direction, direction by touch alone, and perceived direction between them. */
-export function arrows(
-  at: Readonly<Place>,
-  plate_deg: number,
-  finger_deg: number,
-  felt_deg: number,
-  length_m = 0.03,
-): string {
+export function arrows(at: Place, plate_deg: number, finger_deg: number, felt_deg: number, length_m = 0.03): string {
   return (
     arrow("touch", at, normal_deg(plate_deg, finger_deg), length_m) +
     arrow("real", at, finger_deg, length_m) +

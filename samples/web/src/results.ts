@@ -2,15 +2,11 @@
 import { warnings } from "./controller";
 import { addRow, element } from "./page";
 import type { ControllerName } from "./settings";
-import type { ReachResult } from "./watch";
+import type { ReachResult } from "./simulated_reach";
 
 const rowsKept = 10;
 const arrived_deg = 1.5;
-const controllerTexts: Readonly<Record<ControllerName, string>> = {
-  off: "still",
-  paper: "the paper's",
-  ours: "ours",
-};
+const controllerTexts: Readonly<Record<ControllerName, string>> = { off: "still", paper: "the paper's", ours: "ours" };
 
 export class Results {
   readonly #body = element("result-rows", HTMLTableSectionElement);

@@ -14,7 +14,7 @@ const near = (value, expected, tolerance, what) =>
 
 /** Returns the results of `count` successive reaches. */
 function watch(changes, count = 1) {
-  const reaches = new models.Watch(library, world, settings(changes)), results = [];
+  const reaches = new models.SimulatedReach(library, world, settings(changes)), results = [];
   while (results.length < count) {
     if (results.length > 0) reaches.begin();
     while (reaches.phase !== "arrived") reaches.advance();
@@ -106,18 +106,6 @@ test("estimates are kept for another gap and plate, and discarded for another pe
   assert.equal(reaches.number, 1);
 });
 
-test("each slider has its effect on the result", () => {
-  const base = watch({}).results[0];
-  near(base.motion_s, 1.5, 0.002, "pace");
-  near(watch({ pace_s: 3 }).results[0].motion_s, 3, 0.002, "pace");
-  near(base.plateFastest_deg_s, 400, 1, "speed of the plate");
-  near(watch({ plate_deg_s: 120 }).results[0].plateFastest_deg_s, 120, 1, "speed of the plate");
-  assert.equal(watch({ noise_mm: 0 }).results[0].trackerWorst_mm, 0);
-  const [little, much] = [0.5, 3].map((noise_mm) => watch({ noise_mm }).results[0].trackerWorst_mm);
-  near(much / little, 6, 1e-6, "the same draws, scaled by the noise");
-  near(watch({ controller: "off", gap_deg: 0 }).results[0].bearingError_deg, 0, 4, "no gap, no plate: straight ahead");
-});
-
 test("the trace does not exceed its capacity and contains finite numbers", () => {
   const { trace } = watch({ pace_s: 4, plate_deg_s: 50 });
   assert.equal(trace.length, 490);  // 0.6 s at rest, 4 s, 0.3 s at rest
@@ -130,7 +118,7 @@ function steer(hand, how, gap_deg = settings().gap_deg) {
   hand.advance(700);
   const go = visitor({ start: models.start, glass: models.virtualPlace(models.pageCourse(settings({ gap_deg }))), ...how });
   for (let i = 0; hand.phase !== "arrived" && i < 1000; ++i) {
-    const { right_m, away_m } = go(hand.felt);
+    const { right_m, away_m } = go(hand.felt.place);
     hand.moveTo(hand.finger.right_m + right_m, hand.finger.away_m + away_m);
     hand.advance(10);
   }
@@ -140,7 +128,7 @@ function steer(hand, how, gap_deg = settings().gap_deg) {
 
 for (const delay_ms of [100, 200]) {
   test(`a visitor who sees the dot ${delay_ms} ms late ends at the cylinder, and without the plate at the glass`, () => {
-    const led = new models.Hand(library, world, settings()), plain = new models.Hand(library, world, settings({ controller: "off" }));
+    const led = new models.VisitorReach(library, world, settings()), plain = new models.VisitorReach(library, world, settings({ controller: "off" }));
     for (let slide = 0; slide < 5; ++slide) {
       const on = steer(led, { delay_ms });
       assert.ok(on.toCylinder_mm < 8 && on.feltToGlass_mm < 8, JSON.stringify(on));
@@ -153,24 +141,24 @@ for (const delay_ms of [100, 200]) {
 }
 
 test("a hand that is not steered ends at the glass, and the dot misses it", () => {
-  const { toGlass_mm, feltToGlass_mm, gap_deg } = steer(new models.Hand(library, world, settings()), { delay_ms: 0, gain: 0 });
+  const { toGlass_mm, feltToGlass_mm, gap_deg } = steer(new models.VisitorReach(library, world, settings()), { delay_ms: 0, gain: 0 });
   assert.ok(toGlass_mm < 1 && feltToGlass_mm > 12 && gap_deg > 7, `${toGlass_mm} ${feltToGlass_mm} ${gap_deg}`);
 });
 
 // Derived by hand: perceived = true + w (plate - true), so that 0 over a plate at 50 degrees is perceived as 50 w.
 test("the dot moves in the weighted mean of true direction and plate orientation", () => {
-  const hand = new models.Hand(library, world, settings({ controller: "off", tactile_weight: 0.2, gap_deg: 0 }));
+  const hand = new models.VisitorReach(library, world, settings({ controller: "off", tactile_weight: 0.2, gap_deg: 0 }));
   hand.plateConnected_deg = 50;
   for (let i = 0; i < 20; ++i) {
     hand.moveTo(0, models.start.away_m + 0.003 * i);
     hand.advance(10);
   }
-  near(models.bearing_deg(models.start, hand.felt), 10, 1e-6, "felt direction");
-  near(models.length_m(models.start, hand.finger), models.length_m(models.start, hand.felt), 1e-12, "as far");
+  near(models.bearing_deg(models.start, hand.felt.place), 10, 1e-6, "felt direction");
+  near(models.length_m(models.start, hand.finger), models.length_m(models.start, hand.felt.place), 1e-12, "as far");
 });
 
 test("a hand ignores NaN, arrives at a far position, and restarts after a short slide", () => {
-  const hand = new models.Hand(library, world, settings());
+  const hand = new models.VisitorReach(library, world, settings());
   hand.moveTo(NaN, 1);
   hand.advance(16);
   assert.deepEqual({ ...hand.finger }, { ...models.start });
@@ -179,7 +167,7 @@ test("a hand ignores NaN, arrives at a far position, and restarts after a short 
   hand.moveTo(50, -50);
   hand.advance(100);
   assert.equal(hand.phase, "arrived");
-  for (const value of Object.values(hand.felt)) assert.ok(Number.isFinite(value));
+  for (const value of Object.values(hand.felt.place)) assert.ok(Number.isFinite(value));
   hand.begin();
   const back = models.ahead(models.start, 180, 0.01);
   hand.moveTo(back.right_m, back.away_m);
@@ -189,7 +177,7 @@ test("a hand ignores NaN, arrives at a far position, and restarts after a short 
 });
 
 test("an hour of rest is not recorded", () => {
-  const hand = new models.Hand(library, world, settings());
+  const hand = new models.VisitorReach(library, world, settings());
   hand.advance(2000);
   assert.equal(hand.resting, true);
   const before_ms = world.time_ms();
@@ -227,7 +215,7 @@ function meet(hasCylinder) {
   const plate = new models.HapticPlate(), tip = { x: 0, y: 0, z: 0.05 };
   const hand = new Map([["index-finger-tip", 1]]), eyes = { transform: { orientation: { x: 0, y: 0, z: 0, w: 1 } } };
   const frame = { getJointPose: () => ({ transform: { position: tip } }), getViewerPose: () => eyes };
-  const wear = new models.Wear(library, world, plate, settings({ controller: "off" }));
+  const wear = new models.HeadsetReach(library, world, plate, settings({ controller: "off" }));
   wear.session.configure({ flags: wear.session.config.flags | models.hrt.HRT_SESSION_REGISTERED,
                            plate_covariance: [1e-4, 0, 1e-6, 0, 0, 1e-6] });
   wear.hasCylinder = hasCylinder;

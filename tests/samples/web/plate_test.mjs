@@ -45,7 +45,7 @@ function double(answer) {
   const link = new PlateLink((text) => {
     const body = decodeLine(text.trimEnd());
     said.push(body);
-    for (const reply of answer(body, state) ?? []) link.hear(bytes(encodeLine(reply)), state.now);
+    for (const reply of answer(body, state) ?? []) link.receive(bytes(encodeLine(reply)), state.now);
   });
   state.link = link;
   state.run = (milliseconds) => {
@@ -105,12 +105,12 @@ test("the link fails for each reason of the protocol, with its message", () => {
   const silent = double(() => []);
   silent.run(5300);
   assert.equal(silent.link.failure, "The plate does not answer as a plate of protocol version 2 within 5 s.");
-  const cases = [[hello(), 700, /not been heard for half a second/], [hello("STOPPED emergency"), 300, /emergency stop/],
+  const cases = [[hello(), 700, /sent nothing for half a second/], [hello("STOPPED emergency"), 300, /emergency stop/],
                  [hello("STOPPED stuck"), 300, /servo is stuck/], [hello("BOOT"), 300, /has restarted/],
                  [hello("ERROR greeting"), 300, /has restarted/], [hello("ERROR session"), 300, /another program/],
-                 [hello("STOPPED supply"), 300, /less than 4 V/], [hello("AT unknown 00000"), 300, /does not know its place/], [hello(facts), 300, /announced itself again/],
+                 [hello("STOPPED supply"), 300, /less than 4 V/], [hello("AT unknown 00000"), 300, /does not know its orientation/], [hello(facts), 300, /announced itself again/],
                  [hello("AT +095.00 00000"), 300, /95\.0°, outside its limits of -90° to 90°/],
-                 [(body) => (body.startsWith("HELLO") ? [facts] : ["ERROR busy"]), 700, /never reports its orientation/]];
+                 [(body) => (body.startsWith("HELLO") ? [facts] : ["ERROR busy"]), 700, /has not reported its orientation since its greeting/]];
   for (const [answer, time, words] of cases) {
     const plate = double(answer);
     plate.run(time);
@@ -123,7 +123,7 @@ test("the link fails for each reason of the protocol, with its message", () => {
   stuck.run(200);
   stuck.link.turnTo(60);
   stuck.run(1500);
-  assert.match(stuck.link.failure, /stuck at 0\.0°; it was sent to 60\.0°/);
+  assert.match(stuck.link.failure, /stuck at 0\.0°; it was commanded to 60\.0°/);
 });
 
 test("garbage on the line changes nothing", () => {
@@ -134,17 +134,17 @@ test("garbage on the line changes nothing", () => {
   for (let i = 0; i < 20_000; ++i) {
     const line = bytes(encodeLine(`AT ${random() < 0.5 ? "+" : "-"}0${String(Math.floor(90 * random())).padStart(2, "0")}.00 00001`));
     line[Math.floor(random() * (line.length - 1))] ^= 1 << Math.floor(8 * random());
-    plate.link.hear(line, plate.now);
-    plate.link.hear(Uint8Array.from({ length: 10 }, () => 256 * random()), plate.now);
-    plate.link.hear(bytes("\n"), plate.now);
+    plate.link.receive(line, plate.now);
+    plate.link.receive(Uint8Array.from({ length: 10 }, () => 256 * random()), plate.now);
+    plate.link.receive(bytes("\n"), plate.now);
   }
   assert.deepEqual([plate.link.orientation_deg, plate.link.failure], [0, ""]);
 });
 
 /** Creates the firmware on its emulated board, and the page's link to it. */
 function emulated() {
-  const board = new Board(firmware), link = new PlateLink((text) => board.hear(text));
-  board.onByte = (byte) => link.hear(Uint8Array.of(byte), board.time_ms);
+  const board = new Board(firmware), link = new PlateLink((text) => board.receive(text));
+  board.onByte = (byte) => link.receive(Uint8Array.of(byte), board.time_ms);
   const run = (milliseconds) => {
     for (const end = board.time_ms + milliseconds; board.time_ms < end;) {
       link.service(board.time_ms);

@@ -44,12 +44,8 @@ export function readReach(recording: string, name: string): RecordedReach {
         numbers = (...names: string[]) => names.map((name) => number(cells, name));
       if (!(flags & (HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION))) continue;
       let tip = new Vector3().fromArray(numbers("sample_x_m", "sample_y_m", "sample_z_m"));
-      if (flags & HRT_SAMPLE_PLATE_POSE)
-        tip = onPlate(
-          tip,
-          numbers("plate_x_m", "plate_y_m", "plate_z_m"),
-          numbers("plate_qx", "plate_qy", "plate_qz", "plate_qw"),
-        );
+      const rotation = numbers("plate_qx", "plate_qy", "plate_qz", "plate_qw");
+      if (flags & HRT_SAMPLE_PLATE_POSE) tip = onPlate(tip, numbers("plate_x_m", "plate_y_m", "plate_z_m"), rotation);
       else if (flags & HRT_SAMPLE_WORLD_POSITION) tip = onPlate(tip, config.plate_position_m, config.plate_rotation);
       const time_ms = number(cells, "time_ns") / 1e6,
         right_m = tip.x - number(begin, "start_right_m") + start.right_m,

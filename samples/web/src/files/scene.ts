@@ -5,8 +5,8 @@ import { motionBound_deg } from "../controller";
 import { bearing_deg, type Course, length_m, type Place, radius_m } from "../geometry";
 import type { SceneMeshes } from "../stage/meshes";
 
-/** Tactile weights for which feasible gaps are computed. */
-export const weights = [0.1, 0.15, 0.2, 0.25, 0.3] as const;
+/** Tactile weights for which feasible gaps are computed: the columns of the table in index.html. */
+const weights = [0.1, 0.15, 0.2, 0.25, 0.3] as const;
 
 export interface SceneTarget {
   readonly name: string;

@@ -39,9 +39,7 @@ export class TakeAway {
       name = file?.name ?? files[0]?.name ?? "";
     try {
       if (!file)
-        throw new Error(
-          "this page opens a recording (.csv), or a scene (.glb, or .gltf with its .bin dropped together)",
-        );
+        throw new Error("this page opens a recording (.csv), or a scene (.glb, or .gltf together with its .bin)");
       const size = files.reduce((sum, each) => sum + each.size, 0);
       if (size > max_bytes)
         throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
@@ -63,10 +61,8 @@ export class TakeAway {
       { position_m, rotation } = scene.plate;
     try {
       const { readMeshes } = await import("../stage/meshes"); // contains three.js' glTF loader
-      const others = new Map(
-        await Promise.all(files.map(async (each) => [each.name, await each.arrayBuffer()] as const)),
-      );
-      scene.meshes = await readMeshes(bytes, others, position_m, rotation);
+      const contents = files.map(async (each) => [each.name, await each.arrayBuffer()] as const);
+      scene.meshes = await readMeshes(bytes, new Map(await Promise.all(contents)), position_m, rotation);
     } catch (error) {
       scene.meshProblem = messageOf(error);
     }

@@ -1,7 +1,7 @@
 // Replay of the visitor's slides with the plate on and off, side by side.
 import type { Course } from "../geometry";
 import { element, say, sideways } from "../page";
-import { arrows, dot, normal_deg, path, plate, targets } from "../plan";
+import { arrows, dot, normal_deg, paths, plate, targets } from "../plan";
 import type { Trace } from "../trace";
 
 interface Slide {
@@ -34,11 +34,11 @@ export class Compare {
   }
 
   #show(): void {
-    const share = Number(this.#moment.value) / Number(this.#moment.max),
+    const fraction = Number(this.#moment.value) / Number(this.#moment.max),
       texts: string[] = [];
     for (const kind of kinds) {
       const slide = this.#slides[kind],
-        at = slide?.trace[Math.round(share * (slide.trace.length - 1))],
+        at = slide?.trace[Math.round(fraction * (slide.trace.length - 1))],
         picture = element(`slide-${kind}`, SVGSVGElement);
       element(`slide-${kind}-missing`, HTMLElement).hidden = slide !== null;
       if (!slide || !at) {
@@ -46,16 +46,13 @@ export class Compare {
         continue;
       }
       const { finger, felt, plate_deg, finger_deg, felt_deg } = at,
-        gone = slide.trace.slice(0, slide.trace.indexOf(at) + 1),
-        went = (which: "finger" | "felt") => gone.map((each) => each[which]);
-      const feels = Number.isNaN(felt.right_m) ? "" : path("felt", went("felt")) + dot("felt", felt);
+        dots = dot("felt", felt) + dot("real", finger);
       picture.innerHTML =
         plate(plate_deg) +
         targets(slide.course) +
-        path("real", went("finger")) +
-        feels +
+        paths(slide.trace.slice(0, slide.trace.indexOf(at) + 1)) +
         arrows(finger, plate_deg, finger_deg, felt_deg) +
-        dot("real", finger);
+        dots;
       say(element(`slide-${kind}-name`, HTMLElement), slide.name);
       const moves = `the hand moves ${sideways(finger_deg)}, the ridges push ${sideways(normal_deg(plate_deg, finger_deg))}`;
       texts.push(

@@ -1,21 +1,6 @@
 // The plate's firmware (samples/plate/firmware) on an emulated ATmega328P at 16 MHz that drives a hobby servo.
 // Simulation only: it has not run on a real board or servo.
-import {
-  AVRADC,
-  AVREEPROM,
-  AVRIOPort,
-  AVRTimer,
-  AVRUSART,
-  adcConfig,
-  avrInstruction,
-  CPU,
-  EEPROMMemoryBackend,
-  portBConfig,
-  portDConfig,
-  timer0Config,
-  timer1Config,
-  usart0Config,
-} from "avr8js";
+import * as avr from "avr8js";
 import firmware from "plate_firmware.hex";
 import { crc16 } from "./line";
 
@@ -38,33 +23,33 @@ export class Board {
   /** Called with each byte that the board sends. */
   onByte: (byte: number) => void = () => {};
 
-  readonly #cpu: CPU;
-  readonly #usart: AVRUSART;
-  readonly #adc: AVRADC;
-  readonly #portD: AVRIOPort;
+  readonly #cpu: avr.CPU;
+  readonly #usart: avr.AVRUSART;
+  readonly #adc: avr.AVRADC;
+  readonly #portD: avr.AVRIOPort;
   readonly #toBoard: number[] = [];
   #roseAt = 0;
   #asleep = false;
 
   /** `hex`: firmware in Intel's hexadecimal format; default: the plate's firmware. Throws if it is damaged. */
   constructor(hex: string = firmware) {
-    const cpu = new CPU(readHex(hex), sram_bytes);
+    const cpu = new avr.CPU(readHex(hex), sram_bytes);
     this.#cpu = cpu;
-    for (const timer of [timer0Config, timer1Config]) new AVRTimer(cpu, timer);
-    const eeprom = new EEPROMMemoryBackend(1024);
+    for (const timer of [avr.timer0Config, avr.timer1Config]) new avr.AVRTimer(cpu, timer);
+    const eeprom = new avr.EEPROMMemoryBackend(1024);
     for (const [at, byte] of packed(settings).entries()) eeprom.writeMemory(at, byte);
-    new AVREEPROM(cpu, eeprom);
-    this.#adc = new AVRADC(cpu, adcConfig);
+    new avr.AVREEPROM(cpu, eeprom);
+    this.#adc = new avr.AVRADC(cpu, avr.adcConfig);
     this.#adc.channelValues[1] = 2.5; // half of the servo's supply voltage
-    this.#showPlace();
-    this.#portD = new AVRIOPort(cpu, portDConfig);
+    this.#showSensor();
+    this.#portD = new avr.AVRIOPort(cpu, avr.portDConfig);
     this.openEmergencyStop(false);
-    this.#usart = new AVRUSART(cpu, usart0Config, cpu_hz);
+    this.#usart = new avr.AVRUSART(cpu, avr.usart0Config, cpu_hz);
     // "Data register empty" is level-triggered on a board; avr8js clears it when its interrupt is taken.
     (this.#usart as unknown as { UDRE: { constant: boolean } }).UDRE.constant = true;
     this.#usart.onByteTransmit = (byte) => this.onByte(byte);
-    this.#usart.onRxComplete = () => this.#feed();
-    new AVRIOPort(cpu, portBConfig).addListener((value, before) => {
+    this.#usart.onRxComplete = () => this.#transmit();
+    new avr.AVRIOPort(cpu, avr.portBConfig).addListener((value, before) => {
       if (!((value ^ before) & (1 << servoPin))) return;
       if (value & (1 << servoPin)) this.#roseAt = cpu.cycles;
       else this.#takePulse(((cpu.cycles - this.#roseAt) * 1e6) / cpu_hz);
@@ -76,9 +61,9 @@ export class Board {
   }
 
   /** Queues bytes, which arrive at the board at the speed of the line. */
-  hear(text: string): void {
+  receive(text: string): void {
     for (let i = 0; i < text.length; ++i) this.#toBoard.push(text.charCodeAt(i) & 0xff);
-    this.#feed();
+    this.#transmit();
   }
 
   openEmergencyStop(open: boolean): void {
@@ -93,14 +78,14 @@ export class Board {
       if (!this.#asleep) {
         const sleeps = cpu.progMem[cpu.pc] === sleepInstruction,
           next = cpu.pc + 1;
-        avrInstruction(cpu); // does nothing for a sleep instruction
+        avr.avrInstruction(cpu); // does nothing for a sleep instruction
         cpu.tick();
         this.#asleep = sleeps && cpu.pc === next; // otherwise an interrupt was pending
       } else {
         this.#sleep(end);
       }
     }
-    this.#feed();
+    this.#transmit();
   }
 
   /** Skips from one event of the peripherals to the next, until an interrupt is pending. */
@@ -119,7 +104,7 @@ export class Board {
     this.#asleep = cpu.pc === pc;
   }
 
-  #feed(): void {
+  #transmit(): void {
     while (this.#toBoard.length > 0 && !this.#usart.rxBusy) {
       const byte = this.#toBoard.shift();
       // A byte that arrives while the receiver is off is lost, as on a real line.
@@ -132,11 +117,11 @@ export class Board {
     this.pulse_us = width_us;
     const wanted_deg = ((width_us - 1500) * 90) / 1000;
     this.servo_deg += Math.max(-servoStep_deg, Math.min(servoStep_deg, wanted_deg - this.servo_deg));
-    this.#showPlace();
+    this.#showSensor();
   }
 
   /** Sets the voltage at the sensor's pin: 1 V at -90 degrees, 4 V at 90. */
-  #showPlace(): void {
+  #showSensor(): void {
     this.#adc.channelValues[0] = 2.5 + this.servo_deg / 60;
   }
 }

@@ -26,13 +26,13 @@ function stateOf(link: PlateLink): string {
 
 /** Emulated board, which runs in the page's frames. Its plate orientation is the servo's. */
 export class FirmwarePlate implements PlateDevice {
-  readonly link = new PlateLink((text) => this.board.hear(text));
+  readonly link = new PlateLink((text) => this.board.receive(text));
 
   constructor(private readonly board: Board) {
     const byte = new Uint8Array(1);
     this.board.onByte = (value) => {
       byte[0] = value;
-      this.link.hear(byte, this.board.time_ms);
+      this.link.receive(byte, this.board.time_ms);
     };
   }
 
@@ -74,7 +74,7 @@ export class SerialPlate implements PlateDevice {
     const link: PlateLink = new PlateLink((text) => line.send(text));
     const line = await openPort(
       port,
-      (bytes) => link.hear(bytes, performance.now()),
+      (bytes) => link.receive(bytes, performance.now()),
       (why) => {
         link.failure ||= `The line to the plate ended: ${why}.`;
       },

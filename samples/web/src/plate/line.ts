@@ -69,14 +69,8 @@ export function parseMessage(body: string): PlateMessage | null {
   if (!/^PLATE 2( [+-]?\d+(\.\d+)?){4} (measured|assumed)$/.test(body) || rest.some(({ length }) => length > 12))
     return null;
   const [min_deg, max_deg, speed_deg_s, latency_ms] = rest.slice(0, 4).map(Number) as [number, number, number, number];
-  const valid =
-    Math.abs(min_deg) <= 360 &&
-    Math.abs(max_deg) <= 360 &&
-    min_deg < max_deg &&
-    speed_deg_s > 0 &&
-    speed_deg_s <= 1e6 &&
-    latency_ms >= 0 &&
-    latency_ms <= 1000;
+  const limits = -360 <= min_deg && min_deg < max_deg && max_deg <= 360;
+  const valid = limits && speed_deg_s > 0 && speed_deg_s <= 1e6 && latency_ms >= 0 && latency_ms <= 1000;
   return valid ? { kind: "plate", min_deg, max_deg, speed_deg_s, latency_ms, measured: rest[4] === "measured" } : null;
 }
 

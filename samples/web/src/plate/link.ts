@@ -17,7 +17,7 @@ const stops: Readonly<Record<string, string>> = {
   fault: "reports a fault",
   emergency: "was stopped by its emergency stop",
   stuck: "reports that its servo is stuck",
-  sensor: "reports that its sensor runs against its servo: exchange adc_least and adc_most",
+  sensor: "reports that its sensor runs against its servo. Exchange adc_least and adc_most",
   unhomed: "no longer knows its orientation",
   supply: "has less than 4 V at its servo's supply",
 };
@@ -36,14 +36,14 @@ export class PlateLink {
   readonly #token = String(1 + Math.floor(65535 * Math.random())).padStart(5, "0");
   readonly #reader = new LineReader();
   #began_ms = NaN;
-  #heard_ms = NaN;
+  #received_ms = NaN;
   #reported_ms = NaN;
-  #said_ms = -Infinity;
+  #sent_ms = -Infinity;
   #unanswered = 0;
   #sequence = 0;
   #wanted_deg = NaN;
   #sent_deg = NaN;
-  #heardOf = false;
+  #hasReported = false;
   #movedAt_ms = NaN;
   #movedFrom_deg = NaN;
 
@@ -52,7 +52,7 @@ export class PlateLink {
 
   /** True once the plate has greeted and reported. */
   get ready(): boolean {
-    return this.#heardOf && this.failure === "";
+    return this.#hasReported && this.failure === "";
   }
 
   /** Sets the wanted orientation: the nearest equivalent angle within the plate's limits, or else the nearest limit. */
@@ -60,11 +60,11 @@ export class PlateLink {
     if (Number.isFinite(orientation_deg)) this.#wanted_deg = orientation_deg;
   }
 
-  hear(bytes: Uint8Array, now_ms: number): void {
+  receive(bytes: Uint8Array, now_ms: number): void {
     for (const line of this.#reader.take(bytes)) {
       const body = decodeLine(line),
         message = body === null ? null : parseMessage(body);
-      if (message && !this.failure) this.#take(message, now_ms);
+      if (message && !this.failure) this.#process(message, now_ms);
     }
   }
 
@@ -73,66 +73,65 @@ export class PlateLink {
     if (this.failure) return;
     if (Number.isNaN(this.#began_ms)) this.#began_ms = now_ms;
     if (!this.facts) return this.#greet(now_ms);
-    if (now_ms - this.#heard_ms > silenceLimit_ms) return this.#fail("has not been heard for half a second");
+    if (now_ms - this.#received_ms > silenceLimit_ms)
+      return this.#fail("has sent nothing for half a second; check its cable and supply");
     if (now_ms - this.#reported_ms > silenceLimit_ms) {
-      return this.#fail(
-        Number.isNaN(this.orientation_deg)
-          ? "never reports its orientation"
-          : "has not reported its orientation for half a second",
-      );
+      const since = Number.isNaN(this.orientation_deg) ? "since its greeting" : "for half a second";
+      return this.#fail(`has not reported its orientation ${since}`);
     }
-    if (this.#heardOf) this.#command(now_ms);
-    if (now_ms - this.#said_ms >= beatPeriod_ms) this.#drive("BEAT", now_ms);
+    if (this.#hasReported) this.#sendOrientation(now_ms);
+    if (now_ms - this.#sent_ms >= beatPeriod_ms) this.#sendCommand("BEAT", now_ms);
   }
 
   /** Stops the plate and closes this link. */
   stop(now_ms: number): void {
-    const heard = this.facts && !this.failure;
+    const connected = this.facts && !this.failure;
     this.failure ||= "The plate was disconnected.";
-    if (heard) this.#drive("STOP", now_ms);
+    if (connected) this.#sendCommand("STOP", now_ms);
   }
 
   #greet(now_ms: number): void {
     if (now_ms - this.#began_ms > greetingLimit_ms)
       return this.#fail("does not answer as a plate of protocol version 2 within 5 s");
-    if (now_ms - this.#said_ms < greetingPeriod_ms) return;
+    if (now_ms - this.#sent_ms < greetingPeriod_ms) return;
     ++this.#unanswered;
-    this.#say("HELLO 2", now_ms);
+    this.#sendLine("HELLO 2", now_ms);
   }
 
-  #command(now_ms: number): void {
-    if (!this.facts || Number.isNaN(this.#wanted_deg) || now_ms - this.#said_ms < minPeriod_ms) return;
+  #sendOrientation(now_ms: number): void {
+    if (!this.facts || Number.isNaN(this.#wanted_deg) || now_ms - this.#sent_ms < minPeriod_ms) return;
     const angle_deg = Number(nearest(this.#wanted_deg, this.orientation_deg, this.facts).toFixed(2));
     if (angle_deg === this.#sent_deg) return;
     this.#sent_deg = angle_deg;
-    this.#drive(`SET ${angleText(angle_deg)}`, now_ms);
+    this.#sendCommand(`SET ${angleText(angle_deg)}`, now_ms);
   }
 
-  #take(message: PlateMessage, now_ms: number): void {
-    this.#heard_ms = now_ms;
-    if (message.kind === "plate") return this.#takeGreeting(message, now_ms);
+  #process(message: PlateMessage, now_ms: number): void {
+    this.#received_ms = now_ms;
+    if (message.kind === "plate") return this.#processGreeting(message, now_ms);
     if (!this.facts) return;
-    if (message.kind === "at") return this.#takeReport(message.orientation_deg, now_ms);
+    if (message.kind === "at") return this.#processReport(message.orientation_deg, now_ms);
     const restarted = message.kind === "boot" || (message.kind === "error" && message.why === "greeting");
-    if (restarted) this.#fail("has restarted: its supply or its line failed");
-    if (message.kind === "error" && message.why === "session") this.#fail("hears another program too: close that one");
+    if (restarted) this.#fail("has restarted: its supply or its line failed; check both");
+    if (message.kind === "error" && message.why === "session")
+      this.#fail("receives commands from another program. Close that program");
     if (message.kind !== "stopped") return;
     const why = stops[message.why];
     if (why) this.#fail(why);
     else if (message.why === "heartbeat") this.#sent_deg = NaN; // sends the same command again
   }
 
-  #takeGreeting(facts: PlateFacts, now_ms: number): void {
+  #processGreeting(facts: PlateFacts, now_ms: number): void {
     if (!this.facts) {
       this.facts = facts;
       this.#reported_ms = now_ms;
     } else if (this.#unanswered <= 0) {
-      this.#fail("has announced itself again: it was reset, or another plate answers");
+      this.#fail("has announced itself again: it was reset, or another plate answers. Connect it again");
     }
     --this.#unanswered;
   }
 
-  #takeReport(orientation_deg: number, now_ms: number): void {
+  #processReport(orientation_deg: number, now_ms: number): void {
     const facts = this.facts;
     if (!facts) return;
     if (orientation_deg < facts.min_deg - limitSlack_deg || orientation_deg > facts.max_deg + limitSlack_deg) {
@@ -141,10 +140,10 @@ export class PlateLink {
       );
     }
     if (Number.isNaN(orientation_deg))
-      return this.#fail("does not know its place: this page drives plates with a sensor");
+      return this.#fail("does not know its orientation; this page needs a plate that measures it with a sensor");
     this.orientation_deg = orientation_deg;
     this.#reported_ms = now_ms;
-    this.#heardOf = true;
+    this.#hasReported = true;
     this.#expectMotion(orientation_deg, now_ms);
   }
 
@@ -154,24 +153,24 @@ export class PlateLink {
       this.#movedFrom_deg = orientation_deg;
       this.#movedAt_ms = now_ms;
     } else if (now_ms - this.#movedAt_ms > stuckLimit_ms) {
-      this.#fail(`is stuck at ${orientation_deg.toFixed(1)}°; it was sent to ${this.#sent_deg.toFixed(1)}°`);
+      this.#fail(`is stuck at ${orientation_deg.toFixed(1)}°; it was commanded to ${this.#sent_deg.toFixed(1)}°`);
     }
   }
 
-  #drive(words: string, now_ms: number): void {
+  #sendCommand(words: string, now_ms: number): void {
     this.#sequence = (this.#sequence + 1) & 0xffff;
-    this.#say(`${words} ${String(this.#sequence).padStart(5, "0")}`, now_ms);
+    this.#sendLine(`${words} ${String(this.#sequence).padStart(5, "0")}`, now_ms);
   }
 
-  #say(body: string, now_ms: number): void {
-    this.#said_ms = now_ms;
+  #sendLine(body: string, now_ms: number): void {
+    this.#sent_ms = now_ms;
     this.send(encodeLine(`${body} ${this.#token}`));
   }
 
   #fail(why: string): void {
     if (this.failure) return;
     this.failure = `The plate ${why}.`;
-    if (this.facts) this.#drive("STOP", this.#said_ms);
+    if (this.facts) this.#sendCommand("STOP", this.#sent_ms);
   }
 }
 

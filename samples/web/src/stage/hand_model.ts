@@ -7,10 +7,8 @@ import { type GLTF, GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 export async function readHand(side: "left" | "right"): Promise<GLTF> {
   const file = { left, right }[side];
-  return new GLTFLoader().parseAsync(
-    typeof file === "string" ? await (await fetch(file)).arrayBuffer() : file.buffer,
-    "",
-  );
+  const bytes = typeof file === "string" ? await (await fetch(file)).arrayBuffer() : file.buffer;
+  return new GLTFLoader().parseAsync(bytes, "");
 }
 
 export function cover(hand: THREE.Object3D, skin: THREE.Material): void {

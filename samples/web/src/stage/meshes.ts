@@ -3,12 +3,8 @@
 import { Group, Matrix4, Mesh, type Object3D, Quaternion, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
-const glbMagic = 0x46546c67,
-  jsonChunk = 0x4e4f534a,
-  binaryChunk = 0x004e4942;
-
-/** Properties of a glTF file that are used, in addition to its nodes and materials. */
-const kept = ["asset", "scene", "scenes", "meshes", "accessors", "bufferViews", "buffers"] as const;
+/** Properties of a glTF file that are used. */
+const kept = ["asset", "scene", "scenes", "nodes", "materials", "meshes", "accessors", "bufferViews", "buffers"];
 
 /** Limits of a scene, above which the page would not respond. */
 const maxNodes = 10_000,
@@ -32,37 +28,23 @@ export async function readMeshes(
   platePosition_m: readonly number[],
   plateRotation: readonly number[],
 ): Promise<SceneMeshes> {
-  const { json, binary } = parts(bytes),
-    file = pick(json, kept);
-  file.materials = list(json.materials).map((material) => ({
-    ...pick(material, ["name", "doubleSided", "alphaMode", "alphaCutoff", "emissiveFactor"]),
-    pbrMetallicRoughness: pick(material.pbrMetallicRoughness, ["baseColorFactor", "metallicFactor", "roughnessFactor"]),
-  }));
-  file.nodes = list(json.nodes).map((node) =>
-    pick(node, ["name", "children", "mesh", "matrix", "translation", "rotation", "scale", "extras"]),
-  );
-  const values = list(json.accessors).reduce((sum, { count }) => sum + Number(count), 0);
-  if (!(values <= maxValues) || list(file.nodes).length > maxNodes)
-    throw new Error(`they have more than ${maxValues} values or ${maxNodes} nodes`);
-  const drawn = drawnVertices(file);
-  if (!(drawn <= maxDrawn))
-    throw new Error(
-      `they draw ${drawn} vertices, each mesh as often as it stands there; up to ${maxDrawn} are allowed`,
-    );
-  const buffers = list(json.buffers).map(({ uri }) => (uri === undefined ? binary : buffer(uri, others)));
-  const views = list(json.bufferViews);
-
   const loader = new GLTFLoader();
-  loader.register(() => ({
-    name: "embedded buffers",
-    loadBufferView: (index: number) => {
-      const { buffer, byteOffset = 0, byteLength } = views[index] ?? {},
-        from = Number(byteOffset);
-      return Promise.resolve((buffers[Number(buffer)] ?? new ArrayBuffer(0)).slice(from, from + Number(byteLength)));
-    },
-  }));
-  // parseAsync also accepts parsed JSON, which its type declaration lacks.
-  const { scene } = await loader.parseAsync(file as unknown as string, "");
+  loader.register((parser) => {
+    restrict(parser.json);
+    const views = list(parser.json.bufferViews),
+      buffers = list(parser.json.buffers).map(({ uri }) => (uri === undefined ? null : buffer(uri, others)));
+    return {
+      name: "embedded buffers",
+      loadBufferView: async (index: number) => {
+        const { buffer, byteOffset, byteLength } = views[index] ?? {},
+          content: ArrayBuffer =
+            buffers[Number(buffer)] ?? parser.extensions.KHR_binary_glTF?.body ?? new ArrayBuffer(0),
+          from = Number(byteOffset ?? 0);
+        return content.slice(from, from + Number(byteLength));
+      },
+    };
+  });
+  const { scene } = await loader.parseAsync(bytes, "");
 
   const names = new Set<string>(),
     left: Object3D[] = [];
@@ -73,45 +55,37 @@ export async function readMeshes(
       names.add(typeof haptic.name === "string" ? haptic.name : node.name);
   });
   for (const node of left) if (node instanceof Mesh) node.visible = false;
-  const pose = new Matrix4().compose(
-    new Vector3().fromArray(platePosition_m),
-    new Quaternion().fromArray(plateRotation),
-    new Vector3(1, 1, 1),
-  );
-  const group = new Group();
-  group.add(scene);
+  const position = new Vector3().fromArray(platePosition_m),
+    pose = new Matrix4().compose(position, new Quaternion().fromArray(plateRotation), new Vector3(1, 1, 1));
+  const group = new Group().add(scene);
   scene.applyMatrix4(pose.invert());
   return { group, targets: names };
 }
 
-function parts(bytes: ArrayBuffer): { json: Json; binary: ArrayBuffer } {
-  const view = new DataView(bytes);
-  if (bytes.byteLength < 20 || view.getUint32(0, true) !== glbMagic) {
-    return { json: JSON.parse(new TextDecoder().decode(bytes)) as Json, binary: new ArrayBuffer(0) };
-  }
-  let json: Json = {},
-    binary = new ArrayBuffer(0);
-  for (let at = 12; at + 8 <= bytes.byteLength; ) {
-    const length = view.getUint32(at, true),
-      type = view.getUint32(at + 4, true),
-      chunk = bytes.slice(at + 8, at + 8 + length);
-    if (type === jsonChunk) json = JSON.parse(new TextDecoder().decode(chunk)) as Json;
-    else if (type === binaryChunk) binary = chunk;
-    at += 8 + length;
-  }
-  return { json, binary };
+/** Removes what is not used, and checks the limits. Throws above them. */
+function restrict(file: Json): void {
+  for (const name of Object.keys(file)) if (!kept.includes(name)) delete file[name];
+  file.materials = list(file.materials).map((material) => ({
+    ...pick(material, ["name", "doubleSided", "alphaMode", "alphaCutoff", "emissiveFactor"]),
+    pbrMetallicRoughness: pick(material.pbrMetallicRoughness, ["baseColorFactor", "metallicFactor", "roughnessFactor"]),
+  }));
+  const used = ["name", "children", "mesh", "matrix", "translation", "rotation", "scale", "extras"];
+  file.nodes = list(file.nodes).map((node) => pick(node, used));
+  const values = list(file.accessors).reduce((sum, { count }) => sum + Number(count), 0);
+  if (!(values <= maxValues) || list(file.nodes).length > maxNodes)
+    throw new Error(`they have more than ${maxValues} values or ${maxNodes} nodes`);
+  const drawn = drawnVertices(file);
+  if (!(drawn <= maxDrawn)) throw new Error(`they draw ${drawn} vertices; up to ${maxDrawn} are allowed`);
 }
 
 /** Number of vertices of all nodes: a mesh counts once for each node that uses it. */
 function drawnVertices(file: Json): number {
   const counts = list(file.accessors).map(({ count }) => Number(count));
   const count = (index: unknown): number => (index === undefined ? 0 : (counts[Number(index)] ?? NaN));
+  const ofPrimitive = ({ attributes, indices }: Json): number =>
+    Math.max(count((attributes as Json | undefined)?.POSITION), count(indices));
   const ofMesh = list(file.meshes).map(({ primitives }) =>
-    list(primitives).reduce(
-      (sum, { attributes, indices }) =>
-        sum + Math.max(count((attributes as Json | undefined)?.POSITION), count(indices)),
-      0,
-    ),
+    list(primitives).reduce((sum, primitive) => sum + ofPrimitive(primitive), 0),
   );
   return list(file.nodes).reduce((sum, { mesh }) => sum + (mesh === undefined ? 0 : (ofMesh[Number(mesh)] ?? 0)), 0);
 }
@@ -121,10 +95,7 @@ function buffer(uri: unknown, others: ReadonlyMap<string, ArrayBuffer>): ArrayBu
   if (other) return other;
   const base64 = typeof uri === "string" ? /^data:[^,]*;base64,(.*)$/s.exec(uri)?.[1] : undefined;
   if (base64 === undefined) throw new Error("its meshes lie in another file: drop it together with this one");
-  const text = atob(base64),
-    bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  return bytes.buffer;
+  return Uint8Array.from(atob(base64), (byte) => byte.charCodeAt(0)).buffer;
 }
 
 function list(value: unknown): Json[] {

@@ -41,10 +41,8 @@ export class Glass extends THREE.Group {
       [0.0062, 0.024],
       [0.0056, 0.03],
     ] as const;
-    const shape = new THREE.LatheGeometry(
-      outline.map(([r, y]) => new THREE.Vector2(r, y)),
-      12,
-    );
+    const points = outline.map(([r, y]) => new THREE.Vector2(r, y)),
+      shape = new THREE.LatheGeometry(points, 12);
     this.add(new THREE.Mesh(shape, glass), new THREE.LineSegments(new THREE.EdgesGeometry(shape, 1), outlines));
   }
 }
@@ -58,9 +56,9 @@ export class Finger extends THREE.Group {
     this.add(await model(this.skin));
   }
   /** Sets the opacity, from 0 (invisible) to 1. */
-  fade(share: number): void {
-    this.visible = share > 0;
-    this.skin.opacity = share;
+  fade(fraction: number): void {
+    this.visible = fraction > 0;
+    this.skin.opacity = fraction;
   }
 }
 

@@ -29,8 +29,8 @@ export class Ribbon extends Line2 {
   }
 
   /** Fraction of the path that is drawn, from its start: 0 to 1. */
-  set shown(share: number) {
-    this.#shown = share;
+  set shown(fraction: number) {
+    this.#shown = fraction;
     this.#show();
   }
 

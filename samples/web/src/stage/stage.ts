@@ -78,20 +78,8 @@ export class Stage {
     this.#lamp.shadow.mapSize.set(1024, 1024);
     Object.assign(this.#lamp.shadow, { radius: 6, intensity: 0.7, normalBias: 0.0005 });
     Object.assign(this.#lamp.shadow.camera, { left: -0.2, right: 0.2, top: 0.2, bottom: -0.2, near: 0.1, far: 1.2 });
-    this.mount.add(
-      this.desk,
-      this.plate,
-      this.#real,
-      this.#glass,
-      this.finger,
-      this.#felt,
-      this.#start,
-      this.#visited,
-      this.truePath,
-      this.feltPath,
-      this.#lamp,
-      this.#lamp.target,
-    );
+    this.mount.add(this.desk, this.plate, this.#real, this.#glass, this.finger, this.#felt, this.#start);
+    this.mount.add(this.#visited, this.truePath, this.feltPath, this.#lamp, this.#lamp.target);
     this.scene.add(this.mount, new THREE.HemisphereLight(0xffffff, 0x9a8f86, 1.9));
   }
 
@@ -103,7 +91,7 @@ export class Stage {
     this.desk.material.color.set(colours.desk);
     this.#disc.color.set(colours.plate);
     this.#ridges.color.set(colours.ridges);
-    this.#mark.color.set(colours.chartPlate);
+    this.#mark.color.set(colours.chart);
     this.truePath.material.color.set(colours.real);
     this.feltPath.material.color.set(colours.felt);
     this.finger.skin.color.set(colours.hand);
@@ -181,10 +169,10 @@ export class Stage {
   }
 
   /** Shows the true hand, which fades in, and its path up to this fraction, from 0 to 1. */
-  reveal(share: number): void {
-    this.finger.fade(share);
-    this.truePath.shown = share;
-    this.#real.visible = share > 0 && this.#glass.visible;
+  reveal(fraction: number): void {
+    this.finger.fade(fraction);
+    this.truePath.shown = fraction;
+    this.#real.visible = fraction > 0 && this.#glass.visible;
   }
 
   place(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {

@@ -15,7 +15,7 @@ import {
   start,
   virtualPlace,
 } from "./geometry";
-import { Led } from "./led";
+import { GuidedReach } from "./guided_reach";
 import type { World } from "./person";
 import type { Settings } from "./settings";
 import { maxTrace, tracePeriod_ms } from "./trace";
@@ -30,23 +30,18 @@ const step_ms = 10;
 const settle_ms = 700,
   maxRest_ms = 1000;
 
-export interface HandEnd extends SlideEnd {
-  /** Angle between the perceived and the true end, seen from the start. */
-  readonly gap_deg: number;
-}
-
-export class Hand extends Led {
+export class VisitorReach extends GuidedReach {
   /** Phase of the slide, which is "sliding" from the first motion to end(). */
   phase: "waiting" | "sliding" | "arrived" = "waiting";
-  result: HandEnd | null = null;
+  /** `gap_deg`: angle between the perceived and the true end, seen from the start. */
+  result: (SlideEnd & { readonly gap_deg: number }) | null = null;
   /** Number of ridges that have passed under the fingertip, by its own motion or the plate's. */
   ridges = 0;
 
   /** Position of the fingertip, and the position to which it moves next. */
   readonly finger: Place = { ...start };
   readonly wanted: Place = { ...start };
-  readonly #felt = new Felt();
-  readonly #shift_deg = (finger_deg: number): number => this.world.felt_shift_deg(this.world.plate_deg(), finger_deg);
+  readonly felt = new Felt(this.world);
   #rested_ms = 0;
   #ridge = 0;
 
@@ -55,19 +50,6 @@ export class Hand extends Led {
     this.begin(settings.gap_deg);
   }
 
-  get felt(): Readonly<Place> {
-    return this.#felt.place;
-  }
-  /** Direction of the motion; NaN at rest. */
-  get finger_deg(): number {
-    return this.#felt.finger_deg;
-  }
-  get felt_deg(): number {
-    return this.#felt.felt_deg;
-  }
-  get speed_m_s(): number {
-    return this.#felt.speed_m_s;
-  }
   get gap_deg(): number {
     return this.settings.gap_deg;
   }
@@ -79,7 +61,7 @@ export class Hand extends Led {
   /** Begins a slide under these settings, with a controller that has learnt nothing. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
-    this.renew(pageCourse(settings));
+    this.restartSession(pageCourse(settings));
     this.begin(settings.gap_deg);
   }
 
@@ -87,10 +69,10 @@ export class Hand extends Led {
   begin(gap_deg = this.gap_deg): void {
     this.settings.gap_deg = gap_deg;
     this.prepare();
-    this.follow(pageCourse(this.settings));
+    this.setTargets(pageCourse(this.settings));
     this.world.begin_hand(0);
-    this.lead(0);
-    this.#felt.begin(start);
+    this.beginReach(0);
+    this.felt.begin(start);
     Object.assign(this.finger, start);
     Object.assign(this.wanted, start);
     this.#ridge = this.#ridgeUnder();
@@ -120,25 +102,27 @@ export class Hand extends Led {
     if (!Number.isNaN(this.plateConnected_deg)) this.world.set_plate(this.plateConnected_deg);
   }
 
-  #step(milliseconds: number, share: number): void {
+  /** `fraction`: part of the way to the wanted position. */
+  #step(milliseconds: number, fraction: number): void {
     const { finger, wanted, world } = this;
     for (let i = 1; i <= milliseconds; ++i) {
-      this.tick();
-      if (this.phase === "sliding") this.record(this.finger_deg, this.felt_deg, finger, this.felt);
+      this.advanceWorld();
+      if (this.phase === "sliding") this.record(this.felt, finger, this.felt.place);
     }
     this.#rested_ms += milliseconds;
-    const right_m = share * (wanted.right_m - finger.right_m),
-      away_m = share * (wanted.away_m - finger.away_m);
-    this.#felt.move(right_m, away_m, milliseconds, this.#shift_deg);
+    const right_m = fraction * (wanted.right_m - finger.right_m),
+      away_m = fraction * (wanted.away_m - finger.away_m);
+    this.felt.move(right_m, away_m, milliseconds);
     finger.right_m += right_m;
     finger.away_m += away_m;
     if (length_m(start, finger) > 0.002) this.phase = "sliding";
     const ridge = this.#ridgeUnder();
     this.ridges += Math.abs(ridge - this.#ridge);
     this.#ridge = ridge;
-    this.see(world.time_ms(), finger.right_m, finger.away_m);
-    const glass = virtualPlace(pageCourse(this.settings));
-    const reached = length_m(this.felt, glass) < near_m || length_m(start, this.felt) > distance_m;
+    this.updateFinger(world.time_ms(), finger.right_m, finger.away_m);
+    const glass = virtualPlace(pageCourse(this.settings)),
+      { place } = this.felt;
+    const reached = length_m(place, glass) < near_m || length_m(start, place) > distance_m;
     if (reached) this.#arrive(true);
     else if (world.time_ms() > maxTrace * tracePeriod_ms) this.end();
   }
@@ -159,11 +143,11 @@ export class Hand extends Led {
 
   #arrive(whole: boolean): void {
     if (whole) this.session.endReach();
-    this.recording = this.drop();
+    this.recording = this.cancel();
     this.phase = "arrived";
     this.result = {
-      ...slideEnd(this.finger, this.felt, pageCourse(this.settings)),
-      gap_deg: Math.abs(bearing_deg(start, this.felt) - bearing_deg(start, this.finger)),
+      ...slideEnd(this.finger, this.felt.place, pageCourse(this.settings)),
+      gap_deg: Math.abs(bearing_deg(start, this.felt.place) - bearing_deg(start, this.finger)),
     };
   }
 }

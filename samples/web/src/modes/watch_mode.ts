@@ -1,30 +1,27 @@
 // The mode "Watch": plays reaches one after the other at the chosen speed, and describes them.
 import type { Desk } from "../desk";
-import type { Place } from "../geometry";
 import { element, say, sideways } from "../page";
-import type { World } from "../person";
+import { places, type World } from "../person";
 import { type Results, resultText } from "../results";
 import type { Settings } from "../settings";
+import type { SimulatedReach } from "../simulated_reach";
 import type { Voice } from "../voice";
-import type { Watch } from "../watch";
 
 /** Pause between two reaches. */
 const pause_ms = 2200;
 const step_ms = 100;
 
-export class Watching {
+export class WatchMode {
   playing = false;
   #scale = 1;
   readonly #play = element("play", HTMLButtonElement);
   readonly #speed = element("speed", HTMLSelectElement);
-  readonly #finger: Place = { right_m: 0, away_m: 0 };
-  readonly #felt: Place = { right_m: 0, away_m: 0 };
-  #owed_ms = 0;
+  #pending_ms = 0;
   #shownFor_ms = 0;
 
   /** `still`: reaches are shown at their end immediately, unless the visitor plays or steps them. */
   constructor(
-    private watch: Watch,
+    private watch: SimulatedReach,
     private world: World,
     private readonly desk: Desk,
     private readonly results: Results,
@@ -46,7 +43,7 @@ export class Watching {
   }
 
   /** Plays these reaches from now on, drawn `scale` times as large. */
-  play(watch: Watch, world: World, scale: number): void {
+  play(watch: SimulatedReach, world: World, scale: number): void {
     if (watch === this.watch) return;
     this.watch = watch;
     this.world = world;
@@ -67,9 +64,9 @@ export class Watching {
         this.#shownFor_ms += elapsed_ms;
         if (this.#shownFor_ms >= pause_ms) this.#begin();
       } else {
-        this.#owed_ms += elapsed_ms * Number(this.#speed.value);
-        const whole = Math.floor(this.#owed_ms);
-        this.#owed_ms -= whole;
+        this.#pending_ms += elapsed_ms * Number(this.#speed.value);
+        const whole = Math.floor(this.#pending_ms);
+        this.#pending_ms -= whole;
         this.#advance(whole);
       }
     }
@@ -99,7 +96,7 @@ export class Watching {
 
   #shown(): void {
     this.desk.clearPaths();
-    this.#owed_ms = this.#shownFor_ms = 0;
+    this.#pending_ms = this.#shownFor_ms = 0;
   }
 
   #advance(milliseconds: number): void {
@@ -116,27 +113,20 @@ export class Watching {
   }
 
   #extend(): void {
-    const world = this.world;
-    this.#finger.right_m = this.#scale * world.finger_right_m();
-    this.#finger.away_m = this.#scale * world.finger_away_m();
-    this.#felt.right_m = this.#scale * world.felt_right_m();
-    this.#felt.away_m = this.#scale * world.felt_away_m();
-    this.desk.extendPaths(this.#finger, this.#felt);
+    const { finger, felt } = places(this.world, this.#scale);
+    this.desk.extendPaths(finger, felt);
   }
 
   #draw(): void {
-    const world = this.world;
+    const { finger, felt } = places(this.world, this.#scale);
     this.#extend();
-    this.desk.draw(world.plate_deg(), this.#finger, this.#felt);
-    const moving = world.moving() !== 0,
-      goal_deg = this.watch.course.virtual_deg;
-    const finger_deg = moving ? world.finger_deg() : NaN;
-    const felt_deg = moving ? goal_deg + world.felt_error_deg() : NaN;
-    this.desk.caption(this.watch.phase, this.#text(finger_deg, felt_deg));
+    this.desk.draw(this.world.plate_deg(), finger, felt);
+    this.desk.caption(this.watch.phase, this.#text());
   }
 
-  #text(finger_deg: number, felt_deg: number): string {
-    const { phase, result } = this.watch;
+  #text(): string {
+    const { phase, result } = this.watch,
+      { finger_deg, felt_deg } = this.watch.directions();
     if (phase === "arrived" && result) return resultText(result);
     if (Number.isNaN(finger_deg)) {
       if (phase === "sliding") return "The finger has stopped.";

@@ -4,7 +4,7 @@ import { FirmwarePlate, type PlateDevice, SerialPlate } from "./device";
 import type { PlateFacts } from "./link";
 import { serial } from "./serial";
 
-export class Connecting {
+export class PlatePanel {
   readonly #serial = element("plate-serial", HTMLButtonElement);
   readonly #firmware = element("plate-firmware", HTMLButtonElement);
   readonly #stop = element("plate-stop", HTMLButtonElement);

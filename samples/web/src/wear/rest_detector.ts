@@ -1,7 +1,7 @@
 // Detects a fingertip at rest: a touch of a mark, or a hand at the start.
 import { Vector3 } from "three";
 
-export class Rest {
+export class RestDetector {
   /** Mean position during the rest. */
   readonly place = new Vector3();
   readonly #sum = new Vector3();

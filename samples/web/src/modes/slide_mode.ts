@@ -3,11 +3,11 @@
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { type Course, distance_m, length_m, type Place, start, virtualPlace } from "../geometry";
-import type { Hand } from "../hand";
 import { element, say } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
-import type { Ticks } from "../ticks";
+import type { Sounds } from "../sounds";
+import type { VisitorReach } from "../visitor_reach";
 import type { Voice } from "../voice";
 import type { Compare } from "./compare";
 import { Series } from "./series";
@@ -21,7 +21,7 @@ const grasp_m = 0.008,
 const missed_mm = 8;
 const steering = ["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"];
 
-export class Sliding {
+export class SlideMode {
   /** True while this mode is shown. */
   active = false;
   readonly #series: Series;
@@ -35,17 +35,17 @@ export class Sliding {
   #pressed = false;
   #plateOff = false;
   #shown_ms = 0;
-  #owed_ms = 0;
+  #pending_ms = 0;
 
-  /** `plain`: the same hand over a plate that does not turn. `still`: the hand is shown without an animation. */
+  /** `unguided`: the same hand over a plate that does not turn. `still`: the hand is shown without an animation. */
   constructor(
-    private readonly led: Hand,
-    private readonly plain: Hand,
+    private readonly guided: VisitorReach,
+    private readonly unguided: VisitorReach,
     private readonly world: World,
     private readonly desk: Desk,
     private readonly compare: Compare,
     private readonly voice: Voice,
-    private readonly ticks: Ticks,
+    private readonly sounds: Sounds,
     private settings: Readonly<Settings>,
     private readonly still: boolean,
   ) {
@@ -64,8 +64,8 @@ export class Sliding {
   }
 
   /** The hand that slides now. */
-  get hand(): Hand {
-    return this.#plateOff ? this.plain : this.led;
+  get hand(): VisitorReach {
+    return this.#plateOff ? this.unguided : this.guided;
   }
 
   /** True while frames must be drawn. */
@@ -75,8 +75,8 @@ export class Sliding {
 
   apply(settings: Readonly<Settings>): void {
     this.settings = settings;
-    this.plain.apply({ ...settings, controller: "off" });
-    this.led.apply(settings);
+    this.unguided.apply({ ...settings, controller: "off" });
+    this.guided.apply(settings);
     this.#plateOff = false;
     this.#series.begin(settings.gap_deg);
     this.compare.clear();
@@ -105,11 +105,11 @@ export class Sliding {
     const hand = this.hand,
       { phase, ridges } = hand;
     this.#moveByKeys(elapsed_ms / 1000);
-    this.#owed_ms += elapsed_ms;
-    const whole = Math.floor(this.#owed_ms);
-    this.#owed_ms -= whole;
+    this.#pending_ms += elapsed_ms;
+    const whole = Math.floor(this.#pending_ms);
+    this.#pending_ms -= whole;
     hand.advance(whole);
-    if (phase === "sliding" && hand.ridges !== ridges) this.ticks.ridge(hand.speed_m_s);
+    if (phase === "sliding" && hand.ridges !== ridges) this.sounds.ridge(hand.felt.speed_m_s);
     if (this.#keys.size > 0 && hand.phase === "sliding") this.#guide();
     if (phase !== "arrived" && hand.phase === "arrived") this.#arrive();
     else if (hand.phase === "arrived") this.#shown_ms += elapsed_ms;
@@ -118,9 +118,9 @@ export class Sliding {
 
   /** Plays tones that guide a visitor who steers by keys. */
   #guide(): void {
-    const { felt } = this.hand,
+    const felt = this.hand.felt.place,
       glass = virtualPlace(this.#course());
-    this.ticks.guide((glass.right_m - felt.right_m) / 0.015, length_m(felt, glass) / distance_m);
+    this.sounds.guide((glass.right_m - felt.right_m) / 0.015, length_m(felt, glass) / distance_m);
   }
 
   #again(plateOff: boolean): void {
@@ -144,13 +144,13 @@ export class Sliding {
     this.#joins = pointerType === "mouse" && length_m(this.#pointer, finger) < grasp_m;
     this.#grip.right_m = this.#pointer.right_m - finger.right_m;
     this.#grip.away_m = this.#pointer.away_m - finger.away_m;
-    document.documentElement.classList.add("led");
+    document.documentElement.classList.add("steering");
   }
 
   #letGo(): void {
     this.#held = -1;
     this.#pressed = false;
-    document.documentElement.classList.remove("led");
+    document.documentElement.classList.remove("steering");
   }
 
   #move(event: PointerEvent): void {
@@ -209,25 +209,25 @@ export class Sliding {
     this.#shown_ms = 0;
     if (!this.#plateOff && result && result.feltToGlass_mm < missed_mm) this.#series.ask(result.gap_deg);
     this.compare.keep(this.#plateOff ? "off" : "on", hand.trace, this.#course());
-    this.ticks.contact();
+    this.sounds.contact();
     this.voice.say(this.#text());
   }
 
   #draw(): void {
     const { hand, desk } = this,
-      plate_deg = this.world.plate_deg(),
       over = hand.phase === "arrived";
-    if (hand.phase !== "waiting") desk.extendPaths(hand.finger, hand.felt);
+    if (hand.phase !== "waiting") desk.extendPaths(hand.finger, hand.felt.place);
     desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
-    desk.draw(plate_deg, hand.finger, hand.felt);
+    desk.draw(this.world.plate_deg(), hand.finger, hand.felt.place);
     desk.caption(hand.phase, this.#text());
     element("after", HTMLDivElement).hidden = !over || this.#series.asking;
     say(element("learnt", HTMLParagraphElement), over ? this.#learnt() : "");
-    desk.write(hand.result, hand.felt);
+    desk.write(hand.result, hand.felt.place);
   }
 
   #text(): string {
-    const { phase, result, finger, felt } = this.hand;
+    const { phase, result, finger } = this.hand,
+      felt = this.hand.felt.place;
     if (!result) {
       if (phase === "sliding") return "Steer the dot to the glass.";
       return this.#plateOff
@@ -250,9 +250,9 @@ export class Sliding {
 
   /** Describes the plugin's estimate of this hand. */
   #learnt(): string {
-    const { tactile_weight, tactile_weight_sd } = this.led.command;
+    const { tactile_weight, tactile_weight_sd } = this.guided.command;
     if (this.#plateOff || this.settings.controller !== "ours") return "";
-    const percent = (share: number) => (100 * Math.max(0, share)).toFixed(0);
+    const percent = (fraction: number) => (100 * Math.max(0, fraction)).toFixed(0);
     return (
       `Learnt from your slides: ridges contribute ${percent(tactile_weight)} % to the direction that you feel ` +
       `(${percent(tactile_weight - 1.96 * tactile_weight_sd)} to ${percent(tactile_weight + 1.96 * tactile_weight_sd)} %).`

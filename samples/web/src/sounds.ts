@@ -8,7 +8,7 @@ const loud_m_s = 0.2,
   minShake_ms = 20,
   guidePeriod_s = 0.3;
 
-export class Ticks {
+export class Sounds {
   readonly #button = element("ticks", HTMLButtonElement);
   #on: boolean;
   #audio: AudioContext | null = null;
@@ -17,17 +17,13 @@ export class Ticks {
 
   /** `still`: sound is off until the visitor turns it on. The choice is stored if the browser allows it. */
   constructor(still: boolean) {
-    const kept = remembered();
+    const kept = storage()?.getItem(key) ?? null;
     this.#on = kept === null ? !still : kept === "on";
     this.#show();
     this.#button.addEventListener("click", () => {
       this.#on = !this.#on;
       this.#show();
-      try {
-        localStorage.setItem(key, this.#on ? "on" : "off");
-      } catch {
-        /* the choice holds for this visit only */
-      }
+      storage()?.setItem(key, this.#on ? "on" : "off");
       this.#wake();
       this.ridge(loud_m_s);
     });
@@ -108,9 +104,10 @@ export class Ticks {
   }
 }
 
-function remembered(): string | null {
+/** Returns the browser's storage; null if it does not allow one. */
+function storage(): Storage | null {
   try {
-    return localStorage.getItem(key);
+    return localStorage;
   } catch {
     return null;
   }

@@ -1,4 +1,5 @@
-// Base class of the simulated person, the visitor's finger and the tracked hand: a world, and the session that steers in it.
+// Base class of reaches that the plugin steers, of the simulated person, the visitor's finger and the tracked hand: a session
+// of the plugin and the simulated world of its finger and plate.
 import * as hrt from "haptic-retargeting";
 import { sessions } from "./controller";
 import { type Course, cylinderRadius_m, type Place } from "./geometry";
@@ -6,7 +7,9 @@ import type { World } from "./person";
 import type { Settings } from "./settings";
 import { maxTrace, type Trace, tracePeriod_ms } from "./trace";
 
-export abstract class Led {
+type Directions = Readonly<Record<"finger_deg" | "felt_deg", number>>;
+
+export abstract class GuidedReach {
   /** Trace of the current reach; each reach has a new array. */
   trace: Trace = [];
   /** Orientation of a connected plate, which replaces the simulated plate; NaN: no plate is connected. */
@@ -34,8 +37,8 @@ export abstract class Led {
   }
 
   /** Replaces the session, for a person of whom the controller has learnt nothing. */
-  protected renew(course: Course): void {
-    this.drop();
+  protected restartSession(course: Course): void {
+    this.cancel();
     this.session.destroy();
     this.#create(course);
   }
@@ -47,11 +50,11 @@ export abstract class Led {
     });
     this.#real = this.session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder", radius_m: cylinderRadius_m });
     this.#virtual = this.session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, name: "glass" });
-    this.follow(course);
+    this.setTargets(course);
   }
 
   /** Changes targets and plate between reaches. The controller keeps its estimates of the person. */
-  protected follow({ start, real_deg, real_m, virtual_deg, virtual_m }: Course): void {
+  protected setTargets({ start, real_deg, real_m, virtual_deg, virtual_m }: Course): void {
     this.session.configure({
       plate_max_speed_deg_s: this.settings.plate_deg_s,
       start_position_m: [start.right_m, 0, -start.away_m],
@@ -61,27 +64,27 @@ export abstract class Led {
   }
 
   /** Cancels a running reach, from which nothing is learnt. Returns the recording, or "" if there was no reach. */
-  protected drop(): string {
+  protected cancel(): string {
     if (this.session.state & hrt.HRT_STATE_REACHING) this.session.cancelReach();
     return this.session.state & hrt.HRT_STATE_RECORDING ? this.session.stopRecording() : "";
   }
 
   /** Resets person, plate and trace to the settings before a reach. */
   protected prepare(): void {
-    this.drop();
+    this.cancel();
     this.world.set_person(this.settings.person, this.settings.tactile_weight, this.settings.pace_s);
     this.world.set_apparatus(this.settings.noise_mm / 1000, this.settings.plate_deg_s);
     this.trace = [];
   }
 
   /** Begins a reach and its recording. */
-  protected lead(plate_deg: number): void {
+  protected beginReach(plate_deg: number): void {
     this.session.startRecording();
     this.session.beginReach(this.#real, this.#virtual, plate_deg);
   }
 
   /** Passes a finger position to the plugin, and its command to the plate. */
-  protected see(time_ms: number, right_m: number, away_m: number): void {
+  protected updateFinger(time_ms: number, right_m: number, away_m: number): void {
     const { sample } = this.session;
     sample.flags = hrt.HRT_SAMPLE_PLATE_POSITION;
     sample.time_ns = Math.round(1e6 * time_ms);
@@ -93,15 +96,16 @@ export abstract class Led {
   }
 
   /** Advances the world by one millisecond, with the orientation of a connected plate if there is one. */
-  protected tick(): void {
+  protected advanceWorld(): void {
     if (!Number.isNaN(this.plateConnected_deg)) this.world.set_plate(this.plateConnected_deg);
     this.world.advance();
   }
 
   /** Appends to the trace. Directions are NaN at rest. */
-  protected record(finger_deg: number, felt_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
+  protected record(directions: Directions, finger: Readonly<Place>, felt: Readonly<Place>): void {
     if (this.world.time_ms() % tracePeriod_ms !== 0 || this.trace.length === maxTrace) return;
-    const { tactile_weight, tactile_weight_sd: weight_sd } = this.command,
+    const { finger_deg, felt_deg } = directions,
+      { tactile_weight, tactile_weight_sd: weight_sd } = this.command,
       weight = this.settings.controller === "off" ? NaN : tactile_weight;
     const plate_deg = this.world.plate_deg();
     this.trace.push({ plate_deg, finger_deg, felt_deg, weight, weight_sd, finger: { ...finger }, felt: { ...felt } });

@@ -1,16 +1,9 @@
 // Placement of the plate in the headset's world: by touches of its marks in the plugin's set-up, or by a pinch.
-import {
-  HRT_MARK_NUMBERS,
-  HRT_SETUP_REGISTRATION,
-  HRT_STATE_SETTING_UP,
-  HRT_STEP_FINISH,
-  HRT_STEP_TOUCH_MARK,
-  type Session,
-} from "haptic-retargeting";
+import * as hrt from "haptic-retargeting";
 import marksFile from "marks.csv";
 import { Quaternion, Vector3 } from "three";
 import { start } from "../geometry";
-import { Rest } from "./rest";
+import { RestDetector } from "./rest_detector";
 
 /** Marks of the plate (samples/plate/model/marks.csv), in the order in which they are touched. */
 const marks = marksFile
@@ -28,22 +21,22 @@ const pointRadius_m = 0.012,
   count_ms = 500;
 const pinch = "Pinch thumb and index finger where slides are to start, and hold. The plate will lie ahead of it.";
 
-export class Placing {
+export class Placement {
   /** Instruction to the visitor. */
   text = pinch;
   /** Pose of the plate in the world, once placed. */
   readonly position = new Vector3();
   readonly rotation = new Quaternion();
 
-  readonly #rest = new Rest(pointRadius_m, hold_ms);
+  readonly #rest = new RestDetector(pointRadius_m, hold_ms);
 
   /** `session`: registers the plate in this session by its marks; null: places it by a pinch. */
-  constructor(private readonly session: Session | null) {
+  constructor(private readonly session: hrt.Session | null) {
     if (!session) return;
-    if (session.state & HRT_STATE_SETTING_UP) session.cancelSetup();
-    session.beginSetup(HRT_SETUP_REGISTRATION, {
+    if (session.state & hrt.HRT_STATE_SETTING_UP) session.cancelSetup();
+    session.beginSetup(hrt.HRT_SETUP_REGISTRATION, {
       mark_count: marks.length,
-      marks_m: Array.from({ length: HRT_MARK_NUMBERS }, (_, i) => marks_m[i] ?? 0),
+      marks_m: Array.from({ length: hrt.HRT_MARK_NUMBERS }, (_, i) => marks_m[i] ?? 0),
     });
     this.text = "Touch the marks of the plate, which is at 0.";
   }
@@ -65,13 +58,15 @@ export class Placing {
     return true;
   }
 
-  #touch(session: Session, time_ms: number, tip: Vector3 | null): boolean {
+  #touch(session: hrt.Session, time_ms: number, tip: Vector3 | null): boolean {
     session.setFinger(tip, time_ms);
     const { instruction, text, number, done, of } = session.updateSetup(),
       name = marks[number]?.name ?? "";
     this.text =
-      instruction === HRT_STEP_TOUCH_MARK ? `${text} Mark ${number + 1} is "${name}" (${done + 1} of ${of}).` : text;
-    if (instruction !== HRT_STEP_FINISH || session.finishSetup().left) return false;
+      instruction === hrt.HRT_STEP_TOUCH_MARK
+        ? `${text} Mark ${number + 1} is "${name}" (${done + 1} of ${of}).`
+        : text;
+    if (instruction !== hrt.HRT_STEP_FINISH || session.finishSetup().left) return false;
     const { plate_position_m, plate_rotation } = session.config;
     this.position.fromArray(plate_position_m);
     this.rotation.fromArray(plate_rotation);

@@ -2,22 +2,22 @@
 // to its targets.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "../controller";
-import { type VisitorScene, weights } from "../files/scene";
+import type { VisitorScene } from "../files/scene";
 import { addRow, element, say, sideways } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
-import { Watch } from "../watch";
+import { SimulatedReach } from "../simulated_reach";
 
-export class Viewing {
+export class SceneMode {
   scene: VisitorScene | null = null;
   /** Reaches to the chosen pair of targets. */
-  readonly watch: Watch;
+  readonly watch: SimulatedReach;
   readonly #about = element("scene-about", HTMLParagraphElement);
   readonly #pair = element("scene-pair", HTMLSelectElement);
 
   /** `changed` is called when another pair is chosen. */
   constructor(library: Library, world: World, settings: Readonly<Settings>, changed: () => void) {
-    this.watch = new Watch(library, world, settings, (now) => this.course ?? pageCourse(now));
+    this.watch = new SimulatedReach(library, world, settings, (now) => this.course ?? pageCourse(now));
     this.#pair.addEventListener("change", changed);
   }
 
@@ -28,20 +28,10 @@ export class Viewing {
 
   show(scene: VisitorScene): void {
     this.scene = scene;
-    const titles = element("held-titles", HTMLTableRowElement),
-      body = element("held-rows", HTMLTableSectionElement);
-    titles.replaceChildren();
+    const body = element("held-rows", HTMLTableSectionElement);
     body.replaceChildren();
-    for (const title of ["glass", "real", "gap", ...weights.map((weight) => `w = ${weight}`)]) {
-      const cell = document.createElement("th");
-      cell.scope = "col";
-      cell.textContent = title;
-      titles.append(cell);
-    }
-    for (const { virtual, real, gap_deg, plates_deg } of scene.pairs) {
-      const plates = plates_deg.map((plate_deg) => (Number.isNaN(plate_deg) ? "–" : sideways(plate_deg)));
-      addRow(body, [virtual, real, `${gap_deg.toFixed(1)}°`, ...plates]);
-    }
+    for (const { virtual, real, gap_deg, plates_deg } of scene.pairs)
+      addRow(body, [virtual, real, `${gap_deg.toFixed(1)}°`, ...plates_deg.map((plate_deg) => sideways(plate_deg))]);
     this.#pair.replaceChildren(
       ...scene.pairs.map(({ virtual, real }) => new Option(`${virtual}, felt; ${real}, reached`)),
     );

@@ -8,7 +8,7 @@ import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Headset } from "../stage/headset";
 import type { Voice } from "../voice";
-import type { Wear } from "./wear";
+import type { HeadsetReach } from "./headset_reach";
 
 type Kind = "immersive-vr" | "immersive-ar";
 const kinds: readonly (readonly [Kind, string])[] = [
@@ -20,7 +20,7 @@ const ahead_m = 0.45,
   below_m = 0.3;
 const settle_ms = 400;
 
-export class Wearing {
+export class HeadsetMode {
   readonly #headset: Headset | null;
   readonly #cylinder = element("cylinder", HTMLInputElement);
   readonly #state = element("wear-state", HTMLParagraphElement);
@@ -29,7 +29,7 @@ export class Wearing {
   #session: XRSession | null = null;
   #handedness: XRHandedness = "none";
   #before_ms = NaN;
-  #led = 0;
+  #shift = 0;
   #spoken = "";
   #message = "Put a headset on, and be the finger. A headset's browser with hand tracking is needed.";
   /** Called in each frame of the headset, for a connected plate. */
@@ -38,7 +38,7 @@ export class Wearing {
   onLeft: () => void = () => {};
 
   constructor(
-    readonly wear: Wear,
+    readonly wear: HeadsetReach,
     private readonly world: World,
     private readonly desk: Desk,
     private readonly voice: Voice,
@@ -149,13 +149,14 @@ export class Wearing {
     const unfelt = Number.isNaN(wear.plateConnected_deg);
     const title = unfelt ? "SIMULATION: hand drawn where it is felt" : "A plate is connected";
     this.#headset?.say(title, wear.text, wear.phase === "ready" || wear.phase === "arrived");
-    // Draws the hand at its perceived position while it slides; afterwards it moves to its true position.
-    this.#led = wear.phase === "sliding" && unfelt ? 1 : this.#led * Math.exp(-elapsed_ms / settle_ms);
-    const { place } = wear.felt;
-    this.#headset?.shift(
-      this.#led * (place.right_m - wear.finger.right_m),
-      this.#led * (place.away_m - wear.finger.away_m),
-    );
+    // Without a plate the hand is drawn at its perceived position while it slides, so that a visitor who steers it to the glass
+    // meets an object that is really at the cylinder. Afterwards the drawn hand moves to its true position.
+    this.#shift = wear.phase === "sliding" && unfelt ? 1 : this.#shift * Math.exp(-elapsed_ms / settle_ms);
+    const { place } = wear.felt,
+      right_m = this.#shift * (place.right_m - wear.finger.right_m),
+      away_m = this.#shift * (place.away_m - wear.finger.away_m);
+    this.#headset?.shift(right_m, away_m);
+    Object.assign(this.desk.frame.dataset, { shiftRightMm: 1000 * right_m, shiftAwayMm: 1000 * away_m }); // for tests
     this.#show();
   }
 
@@ -205,7 +206,7 @@ export class Wearing {
     const text = this.#session ? wear.text : this.#message;
     this.desk.caption(wear.phase, text);
     say(this.#state, text);
-    Object.assign(this.desk.frame.dataset, { lost: wear.lost, feltDeg: wear.felt.felt_deg });
+    Object.assign(this.desk.frame.dataset, { lost: wear.lost, feltDeg: wear.felt.felt_deg }); // for tests
     if (this.#session && text !== this.#spoken) this.voice.say(text);
     this.#spoken = text;
     this.desk.write(wear.result, wear.felt.place);

@@ -6,12 +6,12 @@ import { Quaternion, Vector3 } from "three";
 import { pageCourse } from "../controller";
 import { Felt } from "../felt";
 import { cylinderRadius_m, length_m, type Place, type SlideEnd, slideEnd, start } from "../geometry";
-import { minReach_m } from "../hand";
-import { Led } from "../led";
+import { GuidedReach } from "../guided_reach";
 import type { World } from "../person";
 import type { Settings } from "../settings";
-import { Placing } from "./placing";
-import { Rest } from "./rest";
+import { minReach_m } from "../visitor_reach";
+import { Placement } from "./placement";
+import { RestDetector } from "./rest_detector";
 
 const startRadius_m = 0.015; // around the start, within the plate's plane
 const startHeight_m = 0.03;
@@ -21,8 +21,13 @@ const beyond_m = 0.15;
 const pinch_m = 0.025; // between the tips of thumb and index finger
 const liftHeight_m = 0.05; // without a plate nothing supports the finger
 const maxFrame_ms = 100;
+/** Fields of the configuration that contain the registration of the plate. */
+const registered = [
+  ...(["plate_position_m", "plate_rotation", "plate_covariance", "registration_time_ns", "flags"] as const),
+  ...(["contact_correction", "contact_covariance"] as const),
+];
 
-export class Wear extends Led {
+export class HeadsetReach extends GuidedReach {
   readonly finger: Place = { ...start };
   phase: "placing" | "ready" | "sliding" | "arrived" = "placing";
   result: SlideEnd | null = null;
@@ -35,20 +40,19 @@ export class Wear extends Led {
   /** Called with the plate's pose, in the space of the frames, when it has been placed. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
 
-  readonly felt = new Felt();
-  readonly #shift_deg = (finger_deg: number): number => this.world.felt_shift_deg(this.world.plate_deg(), finger_deg);
-  readonly #rest = new Rest(startRadius_m, startRest_ms);
+  readonly felt = new Felt(this.world);
+  readonly #rest = new RestDetector(startRadius_m, startRest_ms);
   readonly #tip = new Vector3();
   readonly #thumb = new Vector3();
   readonly #onPlate = new Vector3();
   readonly #forward = new Vector3();
   readonly #view = new Quaternion();
   #reach: HandReach;
-  #placing!: Placing;
+  #placing!: Placement;
   #byMarks = false;
   #why = "";
   #time_ms = NaN;
-  #owed_ms = 0;
+  #pending_ms = 0;
   #seen_ms = 0;
 
   /** `plate` is the drawn plate, which has its pose in the scene. */
@@ -67,7 +71,7 @@ export class Wear extends Led {
   /** Starts the placement of the plate, for a new headset session or another position. `why` begins the instruction. */
   begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
-    this.#placing = new Placing(byMarks ? this.session : null);
+    this.#placing = new Placement(byMarks ? this.session : null);
     this.#time_ms = NaN;
     this.restart();
     this.phase = "placing";
@@ -78,26 +82,10 @@ export class Wear extends Led {
   /** Applies other settings, with a controller that has learnt nothing of the hand. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
-    const {
-      plate_position_m,
-      plate_rotation,
-      plate_covariance,
-      registration_time_ns,
-      flags,
-      contact_correction,
-      contact_covariance,
-    } = this.session.config;
-    this.renew(pageCourse(settings));
-    this.session.configure({
-      plate_position_m,
-      plate_rotation,
-      plate_covariance,
-      registration_time_ns,
-      flags,
-      contact_correction,
-      contact_covariance,
-      lift_height_m: liftHeight_m,
-    });
+    const { config } = this.session,
+      registration = Object.fromEntries(registered.map((name) => [name, config[name]]));
+    this.restartSession(pageCourse(settings));
+    this.session.configure({ ...registration, lift_height_m: liftHeight_m });
     this.#reach = new HandReach(this.session, this.plate);
     if (this.phase === "placing") this.begin(this.#byMarks);
     else this.restart();
@@ -116,10 +104,10 @@ export class Wear extends Led {
 
   /** Advances plate and time in whole milliseconds. */
   #advance(elapsed_ms: number): void {
-    this.#owed_ms += elapsed_ms;
-    for (; this.#owed_ms >= 1; --this.#owed_ms) {
-      this.tick();
-      if (this.phase === "sliding") this.record(this.felt.finger_deg, this.felt.felt_deg, this.finger, this.felt.place);
+    this.#pending_ms += elapsed_ms;
+    for (; this.#pending_ms >= 1; --this.#pending_ms) {
+      this.advanceWorld();
+      if (this.phase === "sliding") this.record(this.felt, this.finger, this.felt.place);
     }
   }
 
@@ -167,7 +155,7 @@ export class Wear extends Led {
     this.phase = "ready";
     this.result = null;
     this.lost = false;
-    this.text = "Rest your index fingertip in the ring at the start.";
+    this.text = "RestDetector your index fingertip in the ring at the start.";
   }
 
   #atStart(tip: Vector3): boolean {
@@ -177,7 +165,7 @@ export class Wear extends Led {
 
   #start(): void {
     this.restart();
-    this.lead(this.world.plate_deg());
+    this.beginReach(this.world.plate_deg());
     this.#seen_ms = this.#time_ms;
     this.phase = "sliding";
     this.text = "Slide to the orange glass. Stop there.";
@@ -198,7 +186,7 @@ export class Wear extends Led {
     }
     this.#seen_ms = this.#time_ms;
     const { x, y, z } = this.plate.worldToLocal(this.#onPlate.fromArray(sample.finger_position_m));
-    this.felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms), this.#shift_deg);
+    this.felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms));
     this.finger.right_m = x;
     this.finger.away_m = -z;
     this.#endIfOver(y);
@@ -220,7 +208,7 @@ export class Wear extends Led {
       const meets = this.hasCylinder && this.result.toCylinder_mm <= 1000 * cylinderRadius_m;
       if (meets && this.session.config.flags & HRT_SESSION_REGISTERED) this.session.reachTouched();
     }
-    this.recording = this.drop();
+    this.recording = this.cancel();
     this.phase = "arrived";
     this.#rest.reset();
     const { toCylinder_mm, toGlass_mm, feltToGlass_mm } = this.result;

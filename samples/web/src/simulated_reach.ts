@@ -2,9 +2,9 @@
 // follows its commands, and the person feels the plate.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
-import { bearingError_deg, type Course, type Place, type SlideEnd, slideEnd } from "./geometry";
-import { Led } from "./led";
-import type { World } from "./person";
+import { bearingError_deg, type Course, type SlideEnd, slideEnd } from "./geometry";
+import { GuidedReach } from "./guided_reach";
+import { places, type World } from "./person";
 import type { ControllerName, Settings } from "./settings";
 
 const trackerRate_hz = 90;
@@ -29,7 +29,7 @@ export interface ReachResult extends SlideEnd {
   readonly trackerWorst_mm: number;
 }
 
-export class Watch extends Led {
+export class SimulatedReach extends GuidedReach {
   phase: "waiting" | "sliding" | "arrived" = "waiting";
   result: ReachResult | null = null;
 
@@ -65,18 +65,18 @@ export class Watch extends Led {
     const before = this.settings;
     this.settings = { ...settings };
     this.course = this.courseOf(settings);
-    this.drop();
+    this.cancel();
     const unknown =
       before.person !== settings.person ||
       before.tactile_weight !== settings.tactile_weight ||
       before.pace_s !== settings.pace_s ||
       before.controller !== settings.controller;
     if (unknown) {
-      this.renew(this.course);
+      this.restartSession(this.course);
       this.number = 1;
       this.phase = "waiting";
     } else {
-      this.follow(this.course);
+      this.setTargets(this.course);
     }
     this.begin();
     return unknown;
@@ -89,7 +89,7 @@ export class Watch extends Led {
     this.prepare();
     const { start, virtual_deg, virtual_m } = this.course;
     world.begin_reach(this.number, start.right_m, start.away_m, virtual_deg, virtual_m, 0);
-    this.lead(0);
+    this.beginReach(0);
     this.phase = "waiting";
     this.result = null;
     this.#samples = 0;
@@ -102,26 +102,23 @@ export class Watch extends Led {
   advance(): void {
     if (this.phase === "arrived") return;
     const world = this.world;
-    this.tick();
+    this.advanceWorld();
     const now_ms = world.time_ms();
-    if (now_ms >= (this.#samples * 1000) / trackerRate_hz) this.#look(now_ms);
+    if (now_ms >= (this.#samples * 1000) / trackerRate_hz) this.#sample(now_ms);
     this.#measure(now_ms);
-    const moving = world.moving() !== 0,
-      felt_deg = this.course.virtual_deg + world.felt_error_deg();
-    this.record(moving ? world.finger_deg() : NaN, moving ? felt_deg : NaN, ...this.#places());
+    const { finger, felt } = places(world);
+    this.record(this.directions(), finger, felt);
     if (world.over()) this.#end();
   }
 
-  /** True and perceived position of the finger. */
-  #places(): [Place, Place] {
+  /** True and perceived direction of the motion; NaN at rest. */
+  directions(): { finger_deg: number; felt_deg: number } {
     const world = this.world;
-    return [
-      { right_m: world.finger_right_m(), away_m: world.finger_away_m() },
-      { right_m: world.felt_right_m(), away_m: world.felt_away_m() },
-    ];
+    if (world.moving() === 0) return { finger_deg: NaN, felt_deg: NaN };
+    return { finger_deg: world.finger_deg(), felt_deg: this.course.virtual_deg + world.felt_error_deg() };
   }
 
-  #look(now_ms: number): void {
+  #sample(now_ms: number): void {
     const world = this.world;
     ++this.#samples;
     world.look();
@@ -129,7 +126,7 @@ export class Watch extends Led {
       away_m = world.seen_away_m();
     const off_m = Math.hypot(right_m - world.finger_right_m(), away_m - world.finger_away_m());
     this.#trackerWorst_m = Math.max(this.#trackerWorst_m, off_m);
-    this.see(now_ms, right_m, away_m);
+    this.updateFinger(now_ms, right_m, away_m);
   }
 
   #measure(now_ms: number): void {
@@ -150,8 +147,8 @@ export class Watch extends Led {
       settings = this.settings;
     const { tactile_weight, tactile_weight_sd } = this.command;
     const summary = this.session.endReach();
-    this.recording = this.drop();
-    const [finger, felt] = this.#places();
+    this.recording = this.cancel();
+    const { finger, felt } = places(world);
     this.phase = "arrived";
     this.result = {
       number: this.number,
