@@ -1,6 +1,7 @@
 // Bundles the page into a folder that any static server can serve. HRT_PAGE_URL is the address of the page there, which ends in
 // a slash; the preview picture of links to the page needs it.
 //   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm plate_firmware.hex FOLDER_OF_THE_PAGE
+import { createHash } from "node:crypto";
 import { appendFile, cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -34,16 +35,17 @@ const { metafile: { outputs } } = await build({ ...shared, metafile: true, forma
 await build({ ...shared, entryPoints: [{ in: join(here, "src/main.ts"), out: "offline" }], format: "iife", loader: { ...loader, ".wasm": "binary", ".glb": "binary" } });
 await cp(join(here, "src/page.css"), join(pageFolder, "page.css"));
 await cp(join(here, "reveal.gif"), join(pageFolder, "reveal.gif"));
-// The preview picture of a link needs an absolute address, which only the host knows.
-const html = await readFile(join(here, "src/index.html"), "utf8");
-const visitors = html.replace('"reveal.gif"', `"${process.env.HRT_PAGE_URL ?? ""}reveal.gif"`);
-await writeFile(join(pageFolder, "index.html"), visitors);
-await writeFile(join(pageFolder, "researchers.html"), visitors.replace("<body>", '<body class="researchers">').replaceAll("<details id=", "<details open id="));
-// Preloads the files of the first picture before page.js requests them.
+// start.js, which preloads the files of the first picture, is part of the page, so that the browser requests them immediately.
+// The page's policy allows it by its hash.
 const page = Object.entries(outputs).find(([name]) => basename(name) === "page.js")[1];
 const parts = ["page.js", ...page.imports.filter(({ kind }) => kind === "import-statement").map(({ path }) => basename(path)),
                "haptic_retargeting.wasm", "person.wasm"].map((name) => `"${name}"`);
-await writeFile(join(pageFolder, "start.js"), (await readFile(join(here, "src/start.js"), "utf8")).replace("/* parts */", parts.join(", ")));
+const start = (await readFile(join(here, "src/start.js"), "utf8")).replace("/* parts */", parts.join(", "));
+const html = (await readFile(join(here, "src/index.html"), "utf8")).replace(' src="start.js">', `>${start}`)
+  .replace("script-src 'self'", `script-src 'self' 'sha256-${createHash("sha256").update(start).digest("base64")}'`)
+  .replace('"reveal.gif"', `"${process.env.HRT_PAGE_URL ?? ""}reveal.gif"`);  // the preview of a link needs an absolute address
+await writeFile(join(pageFolder, "index.html"), html);
+await writeFile(join(pageFolder, "researchers.html"), html.replace("<body>", '<body class="researchers">').replaceAll("<details id=", "<details open id="));
 await appendFile(join(pageFolder, "page.css"), await readFile(join(modules, "uplot/dist/uPlot.min.css")));
 
 const licences = [["This page and the plugin", join(packageFolder, "LICENSE")],

@@ -3,7 +3,7 @@
 import { readdir, readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
-import { gzipSync } from "node:zlib";
+import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 
 const [, , folder, port = "8737"] = process.argv;
 if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
@@ -15,11 +15,16 @@ if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
                 ".txt": "text/plain; charset=utf-8", ".wasm": "application/wasm", ".glb": "model/gltf-binary", ".gif": "image/gif" };
 const names = new Set((await readdir(folder)).filter((name) => types[extname(name)]));
-const squeezed = new Map();
+const encoders = {
+  br: (bytes) => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 5 } }),
+  gzip: (bytes) => gzipSync(bytes, { level: 9 }),
+};
+const encoded = new Map();
 
-async function read(name) {
-  if (!squeezed.has(name)) squeezed.set(name, gzipSync(await readFile(join(folder, name)), { level: 9 }));
-  return squeezed.get(name);
+async function read(name, encoding) {
+  const key = `${encoding} ${name}`;
+  if (!encoded.has(key)) encoded.set(key, encoders[encoding](await readFile(join(folder, name))));
+  return encoded.get(key);
 }
 
 const server = createServer(async (request, response) => {
@@ -28,7 +33,9 @@ const server = createServer(async (request, response) => {
   if (!names.has(name)) return response.writeHead(404).end();
   const headers = { "content-type": types[extname(name)], "cache-control": "no-store", "x-content-type-options": "nosniff" };
   try {
-    if (/\bgzip\b/.test(request.headers["accept-encoding"] ?? "")) response.writeHead(200, { ...headers, "content-encoding": "gzip" }).end(await read(name));
+    const accepted = request.headers["accept-encoding"] ?? "",
+      encoding = Object.keys(encoders).find((each) => new RegExp(`\\b${each}\\b`).test(accepted));
+    if (encoding) response.writeHead(200, { ...headers, "content-encoding": encoding }).end(await read(name, encoding));
     else response.writeHead(200, headers).end(await readFile(join(folder, name)));
   } catch (error) {
     response.writeHead(500).end(`${name}: ${error.code}`);
