@@ -140,7 +140,8 @@ export class Desk {
     for (const name of ["real", "glass"] as const) this.#named[name].hidden = scene !== null;
     for (const { element: label } of this.#labels.slice(this.#own.length)) label.remove();
     this.#labels = [...this.#own];
-    for (const target of scene?.targets.slice(0, maxLabels) ?? []) {
+    const fromLeft = [...(scene?.targets ?? [])].sort((a, b) => a.drawn.right_m - b.drawn.right_m);
+    for (const target of fromLeft.slice(0, maxLabels)) {
       const label = document.createElement("span");
       label.className = `label ${target.real ? "real" : "felt"}`;
       label.textContent = target.name;
@@ -180,25 +181,20 @@ export class Desk {
     this.#flat.innerHTML = plate(plate_deg) + targets(this.#course, true, all) + shown;
   }
 
-  /** Places each label beside or above the object that it names, within the picture. Labels above objects are in one row. */
+  /** Places each label beside or above the object that it names, within the picture. Labels above objects form a row. */
   #drawLabels(stage: Stage): void {
     const { clientWidth, clientHeight } = this.canvas,
       gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth),
       away = this.#course.virtual_deg < this.#course.real_deg ? -1 : 1; // the labels of a mirrored course are mirrored
-    const shown = this.#labels
-      .filter(({ element: label }) => !label.hidden)
-      .map(({ element: label, at, side }) => {
-        at(stage, this.#at);
-        const { offsetWidth: width, offsetHeight: height } = label;
-        const x = this.#at.x - width / 2 + away * side * (width / 2 + gap_px),
-          y = this.#at.y - height / 2 - (side === 0 ? height : 0);
-        return { label, side, x, y, width, height };
-      });
     let free_px = 0; // right end of the last label in the row
-    for (const each of shown.sort((a, b) => a.x - b.x)) {
-      const { label, side, y, width, height } = each,
-        x = side === 0 ? Math.max(each.x, free_px) : each.x;
+    for (const { element: label, at, side } of this.#labels) {
+      if (label.hidden) continue;
+      at(stage, this.#at);
+      const { offsetWidth: width, offsetHeight: height } = label;
+      let x = this.#at.x - width / 2 + away * side * (width / 2 + gap_px);
+      if (side === 0) x = Math.max(x, free_px);
       if (side === 0) free_px = x + width + margin_px;
+      const y = this.#at.y - height / 2 - (side === 0 ? height : 0);
       const within = (value: number, most: number) => Math.min(Math.max(value, margin_px), most - margin_px).toFixed(1);
       label.style.transform = `translate(${within(x, clientWidth - width)}px, ${within(y, clientHeight - height)}px)`;
     }

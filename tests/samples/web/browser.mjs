@@ -12,7 +12,7 @@ export const [, , sources, pageFolder, recorded, desk, screenshots] = process.ar
 export const require = createRequire(resolve(sources, "package.json"));
 export const { launch, stopTime } = await import(pathToFileURL(resolve(sources, "headless.mjs")));
 const axe = await readFile(require.resolve("axe-core/axe.min.js"), "utf8");
-export const desktop = { width: 1280, height: 900 }, tablet = { width: 820, height: 1180 }, phone = { width: 390, height: 844 };
+export const desktop = { width: 1440, height: 900 }, tablet = { width: 820, height: 1180 }, phone = { width: 390, height: 844 };
 
 let server, address, browser;
 before(async () => {
@@ -30,16 +30,17 @@ after(async () => {
 });
 
 /** Opens the page for researchers on "Watch", after `script` has run in it, and calls `use` once the element `ready` exists. With `motion` false,
- *  a change shows its reach immediately; with `motion` true the page's time is stopped until frames(). Fails after `use` on
- *  any error of the page, and on any request except for its own files, which come from `folder` if one is given. */
+ *  a change shows its reach immediately; with `motion` true the page's time is stopped until frames(), with "real" it is not. Fails after `use` on
+ *  any error of the page, and on any request except for its own files, which come from `folder` if one is given. `more`: options
+ *  of the browser's context. */
 export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "researchers.html#mode=watch", from = browser,
-                            base = address, folder = null, strict = true, script = null, ready = "html[data-ready=yes]" } = {}) {
-  const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce" });
+                            base = address, folder = null, strict = true, script = null, ready = "html[data-ready=yes]", ...more } = {}) {
+  const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce", ...more });
   const page = await context.newPage(), faults = [];
   const file = (request) => join(folder, new URL(request.url()).pathname.replace(/\/$/, "/index.html"));
   if (folder) await context.route(`${base}**`, (route) => route.fulfill({ path: file(route.request()) }));
   if (script) await page.addInitScript(script);
-  if (motion) await page.addInitScript(stopTime);
+  if (motion === true) await page.addInitScript(stopTime);
   page.on("pageerror", (error) => faults.push(error.message));
   page.on("console", (message) => { if (message.type() === "error") faults.push(message.text()); });
   page.on("request", (request) => {
@@ -56,9 +57,9 @@ export async function visit(use, { motion = false, viewport = desktop, colorSche
   }
 }
 
-/** Saves a picture of the page, once its hand is loaded. */
-export async function shoot(page, name, fullPage = true) {
-  await page.waitForSelector("#stage[data-hand=yes], #no-view:not([hidden])", { state: "attached" });
+/** Saves a picture of the page, once its hand is loaded if the page has one. */
+export async function shoot(page, name, { fullPage = true, hand = true } = {}) {
+  if (hand) await page.waitForSelector("#stage[data-hand=yes], #no-view:not([hidden])", { state: "attached" });
   await page.screenshot({ path: join(screenshots, `${name}.png`), fullPage, timeout: 120_000 });
 }
 export const text = (page, selector) => page.locator(selector).textContent();

@@ -5,14 +5,11 @@ import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { visitor } from "./visitor.mjs";
-import { accessible, arrived, desk, desktop, drawn, drop, ended, frames, launch, newest, pageFolder, phase, phone, recorded, refuses, require, saved, shoot, tablet, text, visit } from "./browser.mjs";
+import { place, steer } from "./visitor.mjs";
+import { accessible, arrived, desk, desktop, drawn, drop, ended, frames, launch, newest, pageFolder, phase, phone, recorded, refuses, require, saved,
+         shoot, stopTime, tablet, text, visit } from "./browser.mjs";
 
 const { PNG } = require("pngjs");
-
-test("the first text says that this is simulation", () => visit(async (page) => {
-  assert.match((await page.innerText("body")).trim(), /^Simulation\s+A turning plate/);
-}));
 
 test("a reach ends at the cylinder and is perceived to end at the glass", () => visit(async (page) => {
   const result = await newest(page);
@@ -129,63 +126,8 @@ test("a reach plays, pauses and steps", () => visit(async (page) => {
   assert.equal(await page.locator("#results tbody tr").count(), 2);
 }, { motion: true }));
 
-/** Returns the position of the ring, the glass or the dot in the window. */
-async function place(page, name) {
-  const box = await page.locator("#view").boundingBox(), at = await page.locator("#stage").getAttribute(`data-${name}`);
-  return at.split(" ").map((number, i) => Number(number) + [box.x, box.y][i]);
-}
 const hidden = (page) => page.locator("#label-finger").isHidden();
 const own = { motion: true, link: "", viewport: { width: 390, height: 560 } };  // small, for software rendering
-
-/** Lets a visitor steer the dot to the glass by mouse, without a click or pressed at `grip` pixels from the ring. Stops when the
- *  fraction `until` of the path remains. */
-async function steer(page, { delay_ms = 100, grip = null, until = 0 } = {}) {
-  await frames(page, 100, 9);  // slow enough that the picture is simplified
-  const ring = await place(page, "start"), glass = await place(page, "glass"), from = ring.map((x, i) => x + (grip?.[i] ?? 0));
-  const px = Math.hypot(glass[0] - ring[0], glass[1] - ring[1]) / 0.1, onPlate = ([x, y]) => ({ right_m: x / px, away_m: -y / px });
-  const go = visitor({ start: onPlate(ring), glass: onPlate(glass), delay_ms, step_ms: 20 });
-  let [x, y] = from;
-  await page.mouse.move(x, y);
-  if (grip) await page.mouse.down();
-  let dot = ring;
-  for (let i = 0; dot && Math.hypot(glass[0] - dot[0], glass[1] - dot[1]) >= until * 0.1 * px; ++i) {
-    assert.ok(i < 300, "the dot has not come to the glass");
-    const { right_m, away_m } = go(onPlate(dot));
-    [x, y] = [x + right_m * px, y - away_m * px];
-    await page.mouse.move(x, y);
-    dot = await page.evaluate(() => {
-      globalThis.drawFrame(20);
-      const { phase, dot } = document.getElementById("stage").dataset, { x, y } = document.getElementById("view").getBoundingClientRect();
-      return phase === "arrived" ? null : dot.split(" ").map((number, k) => Number(number) + [x, y][k]);
-    });
-  }
-  if (grip) await page.mouse.up();
-  await frames(page, 100, 10);
-  return [x, y];
-}
-
-for (const delay_ms of [100, 200]) test(
-  `a visitor who sees the dot ${delay_ms} ms late: the plate leads five slides to the cylinder, and without it they go to the glass`, () => visit(async (page) => {
-  for (let slide = 0; slide < 5; ++slide) {
-    await steer(page, { delay_ms });
-    const { toCylinderMm, feltToGlassMm } = await ended(page);
-    assert.ok(toCylinderMm < 8 && feltToGlassMm < 8, `${toCylinderMm} mm from the cylinder, the dot ${feltToGlassMm} from the glass`);
-    await page.click("#noticed-no");
-    await frames(page, 20);
-    await page.click("#restart");
-  }
-  await steer(page, { delay_ms });
-  await page.click("#noticed-no");
-  for (let slide = 0; slide < 5; ++slide) {
-    await frames(page, 20);
-    await page.click("#plate-off");
-    await steer(page, { delay_ms });
-    const { toGlassMm } = await ended(page);
-    assert.ok(toGlassMm < 5, `${toGlassMm} mm from the glass`);
-  }
-  assert.match(await text(page, "#moment-text"), /^Plate on: .*Plate off: /);
-  await shoot(page, `hand_both_${delay_ms}`);
-}, own));
 
 // Without a click: a mouse that reaches the ring takes the finger along.
 test("the hand is hidden during the slide, then shown at the cylinder under the cursor", () => visit(async (page) => {
@@ -323,6 +265,7 @@ test("ridges and guiding tones are audible, louder when fast, and one stored swi
 test("the first screen has a title, a mark and two controls; a thumb scrolls beside the disc", async () => {
   for (const viewport of [phone, tablet, desktop]) await visit(async (page) => {
     await page.waitForSelector("#stage[data-hand=yes]");
+    assert.match((await page.innerText("body")).trim(), /^Simulation\s+A turning plate/);
     const seen = await page.evaluate(() => [...document.querySelectorAll("h1, .mark, #caption, #view, button, select, fieldset, summary, input[type=range], a")].filter((each) => {
       const { top, bottom, width } = each.getBoundingClientRect();
       return width > 1 && top < innerHeight - 50 && bottom > 0 && each.checkVisibility() && !each.closest(".figures");
@@ -339,27 +282,9 @@ test("the first screen has a title, a mark and two controls; a thumb scrolls bes
     const disc = await page.locator("#grip").boundingBox();
     assert.ok(viewport !== phone || disc.width > 0.9 * viewport.width, `the plate is ${disc.width} pixels wide`);
     await accessible(page);
-    await shoot(page, `first_${viewport.width}`, false);
+    await shoot(page, `first_${viewport.width}`, { fullPage: false });
   }, { link: "", viewport });
 });
-
-test("frames stop while nothing moves, and resume on input", () => visit(async (page) => {
-  const waiting = () => page.evaluate(() => globalThis.framesWaiting());
-  await page.waitForSelector("#stage[data-hand=yes]");
-  await frames(page, 100, 15);
-  assert.equal(await waiting(), 0, "a hand that waits");
-  await page.mouse.move(5, 5);
-  assert.equal(await waiting(), 1);
-  await steer(page);
-  await frames(page, 100, 15);
-  assert.equal(await waiting(), 0, "a result");
-  await page.locator("label:has(input[value=watch])").click();
-  await frames(page, 100, 15);
-  assert.equal(await waiting(), 1, "a reach that plays");
-  await page.click("#play");
-  await frames(page, 100, 15);
-  assert.equal(await waiting(), 0, "a pause");
-}, own));
 
 test("a restored WebGL context draws again", () => visit(async (page) => {
   await page.waitForSelector("#stage[data-hand=yes]");
@@ -387,6 +312,24 @@ test("a part that cannot be loaded is reported, with a button to retry", () => v
   await page.waitForSelector("html[data-ready=yes]");
   assert.equal(await page.locator("#problem").isVisible(), false);
 }, { link: "", strict: false }));
+
+test("a plugin that cannot be loaded is reported, and a retry keeps the settings of the link", () => visit(async (page) => {
+  await page.route("**/haptic_retargeting.wasm", (route) => route.abort());
+  await page.reload();
+  await page.locator("#problem-text", { hasText: /^The page cannot start: / }).waitFor();
+  assert.deepEqual([await page.locator("#modes").isVisible(), await page.locator("#retry").isVisible()], [false, true]);
+  await shoot(page, "cannot_start", { hand: false });
+  await page.unroute("**/haptic_retargeting.wasm");
+  await page.click("#retry");
+  await page.waitForSelector("html[data-ready=yes]");
+  assert.deepEqual([await page.locator("#problem").isVisible(), await text(page, "output[for=gap_deg]")], [false, "7.0°"]);
+}, { link: "researchers.html#mode=watch&gap_deg=7", strict: false }));
+
+test("without JavaScript the page says that it needs it", () => visit(async (page) => {
+  assert.equal(await page.locator("noscript p").innerText(), "This page needs JavaScript, because it computes everything that it shows.");
+  assert.deepEqual([await page.locator("noscript p").isVisible(), await page.locator("#modes").isVisible()], [true, false]);
+  await shoot(page, "without_javascript", { hand: false });
+}, { link: "", javaScriptEnabled: false, ready: "noscript p", viewport: phone }));
 
 test("recording and profile are saved, and the recording replays", () => visit(async (page) => {
   await drawn(page);
@@ -431,7 +374,7 @@ test("a dropped scene is shown with its feasible gaps", () => visit(async (page)
   assert.deepEqual(rows.map((row) => row.slice(3).map((cell) => cell !== "–")), [
     [true, true, true, true, true], [false, true, true, true, true], [false, false, true, true, true]]);
   assert.equal(rows[0][5], "30° left");
-  assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["hand", "felt here", "cylinder", "bottle", "goblet", "pawn"]);
+  assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["hand", "felt here", "pawn", "bottle", "cylinder", "goblet"]);
   // Reaches lead to the targets of the file: the bottle at 6 degrees, the goblet at 8 degrees on the other side.
   const bottle = await newest(page);
   assert.ok(Math.abs(bottle.gapDeg - 6) < 1e-6 && arrived(bottle) && bottle.feltToGlassMm < 8, JSON.stringify(bottle));
@@ -510,25 +453,6 @@ test("the page's policy blocks requests to other machines", () => visit(async (p
   assert.deepEqual(refused, ["rejected", "rejected", "rejected"]);
 }, { strict: false }));
 
-test("the first picture takes 300 kB, and parts are loaded on demand", () => visit(async (page) => {
-  const got = () => page.evaluate(() => Object.fromEntries(performance.getEntriesByType("resource").map(
-    ({ name, encodedBodySize: size, startTime: from, responseEnd: to }) => [name.replace(/.*\//, ""), { size, from, to }])));
-  await page.waitForSelector("#stage[data-hand=yes]");
-  const all = await got(), hand = Object.keys(all).find((name) => name.endsWith(".glb"));
-  const first = Object.entries(all).filter(([name]) => !/\.(wasm|glb)$/.test(name)), kB = first.reduce((sum, [, { size }]) => sum + size, 0) / 1000;
-  assert.ok(kB < 300 && all["haptic_retargeting.wasm"].size < 450_000, `${kB} kB, and ${all["haptic_retargeting.wasm"].size} bytes of the plugin`);
-  assert.ok(first.every(([, { to }]) => to <= all[hand].from), "the hand is loaded after the parts of the first picture");
-  await page.goto(new URL("researchers.html", page.url()).href);
-  await page.waitForSelector("#chart .uplot");
-  for (const [part, click, ready] of [["the emulator", "#plate-firmware", "#plate-stop"], ["the headset", "label:has(input[value=wear])", "#wear-unavailable"]]) {
-    const count = Object.keys(await got()).length;
-    await page.click(click);
-    await page.locator(ready).first().waitFor();
-    assert.ok(Object.keys(await got()).length > count, part);
-  }
-  await page.click("#plate-stop");
-}, { link: "" }));
-
 /** Returns the number of pixels of a picture in colours of lit skin. */
 async function skin(page) {
   const { data } = PNG.sync.read(await page.locator("#view").screenshot());
@@ -566,16 +490,6 @@ test("a hand is visible in Watch, where a drag or the arrows rotate the picture;
   assert.equal(await glass(), above);
 }));
 
-test("eight successive slow frames reduce the picture to the page's resolution", () => visit(async (page) => {
-  const pixels = () => page.locator("#stage canvas").evaluate((canvas) => canvas.width / canvas.clientWidth);
-  await frames(page, 100, 7);
-  await frames(page, 16);
-  await frames(page, 100, 7);
-  assert.equal(await pixels(), 2);
-  await frames(page, 100);
-  assert.equal(await pixels(), 1);
-}, { motion: true, script: () => Object.defineProperty(window, "devicePixelRatio", { value: 2 }) }));
-
 test("the page opens from a folder without a server", () => visit(async (page) => {
   assert.equal(arrived(await newest(page)), true);
 }, { base: pathToFileURL(join(resolve(pageFolder), "index.html")).href.replace(/index\.html$/, ""), link: "researchers.html#mode=watch" }));
@@ -601,19 +515,40 @@ test("a flat picture is drawn without WebGL", async () => {
 });
 
 for (const [size, viewport] of Object.entries({ desktop, tablet, phone })) {
-  for (const colorScheme of ["light", "dark"]) {
-    test(`accessible and within the window: ${size}, ${colorScheme}`, () => visit(async (page) => {
+  for (const look of [{ colorScheme: "light" }, { colorScheme: "dark" }, { colorScheme: "light", forcedColors: "active" }]) {
+    if (size === "tablet" && look.forcedColors) continue;
+    const suffix = `${size}_${look.forcedColors ? "forced" : look.colorScheme}`;
+    test(`accessible and within the window: ${suffix}`, () => visit(async (page) => {
+      const check = async (name) => {
+        await accessible(page);
+        assert.doesNotMatch(await page.innerText("body"), /ghost|real cylinder|real object|virtual target(?!s\.)|turntable/i, "one name each");
+        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        assert.ok(inner <= outer, `${inner} pixels wide in a window of ${outer}`);
+        await shoot(page, `${name}_${suffix}`);
+      };
       await drop(page, "desk.gltf", await readFile(desk, "utf8"));
       await page.waitForSelector("#scene-mode:not([hidden])");
       for (const mode of ["watch", "hand", "wear", "scene"]) {
         await page.locator(`label:has(input[value=${mode}])`).click();
         await page.waitForTimeout(300);
-        await accessible(page);
-        assert.doesNotMatch(await page.innerText("body"), /ghost|real cylinder|real object|virtual target(?!s\.)|turntable/i, "one name each");
-        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-        assert.ok(inner <= outer, `${inner} pixels wide in a window of ${outer}`);
-        await shoot(page, `${mode}_${size}_${colorScheme}`);
+        await check(mode);
       }
-    }, { viewport, colorScheme }));
+      await page.addInitScript(stopTime);
+      await page.goto(new URL("index.html", page.url()).href);
+      await page.waitForSelector("html[data-ready=yes] #stage[data-hand=yes]");
+      await steer(page, { until: 0.4 });
+      await check("hand_sliding");
+      await page.locator("#stage").press("Escape");
+      await steer(page);
+      assert.ok((await ended(page)).toCylinderMm < 8, "led to the cylinder");
+      await check("hand_question");
+      await page.click("#noticed-no");
+      await frames(page, 20);
+      await page.click("#plate-off");
+      await steer(page);
+      assert.ok((await ended(page)).toGlassMm < 5, "not led");
+      assert.match(await text(page, "#moment-text"), /^Plate on: .*Plate off: /);
+      await check("hand_both");
+    }, { viewport, ...look }));
   }
 }

@@ -1,4 +1,5 @@
-// A scripted visitor who sees the dot with a delay and steers it, without access to the true position of hand or plate.
+// A scripted visitor who sees the dot with a delay and steers it, without access to the true position of hand or plate, and who
+// can use the mouse of a page whose time is stopped.
 
 /** Generates pointer motions, in metres on the plate, every `step_ms`; `seen()` returns the drawn dot. The visitor aims from the dot,
  *  as it was `delay_ms` ago, at the glass, corrects the error of direction by `gain` per second, and slows down near the glass. */
@@ -18,4 +19,42 @@ export function visitor({ glass, start, delay_ms, step_ms = 10, gain = 2, speed_
     const step_m = speed * step_ms / 1000;
     return { right_m: step_m * Math.sin(heading), away_m: step_m * Math.cos(heading) };
   };
+}
+
+/** Returns the position of the ring, the glass or the dot in the window. */
+export async function place(page, name) {
+  const box = await page.locator("#view").boundingBox(), at = await page.locator("#stage").getAttribute(`data-${name}`);
+  return at.split(" ").map((number, i) => Number(number) + [box.x, box.y][i]);
+}
+
+/** Lets a visitor steer the dot to the glass by mouse, without a click or pressed at `grip` pixels from the ring. Stops when the
+ *  fraction `until` of the path remains. Calls `drawn` after each frame, with its duration. */
+export async function steer(page, { delay_ms = 100, grip = null, until = 0, drawn = () => {} } = {}) {
+  const step_ms = 20, frame = (elapsed_ms) => page.evaluate((ms) => globalThis.drawFrame(ms), elapsed_ms);
+  for (let i = 0; i < 9; ++i) await frame(100);  // slow enough that the picture is simplified
+  const ring = await place(page, "start"), glass = await place(page, "glass"), from = ring.map((x, i) => x + (grip?.[i] ?? 0));
+  const px = Math.hypot(glass[0] - ring[0], glass[1] - ring[1]) / 0.1, onPlate = ([x, y]) => ({ right_m: x / px, away_m: -y / px });
+  const go = visitor({ start: onPlate(ring), glass: onPlate(glass), delay_ms, step_ms });
+  let [x, y] = from;
+  await page.mouse.move(x, y);
+  if (grip) await page.mouse.down();
+  let dot = ring;
+  for (let i = 0; dot && Math.hypot(glass[0] - dot[0], glass[1] - dot[1]) >= until * 0.1 * px; ++i) {
+    if (i === 300) throw new Error("the dot has not come to the glass");
+    const { right_m, away_m } = go(onPlate(dot));
+    [x, y] = [x + right_m * px, y - away_m * px];
+    await page.mouse.move(x, y);
+    dot = await page.evaluate((elapsed_ms) => {
+      globalThis.drawFrame(elapsed_ms);
+      const { phase, dot } = document.getElementById("stage").dataset, { x, y } = document.getElementById("view").getBoundingClientRect();
+      return phase === "arrived" ? null : dot.split(" ").map((number, k) => Number(number) + [x, y][k]);
+    }, step_ms);
+    await drawn(step_ms);
+  }
+  if (grip) await page.mouse.up();
+  for (let i = 0; i < 10; ++i) {
+    await frame(100);
+    await drawn(100);
+  }
+  return [x, y];
 }
