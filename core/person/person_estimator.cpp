@@ -93,7 +93,7 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
   retarget_->longer_mm += longer_mm;
   // The finger rests at its former target until it leaves.
   if (moving() && filter_.mean(PersonState::phase) > tuning().last_phase) {
-    if (!finger_.at_rest()) finger_.pause_at(filter_s_, place());
+    if (!finger_.at_rest()) finger_.pause_at(filter_s_, finger_.smoothed());
     clock_stopped_ = true;
   }
 }
