@@ -73,7 +73,7 @@ const std::vector<Column> trial_columns{
     {"trial", "integer", "", "within the block, as planned, from 1"},
     {"condition", "text", "",
      "a letter that is drawn for each participant, or after unblinding its name; of practice: practice"},
-    {"is_catch", "integer", "", "1: no gap, the plate at rest"},
+    {"is_catch", "integer", "", "1: no gap; the plate is at rest, but in noticeability it moves"},
     {"pair", "text", "", "of targets; empty for noticeability"},
     {"reason", "text", "", "why the attempt did not count"},
     {"attempt", "integer", "", "number of the attempt, interrupted ones included"},
