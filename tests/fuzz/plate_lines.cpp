@@ -65,7 +65,7 @@ void run_as_plate(std::string_view bytes) {
   Plate plate{};
   plate_start(&plate, &board, nullptr);
   for (const char byte : bytes) {
-    plate_hear(&plate, byte);
+    plate_receive(&plate, byte);
     const PlateInputs inputs{byte == '!', static_cast<std::int16_t>(static_cast<unsigned char>(byte) * 4),
                              static_cast<std::int16_t>(byte * 4)};
     if (byte == '\n' || byte == '!') plate_tick(&plate, &inputs);

@@ -74,14 +74,14 @@ void EmulatedDynamixel::set(int address, int size, std::int64_t value) {
 
 std::string EmulatedDynamixel::take_output() { return std::exchange(output_, {}); }
 
-void EmulatedDynamixel::hear(std::string_view bytes, Time now) {
+void EmulatedDynamixel::receive(std::string_view bytes, Time now) {
   run_until(now);
   reader_.take(bytes);
   if (echoes) output_ += bytes;
   while (const auto packet = reader_.next()) {
     if (packet->id != id_ || packet->instruction == status) continue;
-    heard_ = now;
-    if (is_mute) continue;
+    received_ = now;
+    if (is_silent) continue;
     std::string reply = answer(*packet);
     if (damages_length && ++answers_ % 25 == 0) reply[5] = static_cast<char>(damages_length);
     if (damages_answers && ++answers_ % 2 == 0) reply.back() = static_cast<char>(reply.back() ^ 0x55);
@@ -131,6 +131,11 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   const auto found =
       std::find_if(writable.begin(), writable.end(), [&](const Writable& entry) { return entry.address == address; });
   if (found == writable.end()) return StatusError::access;
+  if (size > found->size) {  // writes several entries, which must be adjacent
+    const std::string_view rest = parameters.substr(static_cast<std::size_t>(2 + found->size));
+    const StatusError error = write(parameters.substr(0, static_cast<std::size_t>(2 + found->size)));
+    return error != StatusError::none ? error : write(little_endian(address + found->size, 2) + std::string(rest));
+  }
   if (found->size != size) return StatusError::data_length;
   if (address < eeprom_end && get(torque_enable, 1) != 0) return StatusError::access;
   if (value < found->min || value > found->max) return StatusError::data_range;
@@ -148,7 +153,7 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
 
 void EmulatedDynamixel::run_until(Time now) {
   const std::int64_t watchdog = get(bus_watchdog, 1);
-  if (watchdog > 0 && now - heard_ > watchdog * 20ms) {
+  if (watchdog > 0 && now - received_ > watchdog * 20ms) {
     set(bus_watchdog, 1, -1);
     set(profile_velocity, 4, 0);
     set(profile_acceleration, 4, 0);

@@ -27,7 +27,7 @@ class EmulatedDynamixel {
   explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const ServoTraits& traits = own);
 
   /// Receives bytes from the bus.
-  void hear(std::string_view bytes, Time now);
+  void receive(std::string_view bytes, Time now);
   /// Returns the bytes sent since the last call.
   std::string take_output();
   /// Sends bytes of another device on the bus.
@@ -48,7 +48,7 @@ class EmulatedDynamixel {
   int writes_to_eeprom() const { return writes_to_eeprom_; }
 
   EmulatedServo motor;
-  bool is_mute = false;
+  bool is_silent = false;
   bool echoes = false;                 ///< the adapter echoes the host's bytes
   std::chrono::milliseconds delay{0};  ///< additional delay of every answer
   bool damages_answers = false;        ///< damages every second answer
@@ -65,7 +65,7 @@ class EmulatedDynamixel {
   std::array<std::uint8_t, 256> table_{};
   std::string output_;
   Time now_{0};
-  Time heard_{0};
+  Time received_{0};
   std::int64_t turns_ = 0;
   int writes_to_eeprom_ = 0;
   int answers_ = 0;

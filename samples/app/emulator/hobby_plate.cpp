@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 constexpr auto frame = 20ms;
 
-thread_local HobbyPlate* speaking = nullptr;  // plate whose firmware is running
+thread_local HobbyPlate* active_plate = nullptr;  // plate whose firmware is running
 
 }  // namespace
 
@@ -19,23 +19,23 @@ std::string line_of(const std::string& body) {
 }
 
 bool HobbyPlate::send_line(const char* line, std::uint8_t length) {
-  if (!speaking->has_room) return false;
+  if (!active_plate->has_room) return false;
   const std::string_view text(line, length);
-  if (text.starts_with("STOPPED heartbeat")) ++speaking->heartbeat_stops_;
-  const Traits& traits = speaking->traits_;
+  if (text.starts_with("STOPPED heartbeat")) ++active_plate->heartbeat_stops_;
+  const Traits& traits = active_plate->traits_;
   if (!traits.answers || (!traits.reports && text.starts_with("AT "))) return true;
   constexpr std::string_view own = "INFO " PLATE_FIRMWARE_VERSION;
   if (text.starts_with(own)) {
-    speaking->send("INFO " + traits.firmware + std::string(text.substr(own.size(), 7)));  // with the serial number
+    active_plate->send("INFO " + traits.firmware + std::string(text.substr(own.size(), 7)));  // with the serial number
   } else {
-    speaking->output_ += text;
+    active_plate->output_ += text;
   }
   return true;
 }
 
 void HobbyPlate::save(const std::uint8_t*) {
-  ++speaking->saves_;
-  speaking->is_saving_ = true;
+  ++active_plate->saves_;
+  active_plate->is_saving_ = true;
 }
 
 HobbyPlate::HobbyPlate(Traits traits)
@@ -48,17 +48,17 @@ void HobbyPlate::restart() {
   plate_start(&plate_, &board, &traits_.settings);
 }
 
-void HobbyPlate::hear(std::string_view bytes, Time now) {
+void HobbyPlate::receive(std::string_view bytes, Time now) {
   run_until(now);
   if (now < traits_.boot) return;
-  speaking = this;
+  active_plate = this;
   for (const char byte : bytes) {
-    plate_hear(&plate_, byte);
+    plate_receive(&plate_, byte);
     LineError error = LINE_OK;
     if (!line_take(&reader_, byte, &error) || error != LINE_OK) continue;
     std::string_view words = reader_.text;  // without sequence number and token, which are cut off
     while (words.size() > 9 && words[words.size() - 6] == ' ') words.remove_suffix(6);
-    heard_.emplace_back(words);
+    received_.emplace_back(words);
   }
 }
 
@@ -73,7 +73,7 @@ void HobbyPlate::run_until(Time now) {
 }
 
 void HobbyPlate::tick() {
-  speaking = this;
+  active_plate = this;
   const double pin_mv = has_sensor ? servo.sensor_mv() : 0.0;
   inputs_.adc = static_cast<std::int16_t>(std::clamp(std::lround(pin_mv * 1023.0 / 5000.0), 0L, 1023L));
   inputs_.adc = static_cast<std::int16_t>(inputs_.adc - inputs_.adc % codes);

@@ -50,7 +50,7 @@ class HobbyPlate {
   explicit HobbyPlate(Traits traits);
 
   // ---- For a line.
-  void hear(std::string_view bytes, Time now);
+  void receive(std::string_view bytes, Time now);
   void run_until(Time now);
   std::string take_output() { return std::exchange(output_, {}); }
   Time byte_time() const { return traits_.byte_time; }
@@ -58,7 +58,7 @@ class HobbyPlate {
   Time now() const { return now_; }
 
   // ---- For tests without a line.
-  void say(const std::string& body) { hear(line_of(body), now_); }
+  void say(const std::string& body) { receive(line_of(body), now_); }
   void run_for(Time time) { run_until(now_ + time); }
   /// Returns the bodies of the lines sent since the last call.
   std::vector<std::string> take_lines();
@@ -71,7 +71,7 @@ class HobbyPlate {
   void press(bool pressed) { inputs_.emergency_open = pressed; }
 
   /// Bodies of the valid lines received so far, without sequence numbers.
-  const std::vector<std::string>& heard() const { return heard_; }
+  const std::vector<std::string>& heard() const { return received_; }
   bool is_following() const { return plate_.state == PLATE_FOLLOWING; }
   bool has_pulses() const { return plate_.pulses; }
   int heartbeat_stops() const { return heartbeat_stops_; }
@@ -95,7 +95,7 @@ class HobbyPlate {
   LineBuffer reader_{};
   std::string output_;
   Time now_{0};
-  std::vector<std::string> heard_;
+  std::vector<std::string> received_;
   int heartbeat_stops_ = 0, saves_ = 0;
   bool is_saving_ = false;
 };

@@ -55,7 +55,7 @@ class PtyDevice {
       const auto behind = Clock::now() - began - emulated_.now();
       if (behind > max_slice) began += behind - max_slice;
       const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - began);
-      emulated_.hear(bytes, now);
+      emulated_.receive(bytes, now);
       emulated_.run_until(now);
       pty_.type(emulated_.take_output());
     }

@@ -343,7 +343,7 @@ static LineError hear_line(Plate* plate, char* body) {
   return hear_drive(plate, verb, rest);
 }
 
-void plate_hear(Plate* plate, char byte) {
+void plate_receive(Plate* plate, char byte) {
   LineError error;
   if (!line_take(&plate->buffer, byte, &error)) return;
   if (error == LINE_OK) error = hear_line(plate, plate->buffer.text);

@@ -102,7 +102,7 @@ typedef struct Plate {
 void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved);
 
 /** Processes a byte from the host. */
-void plate_hear(Plate* plate, char byte);
+void plate_receive(Plate* plate, char byte);
 
 /** Processes the inputs. Call it once a millisecond. */
 void plate_tick(Plate* plate, const PlateInputs* inputs);

@@ -21,7 +21,7 @@ constexpr double stop_deg = 90.0;
 constexpr double adc_least = 100.0;
 constexpr double adc_most = 900.0;
 
-thread_local PlateTerminal* speaking = nullptr;  // object whose firmware is running
+thread_local PlateTerminal* active_terminal = nullptr;  // object whose firmware is running
 
 // Converts to hundredths, as an integer.
 std::int32_t whole_hundredths(double value, double least, double most) {
@@ -62,7 +62,7 @@ PlateTerminal::PlateTerminal(std::string link, const PlateDynamics& servo, XrTim
 
   static constexpr PlateBoard board{send, save};
   const Settings settings = settings_of(servo);
-  speaking = this;
+  active_terminal = this;
   plate_start(&plate_, &board, &settings);
 }
 
@@ -72,16 +72,16 @@ PlateTerminal::~PlateTerminal() {
 }
 
 bool PlateTerminal::send(const char* line, std::uint8_t length) {
-  return write(speaking->ends_.own, line, length) == length;
+  return write(active_terminal->ends_.own, line, length) == length;
 }
 
-void PlateTerminal::save(const std::uint8_t*) { speaking->saves_ = true; }
+void PlateTerminal::save(const std::uint8_t*) { active_terminal->saves_ = true; }
 
 std::optional<double> PlateTerminal::run_until(XrTime now, double orientation_deg) {
-  speaking = this;
+  active_terminal = this;
   std::array<char, 256> bytes{};
   for (ssize_t count = 0; (count = read(ends_.own, bytes.data(), bytes.size())) > 0;)
-    std::for_each_n(bytes.begin(), count, [this](char byte) { plate_hear(&plate_, byte); });
+    std::for_each_n(bytes.begin(), count, [this](char byte) { plate_receive(&plate_, byte); });
   const double share = (std::clamp(orientation_deg, -stop_deg, stop_deg) + stop_deg) / (2.0 * stop_deg);
   const PlateInputs inputs{.emergency_open = false,
                            .adc = static_cast<std::int16_t>(std::lround(adc_least + share * (adc_most - adc_least))),

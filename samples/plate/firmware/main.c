@@ -217,7 +217,7 @@ int main(void) {
     while (received_tail != received_head) {
       const char byte = received[received_tail];
       received_tail = (received_tail + 1) & RING_MASK;
-      plate_hear(&plate, byte);
+      plate_receive(&plate, byte);
     }
     uint8_t passed;
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {

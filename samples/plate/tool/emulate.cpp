@@ -43,7 +43,7 @@ void press(HobbyPlate& plate, bool pressed) {
 }
 void press(EmulatedDynamixel& servo, bool pressed) {
   servo.restart();
-  servo.is_mute = pressed;
+  servo.is_silent = pressed;
 }
 void jam(HobbyPlate& plate, bool jammed) { plate.servo.is_jammed = jammed; }
 void jam(EmulatedDynamixel& servo, bool jammed) { servo.motor.is_jammed = jammed; }

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr double max_slip_deg = 0.4;  // the converter resolves 0.3
 constexpr double near_deg = 5.0;      // largest distance from the command at arrival
-constexpr double still_deg = 0.5;     // largest motion of a plate at rest
+constexpr double still_deg = 0.6;     // largest motion of a plate at rest, with noise of its sensor
 constexpr auto rest_time = 200ms;
 constexpr auto settle_limit = 3000ms;
 constexpr double sweep_step_deg = 15.0;

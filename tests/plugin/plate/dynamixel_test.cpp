@@ -321,11 +321,11 @@ TEST_F(DynamixelTest, TheWatchdogStopsItAndTheNextCommandContinues) {
 }
 
 TEST_F(DynamixelTest, NamesEveryFault) {
-  servo.is_mute = true;
+  servo.is_silent = true;
   EXPECT_EQ(failure_of_opening(),
             "does not answer as a Dynamixel of id 1 within 3 s; check id, baud, cable and supply");
   EXPECT_EQ(fault, Fault::no_answer);
-  servo.is_mute = false;
+  servo.is_silent = false;
   EXPECT_TRUE(failure_of_opening("?id=2").starts_with("does not answer as a Dynamixel of id 2"));
   servo.set(0, 2, 350);
   EXPECT_EQ(failure_of_opening(), "is a Dynamixel of model number 350; allowed: 1190 and 1200 (XL330)");
@@ -347,10 +347,10 @@ TEST_F(DynamixelTest, NamesEveryFault) {
   servo.forced_error = 0;
   device.reset();
   device = open();
-  servo.is_mute = true;
+  servo.is_silent = true;
   EXPECT_TRUE(failure_of([&] { serve(*device, 1000ms); }).starts_with("has not been heard for half a second"));
   EXPECT_EQ(fault, Fault::silent);
-  servo.is_mute = false;
+  servo.is_silent = false;
   device.reset();
   device = open();
   servo.motor.is_jammed = true;
@@ -359,25 +359,45 @@ TEST_F(DynamixelTest, NamesEveryFault) {
   EXPECT_EQ(fault, Fault::stuck);
 }
 
-// Another program writes a goal while this one has no command, holds one, or moves: the plate is stopped. Writing the
-// present goal again changes nothing.
-TEST_F(DynamixelTest, DetectsASecondProgramOnItsLine) {
+// Another program writes a goal while this one has no command, holds one, or moves: the plate is stopped, and has no
+// torque, so that the next goals do not turn it. Writing the present goal again changes nothing.
+TEST_F(DynamixelTest, ASecondProgramOnItsLineEndsTheTorque) {
+  const auto send_goal = [&](std::int64_t step) {
+    const std::string goal = little_endian(116, 2) + little_endian(step, 4);
+    servo.receive(encode({.id = 1, .instruction = dynamixel::write, .parameters = goal}), servo.now());
+  };
   for (const double command_deg : {-1.0, 0.0, 90.0}) {
     auto device = open();
     if (command_deg >= 0.0) device->turn_to(command_deg);
     serve(*device, 200ms);
     for (const int aside : {0, 500}) {
-      const std::string goal = little_endian(116, 2) + little_endian(servo.get(116, 4) + aside, 4);
-      servo.hear(encode({.id = 1, .instruction = dynamixel::write, .parameters = goal}), servo.now());
+      send_goal(servo.get(116, 4) + aside);
       EXPECT_EQ(failure_of([&] { serve(*device, 100ms); }),
                 aside == 0 ? "" : "receives commands from another program. Close that program");
     }
     EXPECT_EQ(fault, Fault::line);
+    EXPECT_EQ(servo.get(64, 1), 0);
     const double stopped_deg = servo.orientation_deg();
     device.reset();
-    servo.run_until(servo.now() + 1s);
-    EXPECT_NEAR(servo.orientation_deg(), stopped_deg, 5.0);  // 300 degrees a second for 15 ms since the last report
+    for (int i = 0; i < 20; ++i) {
+      send_goal(3000);
+      servo.run_until(servo.now() + 50ms);
+    }
+    EXPECT_EQ(servo.orientation_deg(), stopped_deg);
   }
+}
+
+// At rest, the profile is that of 1.4 degrees a second: a goal of another program, after the line was unplugged, turns
+// the plate by 0.42 degrees until the watchdog expires. The next command turns it fast.
+TEST_F(DynamixelTest, APlateAtRestHasASlowProfile) {
+  const auto device = open();
+  turn(*device, 45.0, 500ms);
+  EXPECT_EQ(servo.get(112, 4), 1);
+  turn(*device, -45.0, 100ms);
+  EXPECT_EQ(servo.get(112, 4), 218);  // 300 / (0.229 * 6)
+  device->stop();
+  serve(*device, 50ms);
+  EXPECT_EQ(servo.get(112, 4), 1);
 }
 
 TEST_F(DynamixelTest, ReachesItsCommandOnADisturbedLine) {

@@ -66,7 +66,7 @@ class EmulatedLine : public Line {
   }
   void exchange() {
     for (; !going_.empty() && going_.front().arrives <= now_; going_.pop_front()) {
-      device_.hear(going_.front().bytes, now_);
+      device_.receive(going_.front().bytes, now_);
       free_at_ = std::max(free_at_, now_ + device_.answer_delay());
     }
     for (const char byte : device_.take_output()) {

@@ -61,7 +61,7 @@ class PipeDynamixel {
       return;
     }
     if (waiting == 0 || !ReadFile(end, bytes.data(), static_cast<DWORD>(bytes.size()), &count, nullptr)) return;
-    servo_.hear({bytes.data(), count}, now);
+    servo_.receive({bytes.data(), count}, now);
     const std::string answer = servo_.take_output();
     WriteFile(end, answer.data(), static_cast<DWORD>(answer.size()), &count, nullptr);
   }

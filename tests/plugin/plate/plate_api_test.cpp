@@ -1,6 +1,8 @@
 // Tests of the C interface of libhrt_plate with emulated plates on pseudo-terminals.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <haptic_retargeting/plate.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -87,9 +90,17 @@ TEST_F(PlateApi, ReportsTheReasonOfAFailure) {
   EXPECT_EQ(error(), std::string("hrt_plate_set: ") + report.message);
 }
 
-TEST_F(PlateApi, ASecondPlateOnALineFails) {
+// Other programs cannot open the line, except those of root, which sees it marked as exclusive.
+TEST_F(PlateApi, ASecondProgramCannotUseTheLine) {
   PtyPlate device;
   open_until_ready("serial:" + device.device());
+  const int other = ::open(device.device().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+  int is_exclusive = other < 0 && errno == EBUSY ? 1 : 0;
+  if (other >= 0) {
+    ioctl(other, TIOCGEXCL, &is_exclusive);
+    ::close(other);
+  }
+  EXPECT_EQ(is_exclusive, 1);
   hrt_plate second{};
   ASSERT_EQ(hrt_plate_open(("serial:" + device.device()).c_str(), nullptr, &second), HRT_OK);
   EXPECT_TRUE(comes_to(second, HRT_PLATE_STATE_FAILED));

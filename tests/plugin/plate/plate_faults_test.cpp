@@ -29,8 +29,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto window = 100ms;      // time over which speed is measured; a hobby servo gets a pulse every 20 ms
-constexpr double place_deg = 20.0;  // initial plate orientation
+// Time over which speed is measured, and between two faults. A hobby servo gets a pulse every 20 ms.
+constexpr auto window = 100ms;
+constexpr double place_deg = -20.0;  // initial plate orientation
 enum Phase { open, idle, home, move, hold, close };
 constexpr const char* phases[] = {"open", "idle", "home", "move", "hold", "close"};
 
@@ -48,7 +49,7 @@ void disturb(Emulated& device) {
   static std::mt19937 random{5};
   std::string noise(200, '\0');
   for (char& byte : noise) byte = static_cast<char>(random());
-  device.hear(noise, device.now());
+  device.receive(noise, device.now());
   device.send(noise);
 }
 
@@ -58,14 +59,14 @@ struct Hobby {
   static constexpr const char *name = "hobby servo", *device = "serial:line";
   static constexpr double speed_limit_deg_s = 200.0;  // limit of the firmware
   static constexpr double latency_s = 0.03;           // dead time of 10 ms, and a frame of its pulses
-  static constexpr bool homes = true;
+  static constexpr bool homes = true, refuses_second_host = true;
 
   static HobbyPlate make(Phase phase) {
     return HobbyPlate({.settings = phase == home ? settings_default() : commissioned(), .place_deg = place_deg});
   }
   static void greet(HobbyPlate& board) { board.say("HELLO 2 00042"); }
   static double force_n(const HobbyPlate&) { return 0.0; }  // unknown, and not limited
-  static bool is_deaf(const HobbyPlate&) { return false; }
+  static bool is_silent(const HobbyPlate&) { return false; }
   static inline const std::vector<Kind<HobbyPlate>> kinds = {
       {"unplug", {}, {"is unplugged"}},
       {"power loss",
@@ -96,7 +97,7 @@ struct Xl330 {
   static constexpr const char *name = "XL330", *device = "dynamixel:line?effort=100";
   static constexpr double speed_limit_deg_s = 300.0;  // its profile
   static constexpr double latency_s = 0.02;           // an exchange that has to end, and the exchange of the stop
-  static constexpr bool homes = false;
+  static constexpr bool homes = false, refuses_second_host = false;
 
   static EmulatedDynamixel make(Phase) {
     EmulatedDynamixel servo;
@@ -105,16 +106,16 @@ struct Xl330 {
     return servo;
   }
   static void greet(EmulatedDynamixel& servo) {
-    servo.hear(dynamixel::encode({.id = 1, .instruction = dynamixel::ping}), servo.now());
+    servo.receive(dynamixel::encode({.id = 1, .instruction = dynamixel::ping}), servo.now());
   }
   // ROBOTIS: stall torque 0.52 N m at 1.47 A. The rim is at 75 mm.
   static double force_n(const EmulatedDynamixel& servo) {
     return servo.get(64, 1) == 0 ? 0.0 : static_cast<double>(servo.get(102, 2)) / 1470.0 * 0.52 / 0.075;
   }
-  static bool is_deaf(const EmulatedDynamixel& servo) { return servo.is_mute; }
+  static bool is_silent(const EmulatedDynamixel& servo) { return servo.is_silent; }
   static void lose_power(EmulatedDynamixel& servo) {
     servo.restart();
-    servo.is_mute = true;
+    servo.is_silent = true;
   }
   static inline const std::vector<Kind<EmulatedDynamixel>> kinds = {
       {"unplug", {}, {"is unplugged"}},
@@ -124,19 +125,19 @@ struct Xl330 {
       {"second host",
        [](EmulatedDynamixel& servo) {
          const std::string goal = dynamixel::little_endian(116, 2) + dynamixel::little_endian(1593, 4);
-         servo.hear(dynamixel::encode({.id = 1, .instruction = dynamixel::write, .parameters = goal}), servo.now());
+         servo.receive(dynamixel::encode({.id = 1, .instruction = dynamixel::write, .parameters = goal}), servo.now());
        },
        {"another program"},
        idle},
       {"garbage", disturb<EmulatedDynamixel>, {}},
-      {"silence", [](EmulatedDynamixel& servo) { servo.is_mute = true; }, {"not answer", "not been heard"}},
+      {"silence", [](EmulatedDynamixel& servo) { servo.is_silent = true; }, {"not answer", "not been heard"}},
       {"stuck", [](EmulatedDynamixel& servo) { servo.motor.is_jammed = true; }, {"is stuck"}},
       {"stall", [](EmulatedDynamixel& servo) { servo.motor.supply = 0.3; }, {}},
       {"supply loss",
        lose_power,
        {"has restarted", "not answer", "not been heard"},
        idle,
-       [](EmulatedDynamixel& servo) { servo.is_mute = false; }}};
+       [](EmulatedDynamixel& servo) { servo.is_silent = false; }}};
 };
 
 // A plate with its host, into which faults are injected.
@@ -157,7 +158,7 @@ struct Scene {
   std::chrono::nanoseconds ends_at{};
 
   void close_host() {
-    if (host) stops = board.now() + (is_unplugged || Plate::is_deaf(board) ? 300ms : 0ms);
+    if (host) stops = board.now() + (is_unplugged || Plate::is_silent(board) ? 300ms : 0ms);
     host.reset();
   }
   void watch_stop() {
@@ -205,10 +206,10 @@ struct Scene {
     if (host) host->turn_to(orientation_deg);
   }
   void play(Phase phase, const Kind<Emulated>& first, const Kind<Emulated>& second) {
-    const auto strike = [&](Phase now) {
+    const auto inject = [&](Phase now) {
       if (now != phase) return;
       for (const auto* kind : {&first, &second}) {
-        if (kind == &second) run(40ms);
+        if (kind == &second) run(window);
         is_unplugged = is_unplugged || !kind->begin;
         if (kind->begin) kind->begin(board);
         if (!kind->end) continue;
@@ -218,28 +219,28 @@ struct Scene {
     };
     if (phase == open) {  // in the middle of the greeting
       Plate::greet(board);
-      strike(open);
+      inject(open);
     }
     open_host();
     run(300ms);
-    strike(idle);
+    inject(idle);
     run(300ms);
     if (phase == home) {
       set(0.0);
       run(3s);
-      strike(home);
+      inject(home);
       run(9s);
     }
     const double outermost_deg = phase == home ? 40.0 : 80.0;
     set(outermost_deg);
-    run(260ms);
-    strike(move);
+    run(100ms);
+    inject(move);
     run(1500ms);
-    strike(hold);
+    inject(hold);
     run(300ms);
     set(-0.75 * outermost_deg);
     run(1500ms);
-    strike(close);
+    inject(close);
     close_host();
     watch_stop();
     run(900ms);
@@ -255,13 +256,22 @@ bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& said) 
          phase < kind.first_phase || phase == close || (phase == home && words.front() == "is stuck");
 }
 
-// Returns the row of the README that summarizes the table.
+// The line of an XL330 is unplugged while it moves, and a second controller on its bus sends a goal. No driver can
+// prevent that the servo executes it until 300 ms after the last packet. On the same computer, the lock of the line
+// excludes a second program (PlateApi.ASecondProgramCannotUseTheLine).
+template <class Plate>
+bool has_only_another_controller(Phase phase, const char* first, const char* second) {
+  return !Plate::refuses_second_host && phase == move && std::string_view(first) == "unplug" &&
+         std::string_view(second) == "second host";
+}
+
+// Returns the rows of the README that summarize the table.
 template <class Plate>
 std::string study() {
   std::printf("%-12s %-12s %-12s %-6s %-14s %-14s %-8s %-8s %s\n", "plate", "fault", "and", "phase", "deg before set",
               "deg after stop", "deg/s", "N at rim", "reported");
   int runs = 0;
-  double before_deg = 0.0, after_deg = 0.0, alone_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
+  double before_deg = 0.0, after_deg = 0.0, other_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
   const auto& kinds = Plate::kinds;
   for (std::size_t a = 0; a < kinds.size(); ++a) {
     for (std::size_t b = a; b < kinds.size(); ++b) {
@@ -275,28 +285,33 @@ std::string study() {
                     phases[phase], scene.before_first_set_deg, scene.after_stop_deg, scene.max_deg_s, scene.max_n,
                     said.c_str());
         before_deg = std::max(before_deg, scene.before_first_set_deg);
-        after_deg = std::max(after_deg, scene.after_stop_deg);
-        // An XL330 executes the commands of another program.
-        const bool is_second_host = kinds[a].name == kinds[4].name || kinds[b].name == kinds[4].name;
-        if (!is_second_host || Plate::homes) alone_deg = std::max(alone_deg, scene.after_stop_deg);
+        const bool is_other = has_only_another_controller<Plate>(phase, kinds[a].name, kinds[b].name);
+        (is_other ? other_deg : after_deg) = std::max(is_other ? other_deg : after_deg, scene.after_stop_deg);
+        runs += is_other ? 0 : 1;
         max_deg_s = std::max(max_deg_s, scene.max_deg_s);
         max_n = std::max(max_n, scene.max_n);
-        ++runs;
         EXPECT_TRUE(is_named(kinds[a], phase, said) || is_named(kinds[b], phase, said)) << said;
         EXPECT_TRUE(!said.empty() || (is_named(kinds[a], phase, "") && is_named(kinds[b], phase, "")));
       }
     }
   }
   EXPECT_LE(before_deg, 2.0);
-  EXPECT_LE(alone_deg, 2.0 + Plate::latency_s * Plate::speed_limit_deg_s);
+  EXPECT_LE(after_deg, 2.0 + Plate::latency_s * Plate::speed_limit_deg_s);
+  EXPECT_LE(other_deg, Plate::speed_limit_deg_s * std::chrono::duration<double>(window).count());
   EXPECT_LE(max_deg_s, 1.1 * Plate::speed_limit_deg_s);
   EXPECT_LE(max_n, 5.0);
   std::array<char, 200> row{};
   std::snprintf(row.data(), row.size(), "| %s | %d | %.1f° | %.1f° | %.0f°/s of %.0f | %s |\n", Plate::name, runs,
                 before_deg, after_deg, max_deg_s, Plate::speed_limit_deg_s,
                 max_n > 0.0 ? (std::to_string(max_n).substr(0, 4) + " N of 5").c_str() : "not limited");
-  std::printf("%s", row.data());
-  return row.data();
+  std::string rows = row.data();
+  if (!Plate::refuses_second_host) {
+    std::snprintf(row.data(), row.size(), "| %s, only another controller | 1 | | %.1f° | | |\n", Plate::name,
+                  other_deg);
+    rows += row.data();
+  }
+  std::printf("%s", rows.c_str());
+  return rows;
 }
 
 TEST(PlateFaults, EachPairStaysWithinTheLimitsOfMotionSpeedAndForceAndIsReported) {

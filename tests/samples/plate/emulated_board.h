@@ -37,7 +37,7 @@ class EmulatedBoard {
   void run_until(std::chrono::nanoseconds time);
 
   /// Sends bytes to the board at the line's speed; the time is ignored.
-  void hear(std::string_view bytes, std::chrono::nanoseconds) { send(bytes); }
+  void receive(std::string_view bytes, std::chrono::nanoseconds) { send(bytes); }
   void send(std::string_view bytes) { to_board_.append(bytes); }
   /// Times without an effect: simavr simulates the line's speed.
   static std::chrono::nanoseconds byte_time() { return {}; }

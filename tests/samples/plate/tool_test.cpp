@@ -292,22 +292,22 @@ ServoTraits any_traits(Uniform& between, unsigned seed, double fastest_deg_s) {
 
 // Emulated plate with a disturbance.
 template <class Emulated>
-struct Troubled : Emulated {
+struct Disturbed : Emulated {
   using Emulated::Emulated;
-  std::function<void(Emulated&)> trouble = [](Emulated&) {};
+  std::function<void(Emulated&)> disturb = [](Emulated&) {};
   double ran_s = 0.0;
   void run_until(std::chrono::nanoseconds now) {
     ran_s = std::chrono::duration<double>(now).count();
-    trouble(*this);
+    disturb(*this);
     Emulated::run_until(now);
   }
 };
 
-struct Hobby : Troubled<HobbyPlate> {
+struct Hobby : Disturbed<HobbyPlate> {
   Hobby(Uniform& between, unsigned seed)
-      : Troubled({.settings = settings_default(),
-                  .servo = any_traits(between, seed, 400.0),
-                  .place_deg = between(-40.0, 40.0)}) {
+      : Disturbed({.settings = settings_default(),
+                   .servo = any_traits(between, seed, 400.0),
+                   .place_deg = between(-40.0, 40.0)}) {
     servo.bend_deg = between(0.0, 3.0);
     servo.bend_waves = 1 + static_cast<int>(between.random() % 2);
     servo.bend_phase_deg = between(0.0, 360.0);
@@ -321,9 +321,9 @@ struct Hobby : Troubled<HobbyPlate> {
   static constexpr double exchange_ms = 10.0;  // half a frame of its pulses
 };
 
-struct Xl330 : Troubled<EmulatedDynamixel> {
+struct Xl330 : Disturbed<EmulatedDynamixel> {
   Xl330(Uniform& between, unsigned seed)
-      : Troubled(1, 1190, of_its_kind(any_traits(between, seed, 600.0))), speed_deg_s(between(20.0, 400.0)) {}
+      : Disturbed(1, 1190, of_its_kind(any_traits(between, seed, 600.0))), speed_deg_s(between(20.0, 400.0)) {}
   // Removes the stops, which an XL330 does not have.
   static ServoTraits of_its_kind(ServoTraits traits) {
     traits.lower_stop_deg = -(traits.upper_stop_deg = 1e4);
@@ -338,7 +338,7 @@ struct Xl330 : Troubled<EmulatedDynamixel> {
     return found;
   }
   EmulatedServo& physics() { return motor; }
-  static constexpr double exchange_ms = 3.2;  // half of a running exchange, and two more bytes than a poll
+  static constexpr double exchange_ms = 3.9;  // half of a running exchange, and six more bytes than a poll
   double speed_deg_s;
 };
 
@@ -434,7 +434,7 @@ TYPED_TEST(PlateCommissionOf, ADefectivePlateIsRefusedOrMeasuredCorrectly) {
     TypeParam plate(between, i);
     const double from_s = between(0.0, 60.0), to_s = from_s + between(0.2, 5.0), dip = between(0.1, 0.7),
                  slip_deg = between(0.5, 4.0);
-    plate.trouble = [&](auto& emulated) {
+    plate.disturb = [&](auto& emulated) {
       const double now_s = std::chrono::duration<double>(emulated.now()).count();
       if (i % 3 == 0) plate.physics().supply = now_s > from_s && now_s < to_s ? dip : 1.0;
       if (i % 3 == 1) plate.physics().slip_deg = now_s > from_s ? slip_deg : 0.0;

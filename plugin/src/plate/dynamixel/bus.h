@@ -16,14 +16,14 @@
 namespace hrt::plate::dynamixel {
 
 /// An entry of the control table. Those below 64 keep their value without power, and may be written only
-/// while torque is off.
+/// while torque is off. `motion` is the profile velocity and, in the upper four bytes, the goal position.
 struct Entry {
   int address;
   int size;
 };
 inline constexpr Entry drive_mode{10, 1}, operating_mode{11, 1}, homing_offset{20, 4}, current_limit{38, 2},
     velocity_limit{44, 4}, torque_enable{64, 1}, hardware_error{70, 1}, bus_watchdog{98, 1}, goal_current{102, 2},
-    profile_velocity{112, 4}, goal_position{116, 4}, present_position{132, 4}, present_voltage{144, 2},
+    profile_velocity{112, 4}, motion{112, 8}, present_position{132, 4}, present_voltage{144, 2},
     present_temperature{146, 1};
 
 /// Model of a servo, with its stall torque at 5 V and 1.47 A: https://emanual.robotis.com/docs/en/dxl/x/xl330-m077/ and

@@ -22,8 +22,11 @@ constexpr auto ping_limit = 3s;     // adapters and servos need a moment after t
 constexpr int probes = 11;
 // Latency of the servo itself, whose control loop runs every millisecond.
 constexpr auto servo_latency = 2ms;
-constexpr std::int64_t resting_units =
-    1;  // velocity before the first command, so that a goal of another program moves the plate slowly
+// Profile of a plate at rest, 1.4 degrees a second, so that a goal of another program moves the plate slowly.
+constexpr std::int64_t resting_units = 1;
+constexpr auto rest_time = 100ms;   // a plate that has not moved for this time is at rest
+constexpr double rest_deg = 1.0;    // largest distance from the goal at rest
+constexpr double still_deg = 0.5;   // largest motion of a plate at rest: noise of its sensor
 constexpr int polls_per_check = 8;  // period of reading the torque, which is at a distant address
 
 struct Settings {
@@ -97,15 +100,14 @@ class Servo : public Device {
     const int step = step_of(orientation_deg);
     if (goal_step_ == step) return;
     goal_step_ = step;
-    is_goal_sent_ = false;
+    next_ = Next::turn;
     watch_->commanded(deg_of(step));
   }
 
   void stop() override {
     goal_step_.reset();
-    is_goal_sent_ = true;
+    next_ = Next::stop;
     watch_->stopped();
-    must_stop_ = true;
   }
 
   std::vector<std::string> details() override {
@@ -139,7 +141,7 @@ class Servo : public Device {
     bus_.write(homing_offset, offset);
     take_position(bus_.read(present_position));
     hold();
-    repeat_goal();
+    repeat_motion();
   }
 
   void keep_zero() override { stop(); }          // the servo stores the offset when it is written
@@ -190,37 +192,38 @@ class Servo : public Device {
     if (bus_.read(drive_mode) != normal_drive_mode) bus_.write(drive_mode, normal_drive_mode);
     const double max_ma = std::min(settings_.effort_percent / 100.0, max_torque_nm / model_->stall_nm) * stall_ma;
     effort_ = std::min(static_cast<std::int64_t>(max_ma), bus_.read(current_limit));
-    for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
+    bus_.write(goal_current, effort_);
   }
 
+  // The servo replaces the goal by its present position when the torque is switched on.
   void hold() {
     holds_ = true;
-    bus_.write(goal_position, step_of(*orientation_deg_));
+    bus_.write(motion, motion_of(resting_units, step_of(*orientation_deg_)));
     bus_.write(torque_enable, 1);
     bus_.write(bus_watchdog, watchdog_ticks);
+    known_motion_ = bus_.read(motion);
   }
 
-  // Entries that the servo clears when its watchdog stops it.
-  std::array<std::pair<Entry, std::int64_t>, 2> motion_entries() const {
-    return {{{profile_velocity, profile_units_}, {goal_current, effort_}}};
+  // Value of the two adjacent entries of the profile and the goal, which one request writes.
+  static std::int64_t motion_of(std::int64_t profile_units, std::int64_t goal) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(goal) << 32U |
+                                     static_cast<std::uint64_t>(profile_units));
   }
 
   // ---- In motion.
 
   void exchange() {
     if (const std::optional<Packet> answer = bus_.answer()) take(*answer);
-    repeat_lost_goal();
+    repeat_lost_motion();
     bus_.check_silence();
     if (bus_.awaits_answer()) return;
-    if (must_stop_) {
+    if (next_ == Next::stop) {
       send_stop();
-    } else if (!is_goal_sent_ && (!is_profile_sent_ || profile_units_ != speed_units())) {
-      is_profile_sent_ = true;
-      profile_units_ = speed_units();
-      bus_.send(bus_.write_request(profile_velocity, profile_units_));
-    } else if (!is_goal_sent_) {
-      is_goal_sent_ = true;
-      bus_.send(bus_.write_request(goal_position, *goal_step_));
+    } else if (next_ == Next::turn) {
+      rested_since_ = now();
+      send_motion(speed_units(), *goal_step_);
+    } else if (is_fast_ && is_at_rest()) {
+      send_motion(resting_units, *goal_step_);
     } else if (now() - bus_.asked() >= poll_period_) {
       bus_.send(poll_request());
     }
@@ -231,19 +234,18 @@ class Servo : public Device {
     const Packet request = bus_.request();
     const StatusError error = answer.status_error();
     const bool writes = request.instruction == Instruction::write;
-    const bool is_goal = writes && number_at(request.parameters, 0, 2) == goal_position.address;
     if (answer.is_alert()) check_hardware(bus_.read(hardware_error));
     if (error == StatusError::crc) {
       bus_.count_refusal();
-      if (writes) repeat_write();
+      if (writes) repeat_motion();
     } else if (error == StatusError::data_range && writes) {
       recover_from_watchdog();
     } else if (error != StatusError::none) {
       throw PlateFailure(Fault::protocol, Bus::describe(request, error));
     } else if (!writes) {
       take_poll(answer.parameters);
-    } else if (is_goal) {
-      known_goal_ = number_at(request.parameters, 2, goal_position.size);
+    } else {
+      known_motion_ = number_at(request.parameters, 2, motion.size);
     }
   }
 
@@ -273,12 +275,9 @@ class Servo : public Device {
     check_supply(value(present_voltage));
     if (watchdog == watchdog_expired) {
       recover_from_watchdog();
-    } else {
-      const std::int64_t goal = value(goal_position);
-      if (known_goal_.value_or(goal) != goal || value(goal_current) != effort_ ||
-          (is_profile_sent_ && value(profile_velocity) != profile_units_))
-        throw PlateFailure(Fault::line, second_program_text);
-      known_goal_ = goal;
+    } else if ((known_motion_ && value(motion) != *known_motion_) || value(goal_current) != effort_) {
+      has_second_program_ = true;
+      throw PlateFailure(Fault::line, second_program_text);
     }
   }
 
@@ -290,38 +289,48 @@ class Servo : public Device {
       throw PlateFailure(Fault::limits, "was turned by " + std::to_string(std::lround(*orientation_deg_)) +
                                             " degrees; allowed: -360 to 360. Switch the servo's supply off and on");
     reported_ = now();
+    if (std::abs(*orientation_deg_ - rested_deg_) > still_deg) {
+      rested_deg_ = *orientation_deg_;
+      rested_since_ = reported_;
+    }
     watch_->reported(reported_, orientation_deg_);
   }
 
   // Restarts a servo whose watchdog has expired during a pause of the host: it has stopped, and accepts no goal.
   void recover_from_watchdog() {
     bus_.write(bus_watchdog, 0);
-    for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
+    bus_.write(profile_velocity, resting_units);
+    bus_.write(goal_current, effort_);
     bus_.write(bus_watchdog, watchdog_ticks);
-    repeat_goal();
+    repeat_motion();
   }
 
-  void repeat_lost_goal() {
-    if (bus_.has_missed_answer() && bus_.request().instruction == Instruction::write) repeat_write();
+  void repeat_lost_motion() {
+    if (bus_.has_missed_answer() && bus_.request().instruction == Instruction::write) repeat_motion();
   }
 
-  void repeat_write() {
-    if (number_at(bus_.request().parameters, 0, 2) == profile_velocity.address) is_profile_sent_ = false;
-    repeat_goal();
+  void repeat_motion() {
+    known_motion_.reset();
+    next_ = goal_step_ ? Next::turn : Next::stop;
   }
 
-  void repeat_goal() {
-    known_goal_.reset();
-    if (goal_step_) is_goal_sent_ = false;
-    must_stop_ = !goal_step_;
+  bool is_at_rest() const {
+    return goal_step_ && reported_ - rested_since_ >= rest_time &&
+           std::abs(*orientation_deg_ - deg_of(*goal_step_)) <= rest_deg;
+  }
+
+  void send_motion(std::int64_t profile_units, std::int64_t goal) {
+    next_ = Next::poll;
+    is_fast_ = profile_units != resting_units;
+    bus_.send(bus_.write_request(motion, motion_of(profile_units, goal)));
   }
 
   // Stops at the present position, so that the plate does not turn back.
   void send_stop() {
-    must_stop_ = false;
+    next_ = Next::poll;
     if (!orientation_deg_) return;
     const double age_s = std::min(0.05, std::chrono::duration<double>(now() - reported_).count());
-    bus_.send(bus_.write_request(goal_position, step_of(*orientation_deg_ + age_s * speed_seen_deg_s_)));
+    send_motion(resting_units, step_of(*orientation_deg_ + age_s * speed_seen_deg_s_));
   }
 
   static void check_supply(std::int64_t tenths) {
@@ -340,16 +349,18 @@ class Servo : public Device {
 
   void finish_exchange() {
     await_answer();
-    repeat_lost_goal();
+    repeat_lost_motion();
   }
 
-  // Tries to stop the servo. If it receives nothing, its own watchdog stops it.
+  // Tries to stop the servo. If it receives nothing, its own watchdog stops it. If another program sends goals, it also
+  // switches the torque off, so that no further goal turns the plate.
   void stop_if_heard() {
     try {
       await_answer();
       send_stop();
       await_answer();
-      bus_.send(bus_.write_request(profile_velocity, resting_units));
+      if (!has_second_program_) return;
+      bus_.send(bus_.write_request(torque_enable, 0));
       await_answer();
     } catch (const PlateFailure&) {
       return;
@@ -361,18 +372,19 @@ class Servo : public Device {
   const Model* model_ = nullptr;
   int firmware_ = 0;
   std::int64_t fastest_units_ = 1;
-  std::int64_t effort_ = 0;                     // goal current, mA
-  std::int64_t profile_units_ = resting_units;  // profile that is set in the servo
-  bool is_profile_sent_ = true;
+  std::int64_t effort_ = 0;  // goal current, mA
   bool has_torque_ = true;
+  bool has_second_program_ = false;
   double speed_seen_deg_s_ = 0.0;  // between the last two reports
   int polls_ = 0;
   std::optional<PlateWatch> watch_;
   std::optional<double> orientation_deg_;
   std::optional<int> goal_step_;
-  std::optional<std::int64_t> known_goal_;  // goal in the servo; nullopt while a goal is being sent
-  bool is_goal_sent_ = true;
-  bool must_stop_ = false;
+  std::optional<std::int64_t> known_motion_;  // profile and goal in the servo; nullopt after a lost answer
+  enum class Next { poll, turn, stop } next_ = Next::poll;
+  bool is_fast_ = false;     // the profile in the servo is that of a motion
+  double rested_deg_ = 0.0;  // position from which the plate has not moved ...
+  Line::Time rested_since_;  // ... since this time
   bool holds_ = false;
   std::chrono::milliseconds poll_period_{20};
   Line::Time reported_;
