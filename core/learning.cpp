@@ -65,6 +65,17 @@ PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& l
   return next;
 }
 
+// Mean square error of a habit that was estimated with a prior narrower than the person's. With that prior's variance
+// v, P after the reach, and V of the person's habit before it, the gain K and the variance e of what the reach shows
+// are
+//
+//   1 - K = P / v,   K e = P;   error: (1 - K)^2 V + K^2 e
+double habit_variance_deg2(const PersonBelief& before, const PersonBelief& steering, const PersonBelief& next) {
+  const double after_deg2 = next.covariance(T::habit, T::habit);
+  const double kept = std::min(1.0, after_deg2 / steering.covariance(T::habit, T::habit));
+  return square(kept) * before.covariance(T::habit, T::habit) + (1.0 - kept) * after_deg2;
+}
+
 }  // namespace
 
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt) {
@@ -95,17 +106,14 @@ RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact,
 
 PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown,
                      const Tuning& tuning) {
-  PersonBelief next = without_deviation(before, learnt, tuning);
+  const PersonBelief steering = steering_belief(before, tuning);
+  PersonBelief next = without_deviation(steering, learnt, tuning);
   // The filter's rounding differs above and below the diagonal.
   next.covariance = (0.5 * (next.covariance + next.covariance.transpose())).eval();
+  set_variance(next, T::habit, habit_variance_deg2(before, steering, next));
   for (int i = 0; i < T::traits; ++i) next.covariance(i, i) += square(tuning.traits[i].change);
-  // Scaling a row and its column keeps the correlations.
-  for (int i = 0; i < T::traits; ++i) {
-    const double excess = next.covariance(i, i) / unknown.covariance(i, i);
-    if (excess <= 1.0) continue;
-    next.covariance.row(i) /= std::sqrt(excess);
-    next.covariance.col(i) /= std::sqrt(excess);
-  }
+  for (int i = 0; i < T::traits; ++i)
+    if (next.covariance(i, i) > unknown.covariance(i, i)) set_variance(next, i, unknown.covariance(i, i));
   if (missed && has_fallen(before, learnt, tuning)) forget_illusion(unknown, &next);
   return next;
 }

@@ -20,7 +20,8 @@ RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact,
 
 /// The belief for the next reach after one that began with `before`, ended with `learnt` and, if `missed`, did not
 /// reach its target. The deviation of this reach from the person's bias is removed, and the scatter estimated from it.
-/// The covariance grows, since people change, but never beyond `unknown`. After a miss with an illusion far below the
+/// The covariance grows, since people change, but never beyond `unknown`; the habit's variance is the mean square of
+/// its error, although the reach began with steering_belief(). After a miss with an illusion far below the
 /// former estimate, the illusion is unknown again.
 PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown,
                      const Tuning& tuning = {});

@@ -23,7 +23,7 @@ MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& o
   const PlatePoint travelled = places.mean_of_last(3) - origin;
   const double travelled_mm = std::sqrt(square_distance_mm2(travelled, {}));
 
-  const double log_rate_sd = std::sqrt(belief.covariance(T::log_rate, T::log_rate));
+  const double log_rate_sd = trait_sd(belief, T::log_rate);
   const double evenness = std::clamp(belief.mean(T::evenness), 0.0, 1.0);
   const double phase = phase_at(evenness, travelled_mm / path_mm, tuning.pace_skew);
   const int count = places.count();

@@ -57,6 +57,20 @@ double habit_scatter_deg(const PersonBelief& belief, const Tuning& tuning) {
   return tuning.habit_scatter * exponential(belief.mean(T::log_wander));
 }
 
+void set_variance(PersonBelief& belief, int trait, double variance) {
+  const double scale = std::sqrt(variance) / trait_sd(belief, trait);
+  belief.covariance.row(trait) *= scale;
+  belief.covariance.col(trait) *= scale;
+  belief.covariance(trait, trait) = variance;
+}
+
+PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning) {
+  PersonBelief steering = belief;
+  if (trait_sd(belief, T::habit) > tuning.steered_habit_sd_deg)
+    set_variance(steering, T::habit, square(tuning.steered_habit_sd_deg));
+  return steering;
+}
+
 LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
                                double curve_variance) {
   constexpr double share = (60.0 / 75.0) * (60.0 / 75.0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "core/math/distributions.h"
 #include "core/person/person_state.h"
@@ -15,6 +16,8 @@ struct PersonBelief {
   Vector mean;        ///< in the order of PersonState, as the covariance
   Matrix covariance;  ///< positive definite
 };
+
+inline double trait_sd(const PersonBelief& belief, int trait) { return std::sqrt(belief.covariance(trait, trait)); }
 
 /// The prior of an unknown person. `tactile_weight` and its SD are those of a linear
 /// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0. Clamped to the
@@ -31,6 +34,12 @@ void know(PersonBelief& belief, PersonState::Index trait, double mean, double sd
 
 /// SD of the habit from one reach to the next.
 double habit_scatter_deg(const PersonBelief& belief, const Tuning& tuning);
+
+/// Sets the variance of a trait and keeps its correlations.
+void set_variance(PersonBelief& belief, int trait, double variance);
+
+/// The belief that steers a reach: that about the person, with a habit whose SD is at most steered_habit_sd_deg.
+PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning);
 
 /// The weight that a linear illusion would have to shift the felt direction as much at 60 degrees; 0.001 to
 /// 0.499.

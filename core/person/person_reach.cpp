@@ -14,7 +14,7 @@ namespace {
 using X = PersonState;
 
 PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
-  PersonBelief belief = config.person;
+  PersonBelief belief = steering_belief(config.person, config.tuning);
   if (reach.duration_s > 0.0)
     know(belief, X::log_rate, -logarithm(reach.duration_s), config.tuning.given_duration_log_sd);
   return belief;
@@ -225,8 +225,6 @@ ReachSummary PersonReach::summary() const {
                     .gain_sd_s = filter().sd(X::gain),
                     .bias_deg = filter().mean(X::bias),
                     .bias_sd_deg = filter().sd(X::bias),
-                    .habit_deg = filter().mean(X::habit),
-                    .habit_sd_deg = filter().sd(X::habit),
                     .duration_s = exponential(-filter().mean(X::log_rate))};
   return summary;
 }

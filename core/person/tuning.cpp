@@ -27,6 +27,7 @@ std::vector<TuningField> tuning_fields(Tuning& t) {
       {"resting_density_mm2_s", &t.resting_density_mm2_s, 0.0, 1e3},
       {"wander_s", &t.wander_s, 0.01, 10.0},
       {"habit_scatter", &t.habit_scatter, 0.0, 30.0},
+      {"steered_habit_sd_deg", &t.steered_habit_sd_deg, 1e-3, 90.0},
       {"min_return_fraction", &t.min_return_fraction, 0.01, 1.0},
       {"pace_skew", &t.pace_skew, -1.0, 1.0},
       {"answer_s", &t.answer_s, 0.01, 10.0},

@@ -29,7 +29,7 @@ struct Tuning {
       {1.1, 1.6, 0.03},    // curve
       {14.0, 4.0, 0.7},    // gain, 1/s
       {0.0, 4.0, 0.5},     // bias, deg
-      {0.0, 2.0, 0.4},     // habit, deg
+      {0.0, 9.0, 0.4},     // habit, deg; recorded people and targets: 9.3
       {0.05, 0.35, 0.05},  // evenness
       {-0.65, 0.55, 0.1},  // log_rate
       {0.05, 0.6, 0.02},   // fading
@@ -37,6 +37,7 @@ struct Tuning {
       {1.4, 1.2, 0.15},    // log_wander
   };
   double weight_curve_correlation = 0.85;  ///< [s] prior correlation of weight and curve
+  double steered_habit_sd_deg = 2.0;       ///< deg [s] SD of the habit that a reach begins with is at most this
   double known_weight_sd = 0.001;          ///< [m] SDs of known_person()
   double known_bias_sd_deg = 0.05;         ///< deg
   double known_fading_sd = 0.01;

@@ -123,8 +123,6 @@ struct PersonEstimate {
   double gain_sd_s = 0.0;
   double bias_deg = 0.0;  ///< goal minus virtual direction
   double bias_sd_deg = 0.0;
-  double habit_deg = 0.0;  ///< the goal bends from this to its opposite along the path
-  double habit_sd_deg = 0.0;
   double duration_s = 0.0;  ///< duration of the motion
 };
 

@@ -83,6 +83,19 @@ TEST(Learning, AReachsDeviationIsNotTheirBias) {
   EXPECT_NEAR(carried(steady, learnt, false, unknown).mean(PersonState::bias), 3.0 * 16.0 / 16.04, 1e-4);
 }
 
+// A reach that began with a habit of 0 +- 2, and a scatter of e^1.4, showed 3 +- 1.41: a variance of 3.294 is left, so
+// 0.8235 of the former error of +- 9 remains. Its square is 54.93; what the reach showed adds 0.1765 x 3.294.
+TEST(Learning, TheHabitsErrorIsStatedAndNotSteeredBy) {
+  const PersonBelief unknown = unknown_person();
+  PersonBelief learnt = steering_belief(unknown, {});
+  EXPECT_EQ(learnt.covariance(PersonState::habit, PersonState::habit), 4.0);
+  know(learnt, PersonState::habit, 3.0, std::sqrt(2.0));
+  const PersonBelief next = carried(unknown, learnt, false, unknown);
+  EXPECT_NEAR(next.covariance(PersonState::habit, PersonState::habit), 55.51 + 0.16, 0.01);
+  EXPECT_EQ(trait_sd(steering_belief(next, {}), PersonState::habit), 2.0);
+  EXPECT_EQ(steering_belief(next, {}).mean, next.mean);
+}
+
 // 2 mm of prior and of the contact: half of 4 mm at 100 mm, 1.146 degrees to the right, is the frame's, and
 // the person's bias has that much less of it. A bias that no reach has taught stays.
 TEST(Learning, AContactTakesTheFramesPartOfTheBias) {

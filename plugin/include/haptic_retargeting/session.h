@@ -95,8 +95,9 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_GAIN 2
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
-/** Habit, a curvature of the path: half of the difference between the aimed directions at the start and at the end.
- *  @range -45 to 45 @unit deg @ccw */
+/** Habit, a curvature of the path: half of the difference between the aimed directions at the start and at the end. It
+ *  is the mean over the reaches to the targets so far; recorded people differ from it by 7 deg (SD) towards another
+ *  target. @range -45 to 45 @unit deg @ccw */
 #define HRT_PERSON_HABIT 4
 /** Speed profile of the motion, from 0: minimum jerk, to 1: constant speed. @range 0 to 1 @unit 1 */
 #define HRT_PERSON_EVENNESS 5

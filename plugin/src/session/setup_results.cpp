@@ -29,7 +29,7 @@ Interval interval_about(double value, double sd) {
 Interval believed(const SessionModel& model, PersonState::Index trait) {
   if (!model.knows_person) return {.known = false};
   const PersonBelief& person = model.control.person;
-  return interval_about(person.mean(trait), std::sqrt(person.covariance(trait, trait)));
+  return interval_about(person.mean(trait), trait_sd(person, trait));
 }
 
 // Writes an accepted registration into the model: pose, scale, uncertainty and time.

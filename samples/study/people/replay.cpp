@@ -50,23 +50,20 @@ std::string file_name(const ReplayedPath& replayed) {
   return std::filesystem::path(replayed.path.file).filename().string();
 }
 
-double or_nan(bool known, double value) { return known ? value : std::numeric_limits<double>::quiet_NaN(); }
-
 std::vector<std::pair<const char*, double>> numbers(const ReplayedPath& replayed) {
   const ReachSummary& summary = replayed.summary;
-  const bool known = summary.person.has_value();
-  const PersonEstimate person = summary.person.value_or(PersonEstimate{});
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
   return {{"samples", static_cast<double>(summary.samples)},
           {"dropped_samples", static_cast<double>(summary.dropped_samples)},
           {"gap_deg", replayed.path.reach.virtual_direction_deg - replayed.path.reach.real_direction_deg},
           {"recorded_bearing_error_deg", replayed.bearing_error_deg},
           {"tactile_weight", summary.estimate.tactile_weight},
           {"tactile_weight_sd", summary.estimate.tactile_weight_sd},
-          {"bias_deg", or_nan(known, person.bias_deg)},
-          {"bias_sd_deg", or_nan(known, person.bias_sd_deg)},
-          {"habit_deg", or_nan(known, person.habit_deg)},
-          {"habit_sd_deg", or_nan(known, person.habit_sd_deg)},
-          {"duration_s", or_nan(known, person.duration_s)},
+          {"bias_deg", replayed.person.mean(PersonState::bias)},
+          {"bias_sd_deg", trait_sd(replayed.person, PersonState::bias)},
+          {"habit_deg", replayed.person.mean(PersonState::habit)},
+          {"habit_sd_deg", trait_sd(replayed.person, PersonState::habit)},
+          {"duration_s", summary.person ? summary.person->duration_s : unknown},
           {"tracker_noise_mm", summary.estimate.tracker_noise_mm},
           {"peak_felt_error_deg", replayed.peak_felt_error_deg},
           {"command_change_median_deg", replayed.command_change_deg.value},
@@ -103,6 +100,7 @@ std::vector<ReplayedPath> replay(const RecordedPaths& recorded) {
                         .command_change_deg = quantile_of(changes_deg, 0.5),
                         .last = last,
                         .summary = summary,
+                        .person = config.person,
                         .learnt = learnt.has_value()});
   }
   return replayed;
@@ -124,8 +122,9 @@ std::string replay_text(const Replayed& all) {
                   " Each file is taken as the reaches of one person, whom the controller does not know at first.",
               110) +
       '\n' +
-      "\nend: recorded bearing of the end less the real target's\nw_T, bias, habit: believed after the "
-      "reach, +- standard deviation\nfelt: largest felt error, as estimated\nturn: median size of our "
+      "\nend: recorded bearing of the end less the real target's\nw_T: after the reach; bias, habit: as "
+      "carried to the next one; +- standard deviation\nfelt: largest felt error, as estimated\nturn: median size of "
+      "our "
       "command less where the plate stood\nplate: measured, from recorded commands, or resting: calibration "
       "data, whose goal is straight ahead;\n  a real target " +
       number(assumed_gap_deg) + " deg to its right is assumed\n\n" + left("file", 20) + right("reach", 6) +
@@ -134,16 +133,18 @@ std::string replay_text(const Replayed& all) {
   const auto with_sd = [](double value, double sd, int decimals) {
     return fixed(value, decimals) + " +- " + fixed(sd, decimals);
   };
+  const auto trait = [&](const PersonBelief& person, PersonState::Index index) {
+    return with_sd(person.mean(index), trait_sd(person, index), 1);
+  };
   for (const ReplayedPath& replayed : all.paths) {
     const ReachSummary& summary = replayed.summary;
-    const auto& person = summary.person;
     page += left(cut_to(file_name(replayed), 19), 20) + right(std::to_string(replayed.path.number), 6) +
             right(fixed(replayed.bearing_error_deg, 1), 10) +
             right(with_sd(summary.estimate.tactile_weight, summary.estimate.tactile_weight_sd, 2), 15) +
-            right(person ? with_sd(person->bias_deg, person->bias_sd_deg, 1) : "-", 14) +
-            right(person ? with_sd(person->habit_deg, person->habit_sd_deg, 1) : "-", 14) +
-            right(fixed(replayed.peak_felt_error_deg, 1), 11) + right(fixed(replayed.command_change_deg.value, 1), 11) +
-            "  " + left(source_name(replayed.path.plate_source), 11) + flag_words(summary) + '\n';
+            right(trait(replayed.person, PersonState::bias), 14) +
+            right(trait(replayed.person, PersonState::habit), 14) + right(fixed(replayed.peak_felt_error_deg, 1), 11) +
+            right(fixed(replayed.command_change_deg.value, 1), 11) + "  " +
+            left(source_name(replayed.path.plate_source), 11) + flag_words(summary) + '\n';
   }
   if (!all.left_out.empty()) page += '\n';
   for (const std::string& sentence : all.left_out) page += sentence + '\n';

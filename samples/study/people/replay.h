@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/person/person_belief.h"
 #include "core/plate/plate_model.h"
 #include "core/reach/finger_sample.h"
 #include "core/reach/reach.h"
@@ -55,6 +56,7 @@ struct ReplayedPath {
   Quantile command_change_deg;  ///< median size, modulo 180, of command less where the plate stood
   PlateCommand last;            ///< of the controller
   ReachSummary summary;
+  PersonBelief person;  ///< carried to the next reach of the file
   bool learnt = false;  ///< the reach taught something, which the next one of the file began from
 };
 

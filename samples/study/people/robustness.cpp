@@ -28,7 +28,7 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
   const auto covered = [](double error, double sd) { return std::abs(error) <= normal_975 * sd; };
   const auto carried_covers = [&](PersonState::Index trait, double truth) -> std::optional<bool> {
     if (!outcome.learnt) return std::nullopt;
-    return covered(outcome.learnt->mean(trait) - truth, std::sqrt(outcome.learnt->covariance(trait, trait)));
+    return covered(outcome.learnt->mean(trait) - truth, trait_sd(*outcome.learnt, trait));
   };
   const Person& person = condition.person;
   const auto if_known = [](bool known, bool covers) { return known ? std::optional(covers) : std::nullopt; };
