@@ -6,8 +6,8 @@
 namespace hrt {
 namespace {
 
-/// A largest matching over the pairs whose cost is within a limit, by Hopcroft and Karp: shortest augmenting
-/// paths, as many at a time as do not meet.
+/// Maximum matching of the pairs whose cost is within a limit, by the algorithm of Hopcroft and Karp: each round
+/// augments along a maximal set of disjoint shortest paths.
 class Matching {
  public:
   Matching(std::span<const double> costs, std::size_t columns, double limit)
@@ -31,7 +31,8 @@ class Matching {
  private:
   bool joins(std::size_t row, std::size_t column) const { return costs_[row * columns_ + column] <= limit_; }
 
-  // Finds the number of pairs between each row and an unassigned one; false if no unassigned row reaches a free column.
+  // Breadth-first search from all unassigned rows: sets the number of assigned pairs between each row and an unassigned
+  // row. Returns true if a free column can be reached.
   bool find_depths() {
     queue_.clear();
     for (std::size_t row = 0; row < column_of_.size(); ++row) {
@@ -55,7 +56,8 @@ class Matching {
     return leads;
   }
 
-  // Along rows of rising depth to a free column. Without recursion: a path may be as long as there are rows.
+  // Depth-first search from row `from` along increasing depths. Assigns the path to a free column, if there is one. Not
+  // recursive, since a path may contain all rows.
   bool augment(std::size_t from) {
     path_.assign(1, from);
     while (!path_.empty()) {
@@ -78,7 +80,7 @@ class Matching {
     return false;
   }
 
-  // Each row of the path takes the column that the next one had; the last takes the free one.
+  // Assigns to each row of the path the column of the row after it, and the free column to the last row.
   void take(std::size_t free_column) {
     for (std::size_t i = path_.size(); i-- > 0;) {
       const std::size_t row = path_[i];
@@ -95,7 +97,7 @@ class Matching {
   std::vector<std::size_t> column_of_;
   std::vector<std::size_t> row_of_;
   std::vector<std::size_t> depth_;
-  std::vector<std::size_t> next_;  // column that a row looks at next
+  std::vector<std::size_t> next_;  // next column that the search tries for each row
   std::vector<std::size_t> queue_;
   std::vector<std::size_t> path_;
   std::size_t size_ = 0;

@@ -7,13 +7,12 @@
 
 namespace hrt {
 
-/// Value in the result for a row without a column.
+/// Value in the result for a row to which no column is assigned.
 inline constexpr std::size_t unserved = static_cast<std::size_t>(-1);
 
-/// Assigns a column to each row; each column has at most one row. `costs` has a row of `columns` costs for each row; an
-/// infinite cost forbids the pair. As many rows as possible are assigned, and of all such assignments the largest cost
-/// is the smallest. The choice among several such assignments is deterministic. Uses the heap; O(E sqrt(V) log E) for E
-/// finite costs.
+/// Assigns at most one column to each row and at most one row to each column. `costs` has `columns` costs for each row;
+/// an infinite cost forbids the pair. The number of assigned rows is maximal, and among such assignments the largest
+/// cost is minimal. The result is deterministic. Uses the heap; O(E sqrt(V) log E), E finite costs, V rows and columns.
 std::vector<std::size_t> assign_exclusively(std::span<const double> costs, std::size_t columns);
 
 }  // namespace hrt

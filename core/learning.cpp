@@ -12,11 +12,11 @@ namespace {
 
 using T = PersonState;
 
-// Variance of the square of one draw, in squares of the draw's variance.
+// Variance of the square of a normal variable, in units of the squared variance.
 constexpr double square_variance = 2.0;
 
-// A drop of the weight resembles an early peak. The plate then stays within that peak and never tests it, so
-// the illusion is reset.
+// True if the weight has dropped by several SDs. The filter may have mistaken the drop for a maximum of the illusion at
+// a small angle; the controller then stays below that angle, and would never observe the illusion beyond it.
 bool has_fallen(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
   const LinearIllusion was = linear_illusion(before);
   return was.weight - linear_illusion(learnt).weight > tuning.illusion_fall_deviations * was.weight_sd;
@@ -32,10 +32,10 @@ void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
     for (const int j : illusion) belief->covariance(i, j) = unknown.covariance(i, j);
 }
 
-// A reach shows the bias and the habit of that reach: those of the person plus deviations. With the correction of the
-// filter, all are normal:
+// Divides the change of bias and habit between the person and this reach. In a reach, both deviate from those of the
+// person by normal deviations with covariance D. Their expectation, given the change from prior to posterior, is
 //
-//   deviations = K (learnt - before),   K = D P^-1,   P of the reach's traits before it, D of the deviations
+//   deviations = K (learnt - before),   K = D P^-1,   P: covariance of the traits in this reach before it
 PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
   using Pair = Eigen::Matrix<double, 2, 2>;
   using Rows = Eigen::Matrix<double, 2, T::traits>;
@@ -87,7 +87,7 @@ RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& l
   const double limited_deg2 = std::clamp(learnt.motor_variance_deg2, 0.5 * assumed_deg2, 2.0 * assumed_deg2);
   next.participant.motor_variance_deg2 =
       std::clamp(limited_deg2, Estimator::min_motor_variance_deg2, Estimator::max_motor_variance_deg2);
-  // Far from the assumed variance, the reach is too sure of it.
+  // If the variance was limited, its SD is not reliable.
   if (limited_deg2 == learnt.motor_variance_deg2)
     next.estimator.motor_variance_sd_deg2 =
         std::max(learnt.motor_variance_sd_deg2, config.tuning.min_carried_motor_variance_sd_deg2);
@@ -108,7 +108,7 @@ PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, boo
                      const Tuning& tuning) {
   const PersonBelief steering = steering_belief(before, tuning);
   PersonBelief next = without_deviation(steering, learnt, tuning);
-  // The filter's rounding differs above and below the diagonal.
+  // Removes the asymmetry that the filter's rounding has caused.
   next.covariance = (0.5 * (next.covariance + next.covariance.transpose())).eval();
   set_variance(next, T::habit, habit_variance_deg2(before, steering, next));
   for (int i = 0; i < T::traits; ++i) next.covariance(i, i) += square(tuning.traits[i].change);

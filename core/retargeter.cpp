@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// Largest gap that is passed to the controller: at the real target itself, its bearing is undefined.
+// Bound of the gap, since the bearing of the real target is undefined at the target itself.
 constexpr double max_seen_gap_deg = 89.0;
 constexpr double min_seen_distance_mm = 1.0;
 
@@ -24,8 +24,8 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
   return paper;
 }
 
-// If only the total noise is known, both parts are taken: correlated noise that is absent costs little, unmodelled
-// noise becomes a motion.
+// If only the total noise is known, most of it is assumed in both parts: correlated noise that is not there costs
+// little, but neglected correlated noise looks like a motion.
 std::optional<TrackerNoise> noise_of(const EstimatorConfig& config, const Tuning& tuning) {
   const auto known_mm = [&tuning](double noise_mm) { return std::max(noise_mm, tuning.min_known_noise_mm); };
   if (config.correlated_noise_mm > 0.0)
@@ -75,20 +75,20 @@ void Retargeter::begin_here(const Reach& reach) {
 
 void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& handover) {
   reach_ = reach;
-  passed_ = felt_passed_ = reach.start;
+  waypoint_ = perceived_waypoint_ = reach.start;
   end_ = ReachEnd(reach.start, point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm),
                   config_.start_is_felt);
   if (config_.mode == ControlMode::reach) {
-    leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, handover);
+    controller_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, handover);
   } else {
-    leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach, handover);
+    controller_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach, handover);
   }
-  command_ = std::visit([](const auto& leader) { return leader.command(); }, *leader_);
+  command_ = std::visit([](const auto& controller) { return controller.command(); }, *controller_);
 }
 
 const PlateCommand& Retargeter::update(const FingerSample& sample) {
-  const auto* person = std::get_if<PersonReach>(&*leader_);
-  if (person && sample.observation == Observation::direction && !person->seen()) lead_by_directions();
+  const auto* person = std::get_if<PersonReach>(&*controller_);
+  if (person && sample.observation == Observation::direction && !person->seen()) use_paper_controller();
   observe(sample);
   if (end_.came_to_start()) {
     PlateHandover now = *handover();
@@ -105,60 +105,64 @@ const PlateCommand& Retargeter::update(const FingerSample& sample) {
 
 void Retargeter::observe(const FingerSample& sample) {
   std::visit(
-      [&](auto& leader) {
-        command_ = leader.update(sample);
-        end_.observe(sample, leader.finger());
+      [&](auto& controller) {
+        command_ = controller.update(sample);
+        end_.observe(sample, controller.finger());
       },
-      *leader_);
+      *controller_);
 }
 
 const PlateCommand& Retargeter::step(double finger_direction_deg) {
-  if (leads_person()) lead_by_directions();
-  return command_ = std::get_if<PaperReach>(&*leader_)->step(finger_direction_deg);
+  if (has_person_controller()) use_paper_controller();
+  return command_ = std::get_if<PaperReach>(&*controller_)->step(finger_direction_deg);
 }
 
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
-  reach_ = seen_from_here(real, virtual_place);
-  std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
+  reach_ = reach_from_present_position(real, virtual_place);
+  std::visit([&](auto& controller) { controller.retarget(real, reach_); }, *controller_);
   end_.retarget(real, reach_.start);
   command_.arrived = false;
   return reach_;
 }
 
 ReachSummary Retargeter::summary() const {
-  ReachSummary summary = std::visit([](const auto& leader) { return leader.summary(); }, *leader_);
+  ReachSummary summary = std::visit([](const auto& controller) { return controller.summary(); }, *controller_);
   const ReachProgress& progress = end_.progress();
   summary.off_target = summary.off_target || progress.off_target;
   summary.not_at_start = progress.not_at_start;
   return summary;
 }
 
-std::optional<SeenFinger> Retargeter::finger() const {
-  const std::optional<PlatePoint> place = std::visit([](const auto& leader) { return leader.place(); }, *leader_);
+std::optional<FingerPosition> Retargeter::finger() const {
+  const std::optional<PlatePoint> place =
+      std::visit([](const auto& controller) { return controller.place(); }, *controller_);
   if (!place) return std::nullopt;
-  if (const auto* person = std::get_if<PersonReach>(&*leader_)) return SeenFinger{*place, person->place_variance_mm2()};
+  if (const auto* person = std::get_if<PersonReach>(&*controller_))
+    return FingerPosition{*place, person->place_variance_mm2()};
   const double noise_mm = summary().estimate.tracker_noise_mm;
-  return SeenFinger{*place, noise_mm * noise_mm};
+  return FingerPosition{*place, noise_mm * noise_mm};
 }
 
 std::optional<PersonBelief> Retargeter::learnt() const {
-  return leads_person() ? std::get_if<PersonReach>(&*leader_)->learnt() : std::nullopt;
+  return has_person_controller() ? std::get_if<PersonReach>(&*controller_)->learnt() : std::nullopt;
 }
 
-// The reach from the present position: the person perceives a motion straight towards the virtual target, whichever way
-// the plate has steered the hand.
-Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place) {
+// Returns the remaining reach as seen from the present positions. The real direction is seen from the tracked position.
+// The virtual direction is seen from the perceived position, which is dead-reckoned: the person is assumed to perceive
+// a straight motion in the virtual direction, however the plate has deflected the hand.
+Reach Retargeter::reach_from_present_position(const PlatePoint& real, const PlatePoint& virtual_place) {
   Reach seen = reach_;
-  seen.start = std::visit([](const auto& leader) { return leader.place(); }, *leader_).value_or(reach_.start);
-  const double passed_mm = distance_mm(passed_, seen.start);
-  const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_mm);
-  // The person turns to the visible target after the time of an answer.
-  const double speed_mm_s = std::visit([](const auto& leader) { return leader.speed_mm_s(); }, *leader_);
+  seen.start =
+      std::visit([](const auto& controller) { return controller.place(); }, *controller_).value_or(reach_.start);
+  const double passed_mm = distance_mm(waypoint_, seen.start);
+  const PlatePoint felt = point_ahead(perceived_waypoint_, reach_.virtual_direction_deg, passed_mm);
+  // The person responds to the move of the target after the reaction time.
+  const double speed_mm_s = std::visit([](const auto& controller) { return controller.speed_mm_s(); }, *controller_);
   const PlatePoint answers_from =
       point_ahead(felt, reach_.virtual_direction_deg, config_.tuning.reaction_time_s * speed_mm_s);
   if (passed_mm > config_.tuning.min_leg_mm) {
-    passed_ = seen.start;
-    felt_passed_ = felt;
+    waypoint_ = seen.start;
+    perceived_waypoint_ = felt;
   }
   if (distance_mm(answers_from, virtual_place) > config_.tuning.min_leg_mm)
     seen.virtual_direction_deg +=
@@ -170,14 +174,14 @@ Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtu
   return seen;
 }
 
-// Before the first sample no command has been returned, and the plate is unchanged.
+// State for the reach that replaces this one; nullopt before the first sample, when no command has been returned.
 std::optional<PlateHandover> Retargeter::handover() const {
-  const PlateHandover handover = std::visit([](const auto& leader) { return leader.handover(); }, *leader_);
+  const PlateHandover handover = std::visit([](const auto& controller) { return controller.handover(); }, *controller_);
   return handover.samples > 0 ? std::optional(handover) : std::nullopt;
 }
 
-void Retargeter::lead_by_directions() {
-  leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach_, handover());
+void Retargeter::use_paper_controller() {
+  controller_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach_, handover());
 }
 
 }  // namespace hrt

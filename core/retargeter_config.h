@@ -1,4 +1,4 @@
-// Configuration of a retargeter: its controller, and its assumptions about user, plate and tracker.
+// Configuration of a Retargeter: the controller, and its assumptions about user, plate and tracker.
 #pragma once
 
 #include <cstdint>
@@ -15,32 +15,32 @@
 
 namespace hrt {
 
-/// The controller of the plate's orientation.
+/// Controller of the plate orientation.
 enum class ControlMode {
-  mpc,          ///< the controller of paper section III
-  reach,        ///< the controller for people, where positions are streamed; with directions alone, as mpc
-  fixed_plate,  ///< none: the plate stays at RetargeterConfig::fixed_plate_orientation_deg (paper Fig. 8)
+  mpc,          ///< controller of paper section III
+  reach,        ///< controller for people if samples have positions; otherwise as mpc
+  fixed_plate,  ///< no control: the plate stays at RetargeterConfig::fixed_plate_orientation_deg (paper Fig. 8)
 };
 
-/// The defaults are the paper's controller.
+/// Configuration; by default, that of the paper's controller. Fields of [reach] are used by ControlMode::reach only.
 struct RetargeterConfig {
-  Participant participant;  ///< as assumed by the controller; adaptation starts at its w_T
+  Participant participant;  ///< model of the participant; adaptation starts at its w_T
   MpcConfig mpc;
   ControlMode mode = ControlMode::mpc;
   double fixed_plate_orientation_deg = 0.0;   ///< finite
-  EstimatorConfig estimator;                  ///< of the paper's controller
-  PlateDynamics plate;                        ///< its latency at most `max_lead` model steps
+  EstimatorConfig estimator;                  ///< estimator of the paper's controller
+  PlateDynamics plate;                        ///< latency at most `max_lead` model steps
   std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
-  PersonBelief person = unknown_person();     ///< assumptions of the controller for people
+  PersonBelief person = unknown_person();     ///< [reach] prior of the person
   ReachControlConfig reach;
-  /// Time from a motion to the time of its sample, 0 to 0.5 s. Used by ControlMode::reach.
+  /// [reach] Time from a motion to the time of its sample, 0 to 0.5 s.
   std::int64_t tracker_latency_ns = 0;
-  double tracker_bearing_sd_deg = 0.0;  ///< SD of the tracked bearing of a reach, 0 to 45; used by ControlMode::reach
-  bool plate_waits = false;             ///< do not turn the plate before the finger moves; of ControlMode::reach
-  bool start_is_felt = false;           ///< the position of a rest is the start; used by ControlMode::reach
-  FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; used by ControlMode::reach
-  TouchedFrame touched;                             ///< correction by contacts, already applied to samples
-  Tuning tuning;                                    ///< used by ControlMode::reach
+  double tracker_bearing_sd_deg = 0.0;  ///< [reach] SD of the tracked bearing of a reach, 0 to 45
+  bool plate_waits = false;             ///< [reach] the plate does not turn before the motion
+  bool start_is_felt = false;           ///< [reach] the finger is at the start when it rests, for example in a dimple
+  FrameCovariance frame = FrameCovariance::Zero();  ///< [reach] covariance of the plate's pose
+  TouchedFrame touched;  ///< correction of the tracker's frame; samples are already corrected
+  Tuning tuning;         ///< [reach] tuned numbers
 };
 
 /// True if every field is in its range.

@@ -12,20 +12,20 @@ namespace {
 
 constexpr double min_plate_span_deg = 40.0;
 constexpr int min_plate_angles = 3;
-// The largest gap is extrapolated, and unknown, if the slides end farther from 75 degrees than this.
+// If the settled offsets of the slides end below this, the largest gap is extrapolated and unknown.
 constexpr double min_offset_deg = 60.0;
-// A wider interval contains no information on a person.
+// Wider intervals are reported as unknown.
 constexpr double max_weight_width = 0.1;
 constexpr double max_angle_width_deg = 10.0;
 constexpr int band_steps = 15;  // steps of 5 degrees to either side
-// Between two knots a curve may be higher by this share of what it bends there (SD).
-constexpr double peak_share = 0.25;
-// SD of a habit, as a fraction of it, because a goal that turns over the path need not turn evenly.
-constexpr double uneven_share = 0.2;
-// A slow start is no noise of a finger at rest.
+// SD of the largest gap between two knots, as a fraction of the change of slope there.
+constexpr double peak_fraction = 0.25;
+// SD of the habit as a fraction of it, because a goal that turns over the path need not turn evenly.
+constexpr double uneven_fraction = 0.2;
+// Excluded end of a rest, in which a slow start may look like noise.
 constexpr double before_onset_s = 0.05;
 
-// A point or a rest takes 0.02 ms on a core of 3 GHz.
+// Each takes 0.02 ms on a core of 3 GHz.
 constexpr int points_per_step = 16;
 constexpr std::size_t rests_per_step = 8;
 
@@ -53,7 +53,7 @@ std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& tri
   return std::nullopt;
 }
 
-// The controller's curve, the nearest of its kind.
+// Determines the nearest curve of the controller's form.
 void describe_controllers_curve(const PersonFit& person, Calibration* calibration) {
   const auto slope = [](const SlidingPersonModel& p) { return controllers_curve(p.curve).weight; };
   const auto curve = [](const SlidingPersonModel& p) { return controllers_curve(p.curve).curve; };
@@ -78,14 +78,14 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
     if (verdicts[i] == SlideVerdict::used) counting.push_back(slides.resting[i]);
   if (counting.size() < min_trials)
     return CalibrationRefusal{std::to_string(counting.size()) + " of " + std::to_string(slides.resting.size()) +
-                              " slides are not along the ridges" + needed + ": bring the plate nearer to the goal"};
+                              " slides do not end along the ridges" + needed + ": use smaller plate angles"};
   const int angles = different_angles(counting);
   const auto [low, high] =
       std::minmax_element(counting.begin(), counting.end(),
                           [](const SlideTrack& a, const SlideTrack& b) { return a.plate_deg < b.plate_deg; });
   if (angles >= min_plate_angles && high->plate_deg - low->plate_deg >= min_plate_span_deg) return std::nullopt;
   return CalibrationRefusal{
-      "the plate stood at " + std::to_string(angles) +
+      "the plate was at " + std::to_string(angles) +
       " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
 }
 
@@ -100,7 +100,7 @@ void add_slide(const CalibrationTrial& trial, std::size_t index, double goal_dir
   slides->order.push_back(static_cast<double>(index));
 }
 
-// The finger before a slide.
+// Samples of the finger at rest before a slide.
 std::vector<TimedPoint> rest_of(const CalibrationTrial& trial, const SlideTrack& track) {
   std::vector<TimedPoint> samples = measurements_of(trial.samples);
   std::erase_if(samples, [&](const TimedPoint& p) { return p.time_s > track.onset_s - before_onset_s; });
@@ -118,10 +118,11 @@ Calibration described(const PersonFit& person) {
   calibration.tactile_weight = person.value([](const auto& p) { return curve_weight(p.curve); });
   calibration.bias_deg = person.value([](const auto& p) { return p.bias_deg; });
   calibration.habit_deg = person.value([](const auto& p) { return p.habit_deg; });
-  widen(normal_975 * uneven_share * std::abs(calibration.habit_deg.value), &calibration.habit_deg);
+  widen(normal_975 * uneven_fraction * std::abs(calibration.habit_deg.value), &calibration.habit_deg);
   const CurvePeak peak = weaker_peak(person.fit.person.curve);
   calibration.max_gap_deg = person.value([](const auto& p) { return weaker_peak(p.curve).shift_deg; });
-  widen(normal_975 * peak_share * curve_bend_deg(person.fit.person.curve, peak.offset_deg), &calibration.max_gap_deg);
+  widen(normal_975 * peak_fraction * curve_bend_deg(person.fit.person.curve, peak.offset_deg),
+        &calibration.max_gap_deg);
   calibration.peak_offset_deg = peak.offset_deg;
   describe_controllers_curve(person, &calibration);
 
@@ -154,8 +155,8 @@ std::vector<std::string> Calibration::advice() const {
   std::vector<std::string> sentences;
   if (lack_of_fit.angle_p < min_fit_p)
     sentences.emplace_back(
-        "no curve fits the directions over the plate's angle: check the plate's "
-        "angles and the target's direction, then add slides at the angles that are off");
+        "no illusion curve fits the directions: check the recorded plate angles and the target's direction, "
+        "then repeat the slides with the largest residuals");
   if (lack_of_fit.order_p < min_fit_p)
     sentences.emplace_back(
         "the person changed from the first slide to the last: let them practise, or rest, and "
@@ -203,7 +204,7 @@ bool CalibrationFit::refuse(std::string reason) {
   return false;
 }
 
-// One of the slides, and at last which of them are fitted. False if the calibration is refused.
+// Reduces one slide; after the last one, selects the slides to fit. Returns false if the calibration is rejected.
 bool CalibrationFit::begin() {
   if (trial_ == 0)
     if (auto refusal = check(trials_, goal_direction_deg_)) return refuse(refusal->reason);
@@ -217,25 +218,25 @@ bool CalibrationFit::begin() {
   const std::size_t used = person_->result().used.size();
   return used >= static_cast<std::size_t>(min_fitted_slides) ||
          refuse(std::to_string(used) + " of " + std::to_string(slides_.resting.size()) +
-                " slides are like one another; at least " + std::to_string(min_fitted_slides) +
+                " slides are not outliers; at least " + std::to_string(min_fitted_slides) +
                 " are needed: check the tracker");
 }
 
-// False if the calibration is refused.
+// Returns false if the calibration is rejected.
 bool CalibrationFit::describe() {
   Calibration calibration = described(person_->result());
   const Interval& w = calibration.tactile_weight;
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight))
     return refuse("w_T is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) + " to " +
                   decimal(w.upper, 3) +
-                  "; within 0.02 to 0.48 is needed: more trials, or this hand does not feel the ridges");
+                  "; it must be within 0.02 to 0.48: add slides, or this hand does not feel the ridges");
   calibration.slides_turned = slides_.turned;
   result_ = std::move(calibration);
   rests_.emplace();
   return true;
 }
 
-// Some points of the curve, some of the slides, and at last the noise of the finger before them.
+// Adds some points of the curve, then some slides, and finally begins the fit of the tracker noise.
 void CalibrationFit::add_details() {
   auto& calibration = std::get<Calibration>(result_);
   if (const int added = static_cast<int>(calibration.band.size()); added <= 2 * band_steps) {

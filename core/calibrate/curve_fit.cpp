@@ -9,41 +9,39 @@
 namespace hrt {
 namespace {
 
-// Parameters that are possible before any slide: wide, so that a parameter that slides hardly show keeps the
-// fit from running away.
+// Prior of a parameter; wide, so that a parameter that the slides hardly determine stays bounded.
 struct Prior {
   double mean;
   double deviation;
 };
 
-// SD of the error of the steering law in each part: people differ at the start and while they settle; the end of a
-// slide shows the curve.
+// SD of the error of the steering law in each part: large at the start, where people differ, and small at the end,
+// where the direction has settled.
 constexpr std::array<double, slide_parts> law_deviation_deg{2.0, 0.7, 0.25, 0.1};
-// The same of all slides of a person, in proportion to the plate's angle, as a share of that.
-constexpr double common_share = 0.45;
+// Part of that SD that is common to all slides of a person and proportional to the plate angle.
+constexpr double common_fraction = 0.45;
 constexpr double common_angle_deg = 60.0;
-// The rate k of correction is 1.6 to 37 /s, D up to 0.2 s as in slide_model.h, L within 0.15 s.
+// Limits: k from 1.6 to 37 /s, D up to 0.2 s, L within 0.15 s (slide_model.h).
 constexpr double min_log_gain = 0.5;
 constexpr double max_log_gain = 3.6;
 constexpr double max_delay_s = 0.2;
 constexpr double max_goal_delay_s = 0.15;
-// The slope of the curve; wide about those of people, as is a bend of one knot.
+// Limits of the slope of the curve and of its change at a knot: wider than those of people.
 constexpr double min_slope = -0.2;
 constexpr double max_slope = 0.8;
 constexpr double max_bend_deg = 20.0;
 constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
-// Slope at which a fit starts.
+// Initial value of the slope.
 constexpr double first_slope = 0.18;
-// Before any slide the slope may change at a knot by as much as it is (SD), as where an illusion saturates: at least by
-// this.
+// Lower bound of the prior SD of the change of slope at a knot, which otherwise equals the slope.
 constexpr double min_steepness = 0.02;
 
-// Larger step of the one-sided differences.
-constexpr double rough_share = 1e-4;
+// Step of the one-sided differences, relative to fit_step().
+constexpr double rough_step_fraction = 1e-4;
 
-// Each Jacobian takes 0.2 ms on a core of 3 GHz.
+// One Jacobian takes 0.2 ms on a core of 3 GHz.
 constexpr std::size_t jacobians_per_step = 2;
 
 enum Parameter { bias, habit, start, log_gain, delay, goal_delay, start_share, drift, slope, bends };
@@ -88,14 +86,14 @@ SlideJacobian rough_jacobian(const SlideTrack& track, const SlidingPersonModel& 
   SlideJacobian jacobian(slide_parts, middle.size());
   for (int i = 0; i < middle.size(); ++i) {
     FitVector above = middle;
-    const double step = rough_share * fit_step(i);
+    const double step = rough_step_fraction * fit_step(i);
     above(i) += step;
     jacobian.col(i) = (predicted_directions(track, fitted_person(above)) - here_deg) / step;
   }
   return jacobian;
 }
 
-// Residuals and derivatives are multiplied by `root`: root' root is the weight.
+// Residuals and derivatives are multiplied by `root`; root^T root is the weight matrix.
 LeastSquares problem_of(std::span<const SlideTrack> slides, const Eigen::MatrixXd& root) {
   LeastSquares problem;
   set_prior(&problem);
@@ -110,7 +108,7 @@ LeastSquares problem_of(std::span<const SlideTrack> slides, const Eigen::MatrixX
   return problem;
 }
 
-// The inverse of a slide's covariance, to which what the steering law may be wrong by is added.
+// Inverse of a slide's covariance plus the error of the steering law.
 PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
   PartsMatrix covariance = parts_covariance;
   for (int part = 0; part < slide_parts; ++part)
@@ -118,7 +116,7 @@ PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
   return inverse(covariance);
 }
 
-// The derivatives of one slide's predicted directions.
+// Derivatives of the predicted directions of one slide.
 SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& person) {
   const FitVector middle = fit_vector(person);
   SlideJacobian jacobian(slide_parts, middle.size());
@@ -141,7 +139,7 @@ FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> sli
 
 }  // namespace
 
-double common_deviation_deg(int part) { return common_share * law_deviation_deg[static_cast<std::size_t>(part)]; }
+double common_deviation_deg(int part) { return common_fraction * law_deviation_deg[static_cast<std::size_t>(part)]; }
 
 double fit_step(int parameter) {
   constexpr std::array<double, bends> steps{0.05, 0.05, 0.05, 0.02, 0.003, 0.003, 0.01, 0.01, 0.002};

@@ -1,5 +1,5 @@
-// A person fitted to slides: generalised least squares of the directions of their parts. Each slide is one
-// independent draw; how its parts depend on one another is taken as found.
+// Fits the model of a person to slides by generalised least squares of the directions of their parts. Slides are
+// independent; the covariance between the parts of one slide is estimated.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,8 @@
 
 namespace hrt {
 
-/// Parameters of a fit, in this order: bias, habit, start, log_gain, delay, goal delay, start share, drift,
-/// the curve's slope, its bends.
+/// Number of parameters, in this order: bias, habit, start, log_gain, delay, goal delay, start share, drift, slope of
+/// the curve, changes of its slope at the knots.
 inline constexpr int fit_parameters = 9 + curve_bends;
 using FitVector = Eigen::VectorXd;
 using FitMatrix = Eigen::MatrixXd;
@@ -25,32 +25,31 @@ using PartsMatrix = Eigen::Matrix<double, slide_parts, slide_parts>;
 
 struct CurveFit {
   SlidingPersonModel person;
-  double effective = 0.0;     ///< number of parameters that the slides determine, and not the prior
-  FitVector prior_deviation;  ///< SD of each parameter before any slide
+  double effective = 0.0;     ///< effective number of parameters that the slides, not the prior, determine
+  FitVector prior_deviation;  ///< prior SD of each parameter
   FitVector prior_off;        ///< prior mean minus parameter, in SDs
-  FitMatrix information;      ///< information of the parameters if the given covariance is right
-  FitMatrix covariance;  ///< covariance of the parameters for any covariance of the slides: jackknife over slides, and
-                         ///< the law
-  std::vector<SlideDirections> residuals;  ///< residuals of each slide, degrees
+  FitMatrix information;      ///< information matrix of the parameters under the given covariance of a slide
+  FitMatrix covariance;  ///< covariance of the parameters by the jackknife over slides, plus errors of the steering law
+  std::vector<SlideDirections> residuals;  ///< residuals of each slide, deg
   std::vector<SlideJacobian> jacobians;
 };
 
-/// Parameters of a person, and the person of parameters.
+/// Convert between a person and a vector of parameters.
 FitVector fit_vector(const SlidingPersonModel& person);
 SlidingPersonModel fitted_person(const FitVector& parameters);
 
-/// SD of the error of the steering law in a part that is common to all slides, degrees.
+/// Returns the SD of the error of the steering law in a part, as far as it is common to all slides, deg.
 double common_deviation_deg(int part);
 
-/// The fit of a person to slides, in steps of bounded time.
+/// Runs the fit in steps of bounded time.
 class CurveFitting {
  public:
-  /// The slides must outlive the fit. `parts_covariance`: of one slide's directions about the fit, positive definite.
+  /// `slides` must outlive the fit. `parts_covariance`: covariance of a slide's directions, positive definite.
   CurveFitting(std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance);
   CurveFitting(const CurveFitting&) = delete;
   CurveFitting& operator=(const CurveFitting&) = delete;
   ~CurveFitting() = default;
-  /// Returns true at the end; no calls after that.
+  /// Returns true when finished; do not call it again then.
   bool step();
   const CurveFit& fit() const { return fit_; }
 
@@ -65,16 +64,16 @@ class CurveFitting {
   Stage stage_ = Stage::wide_prior;
   std::span<const SlideTrack> slides_;
   PartsMatrix weight_;
-  Eigen::MatrixXd root_;  // weight_ = root_' root_
+  Eigen::MatrixXd root_;  // weight_ = root_^T root_
   LeastSquares problem_;
   std::optional<Descent> descent_;
   CurveFit fit_;
 };
 
-/// The step of a numerical derivative by a parameter.
+/// Returns the step of a numerical derivative by a parameter.
 double fit_step(int parameter);
 
-/// Derivative of `function` of a person by one parameter.
+/// Returns the derivative of `function(person)` by one parameter, by central differences.
 template <class Function>
 auto fit_derivative(const FitVector& middle, int parameter, const Function& function) {
   const double step = fit_step(parameter);
@@ -86,8 +85,8 @@ auto fit_derivative(const FitVector& middle, int parameter, const Function& func
   return Value((function(fitted_person(above)) - function(fitted_person(below))) / (2.0 * step));
 }
 
-/// A number that depends on the fitted person, and its SD to first order: the larger one by
-/// `covariance` and by `information`, since few slides may show a number.
+/// A function of the fitted person, and its SD to first order: the larger of those from `covariance` and from
+/// `information`, since the jackknife fails if few slides determine the number.
 struct FitValue {
   double value;
   double deviation;

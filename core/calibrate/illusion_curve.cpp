@@ -16,7 +16,7 @@ double knot_deg(int knot) { return IllusionCurve::spacing_deg * (knot - middle);
 
 double at(const IllusionCurve& curve, int knot) { return curve.shift_deg[static_cast<std::size_t>(knot)]; }
 
-// A spacing; at the ends that of the last chord.
+// Slope at a knot times the spacing; at the ends, that of the last chord.
 double rise_deg(const IllusionCurve& curve, int knot) {
   const int below = std::max(knot - 1, 0);
   const int above = std::min(knot + 1, last);

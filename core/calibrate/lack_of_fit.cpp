@@ -32,7 +32,7 @@ LackOfFitTests::LackOfFitTests(const CurveFit& fit, std::span<const SlideTrack> 
     residuals_.segment<slide_parts>(row) = whitening * fit.residuals[k];
     derivatives_.middleRows<slide_parts>(row) = product(whitening, fit.jacobians[k]);
     const Eigen::VectorXd powers = plate_powers(slides[k].plate_deg, degree);
-    // The settled parts follow the curve; the first one is on its way.
+    // The later parts have settled on the curve; the first one counts half.
     const SlideDirections settled = whitening * SlideDirections(0.5, 1.0, 1.0, 1.0);
     for (int power = 2; power <= degree; ++power) angle.block<slide_parts, 1>(row, power - 2) = settled * powers(power);
     const double when = 2.0 * order[k] / std::max(last, 1.0) - 1.0;
@@ -63,7 +63,7 @@ bool LackOfFitTests::step() {
   return ++pattern_ == patterns_.size();
 }
 
-// Probability of the fraction that the pattern explains beyond the fit's own derivatives and `allowed`.
+// p-value of the sum of squares that the pattern explains beyond the fit's parameters and `allowed`.
 double LackOfFitTests::pattern_p(const Pattern& pattern) const {
   const LinearFit without = linear_fit(derivatives_, residuals_, rank_threshold);
   Eigen::MatrixXd both(residuals_.size(), derivatives_.cols() + pattern.columns.cols());

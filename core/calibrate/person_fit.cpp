@@ -7,9 +7,9 @@
 namespace hrt {
 namespace {
 
-// Slides over plates within this of each other are of one angle.
+// Slides whose plate angles differ by less than this are compared.
 constexpr double near_angle_deg = 4.0;
-// If at least this many slides are within max_offset_deg, the others are excluded.
+// Minimum numbers of slides and angles within max_offset_deg for that limit to apply.
 constexpr std::size_t enough_slides = 10;
 constexpr int enough_angles = 5;
 
@@ -30,7 +30,7 @@ CurvePeak weaker_peak(const IllusionCurve& curve) {
 std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides) {
   std::vector<double> offsets;
   for (const SlideTrack& slide : slides) {
-    // The median over the slides at about this angle, which a single outlier does not change.
+    // Uses the median over the slides at similar plate angles, which a single outlier does not change.
     std::vector<double> directions;
     for (const SlideTrack& other : slides)
       if (std::abs(other.plate_deg - slide.plate_deg) <= near_angle_deg)

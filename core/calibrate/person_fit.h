@@ -1,4 +1,4 @@
-// Fit of a person to slides, without the slides that are outliers or too close to the ridges.
+// Fits a person to slides, except outliers and slides that end along the ridges.
 #pragma once
 
 #include <functional>
@@ -13,39 +13,40 @@ namespace hrt {
 
 enum class SlideVerdict {
   used,
-  outlying,      ///< the path is an outlier among the slides
-  along_ridges,  ///< the person came to move within 5 to 12 degrees of along the ridges, where the illusion
-                 ///< flips
+  outlying,  ///< the path differs from those of the other slides
+  /// The motion settled within 5 to 12 degrees of the direction of the ridges, where the shift changes sign.
+  along_ridges,
 };
 
 struct PersonFit {
-  std::vector<SlideVerdict> verdicts;  ///< verdict on each slide
-  std::vector<std::size_t> used;       ///< slides that are fitted
-  SlideScatter scatter;                ///< scatter of the slides used, and of the outliers
+  std::vector<SlideVerdict> verdicts;  ///< for each slide
+  std::vector<std::size_t> used;       ///< indices of the fitted slides
+  SlideScatter scatter;                ///< scatter of the slides about polynomials over the plate angle
   CurveFit fit;
   LackOfFit lack_of_fit;
-  double max_left_deg = 0.0;  ///< settled offset from motion to ridge normal, over the slides used
+  /// largest settled offset from motion to ridge normal to each side, over the fitted slides
+  double max_left_deg = 0.0;
   double max_right_deg = 0.0;
 
-  /// A number that depends on the person, and its 95 % interval.
+  /// Returns a function of the person with its 95 % interval.
   Interval value(const std::function<double(const SlidingPersonModel&)>& number) const;
 };
 
-/// Beyond this offset from motion to ridge normal a slide does not count: a person who overshoots crosses 90.
-/// If that leaves fewer than 10 slides or 5 angles, the second limit holds.
+/// Largest settled offset from motion to ridge normal of a usable slide: beyond it, a person who overshoots crosses 90
+/// degrees. The second limit applies if fewer than 10 slides or 5 angles are within the first.
 inline constexpr double max_offset_deg = 78.0;
 inline constexpr double max_needed_offset_deg = 85.0;
 
-/// The peak of the curve on the side where it is lower.
+/// Returns the maximum of the curve on the side where it is lower.
 CurvePeak weaker_peak(const IllusionCurve& curve);
 
-/// Slides that count for `track`: the settled motion stays away from the ridges' own direction.
+/// Returns, for each slide, whether its settled motion is far enough from the direction of the ridges.
 std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides);
 
-/// Fewest slides that count of which a person is fitted.
+/// Minimum number of slides for a fit.
 inline constexpr int min_fitted_slides = 8;
 
-/// The fit in steps of bounded time.
+/// Runs the fit in steps of bounded time.
 class PersonFitting {
  public:
   /// Selects the slides to fit. `order`: as in LackOfFitTests.
@@ -53,9 +54,9 @@ class PersonFitting {
   PersonFitting(const PersonFitting&) = delete;
   PersonFitting& operator=(const PersonFitting&) = delete;
   ~PersonFitting() = default;
-  /// Requires min_fitted_slides that are used. Returns true at the end; no calls after that.
+  /// Requires min_fitted_slides usable slides. Returns true when finished; do not call it again then.
   bool step();
-  /// Before the end, only the slides used and their scatter are valid.
+  /// Before the end, only `verdicts`, `used` and `scatter` are valid.
   const PersonFit& result() const { return person_; }
 
  private:

@@ -12,7 +12,7 @@ constexpr double false_alarm = 0.05;
 RetestDifference difference_of(const RepeatedValue& value) {
   RetestDifference result;
   const double difference = value.second.value - value.first.value;
-  // The ends that face each other decide: intervals need not be symmetric.
+  // Intervals may be asymmetric: the half-widths that face each other are combined.
   const double below = in_quadrature(value.second.value - value.second.lower, value.first.upper - value.first.value);
   const double above = in_quadrature(value.second.upper - value.second.value, value.first.value - value.first.lower);
   result.difference = {difference, difference - below, difference + above, value.first.known && value.second.known};

@@ -1,6 +1,4 @@
-// Test and retest: do two calibrations of a person, or of two people, differ?
-//
-// Off-line work: it allocates. Any thread.
+// Test and retest: whether two calibrations differ, of one person or of two. Allocates. Any thread.
 #pragma once
 
 #include <span>
@@ -10,20 +8,20 @@
 
 namespace hrt {
 
-/// The same number from two calibrations.
+/// One quantity from two calibrations.
 struct RepeatedValue {
   Interval first;
   Interval second;
 };
 
 struct RetestDifference {
-  Interval difference;  ///< second minus first, with its own 95 % interval; known if both values are
-  double p = 1.0;       ///< probability of a difference at least as large between equal values; 1 if not known
+  Interval difference;  ///< second minus first with its 95 % interval; known if both values are
+  double p = 1.0;       ///< p-value of equality; 1 if the difference is unknown
   bool differs = false;
 };
 
-/// Differences with their intervals, from the normal approximation of both. `differs` is Holm's procedure
-/// over all values that are known: if nothing has changed, the probability that any of them differs is 5 %.
+/// Returns the differences; intervals and p-values are normal approximations. `differs` is Holm's procedure over all
+/// known values: if nothing has changed, the probability that any value differs is 5 %.
 std::vector<RetestDifference> compare(std::span<const RepeatedValue> values);
 
 }  // namespace hrt

@@ -11,14 +11,14 @@
 namespace hrt {
 namespace {
 
-// The tangent within max_direction_deg, by its continued fraction; to 1e-5.
+// Tangent for angles within max_direction_deg, by a continued fraction; error below 1e-5.
 double tangent(double angle_deg) {
   const double x = rad_per_deg * angle_deg;
   const double xx = x * x;
   return x / (1.0 - xx / (3.0 - xx / (5.0 - xx / (7.0 - xx / 9.0))));
 }
 
-// The share of the path at a step between steps.
+// Fraction of the path at a fractional step.
 double share_at(const SlideTrack& track, double step) {
   const auto last = static_cast<double>(track.steps.size() - 1);
   const double place = std::clamp(step, 0.0, last);
@@ -28,22 +28,22 @@ double share_at(const SlideTrack& track, double step) {
   return (1.0 - rest) * track.steps[below].share + rest * track.steps[above].share;
 }
 
-// Delay of the steering law: stores the perceived error of each step, and returns the one that the person answers now.
+// Delay of the steering law: stores perceived directions, and returns the one to which the person responds now.
 class SteeringDelay {
  public:
-  // Below it, in the direction of the goal, a finger feels no motion to steer.
+  // Below this speed towards the goal, no direction of motion is perceived.
   static constexpr double min_felt_speed_mm_s = 2.0;
   static constexpr double max_steps = 62.0;
 
-  // `steps`: from what is felt to its answer, -0.5 to max_steps; between steps what is felt is linear.
+  // `steps`: delay, -0.5 to max_steps. Between steps, the perceived direction is interpolated.
   explicit SteeringDelay(double steps)
       : whole_(steps > 0.0 ? static_cast<std::size_t>(steps) : 0), part_(steps - static_cast<double>(whole_)) {}
 
   struct Answer {
     double felt_deg;
-    double share;  // fraction of the step in which there is an answer: less than 1 at the first moment that is felt
+    double share;  // fraction of the step with a response: below 1 in the first step of the motion only
   };
-  // The answer in the step in which `felt_deg` is felt; none until the first.
+  // Stores `felt_deg`, and returns the response of this step; nullopt before the first.
   std::optional<Answer> feel(double felt_deg) {
     felt_deg_[felt_ % felt_deg_.size()] = felt_deg;
     const std::size_t now = felt_++;
@@ -54,7 +54,7 @@ class SteeringDelay {
     return Answer{(1.0 - part_) * late_deg + part_ * later_deg, 1.0};
   }
 
-  // A finger at rest feels no motion, and what was felt before is not answered.
+  // At rest, no direction is perceived, and earlier ones have no effect.
   void rest() { felt_ = 0; }
 
  private:

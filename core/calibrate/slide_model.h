@@ -1,4 +1,4 @@
-// Slide of a person over a plate at rest, by the continuous steering law (README.md), as a function of the parameters.
+// Model of a slide over a plate at rest: the continuous steering law (README.md) as a function of its parameters.
 #pragma once
 
 #include "core/calibrate/illusion_curve.h"
@@ -6,27 +6,27 @@
 
 namespace hrt {
 
-/// Limit of the direction, relative to the goal.
+/// Limit of the direction of motion relative to the goal.
 inline constexpr double max_direction_deg = 60.0;
 
-/// Angles are relative to the goal direction.
+/// Parameters of a person. Angles are relative to the goal direction.
 struct SlidingPersonModel {
   IllusionCurve curve;
-  double bias_deg = 0.0;      ///< goal at the middle of the path
-  double habit_deg = 0.0;     ///< goal at the start minus the bias; the goal turns evenly to -habit at the end
-  double curve_drift = 0.0;   ///< eta: fraction by which the curve is larger at the end of the path than in the middle
+  double bias_deg = 0.0;      ///< goal direction at the middle of the path
+  double habit_deg = 0.0;     ///< goal direction at the start minus the bias; it changes linearly to -habit at the end
+  double curve_drift = 0.0;   ///< eta: relative increase of the curve from the middle to the end of the path
   double start_deg = 0.0;     ///< initial direction
-  double start_share = 0.0;   ///< lambda: fraction of the final direction in the initial one; 1: nothing settles
+  double start_share = 0.0;   ///< lambda: fraction of the final direction that is present at the start
   double log_gain = 2.2;      ///< natural logarithm of the rate k of correction, 1/s
   double delay_s = 0.06;      ///< D, 0 to 0.2
-  double goal_delay_s = 0.0;  ///< time by which the rotation of the goal lags behind the path
+  double goal_delay_s = 0.0;  ///< L: time by which the change of the goal lags behind the path
 };
 
-/// The directions of the slide's parts under
+/// Returns the directions of the parts of `track` that the steering law predicts for the slide's own pace:
 ///
-///   dP/dt = -k (P(t - D) + g(T - P(t - D)) - bias - habit (1 - 2 s)),   P(0) = start + share P(end)
+///   dP/dt = -k (P(t - D) + g(T - P(t - D)) - bias - habit (1 - 2 s(t - L))),   P(0) = start + lambda P(end)
 ///
-/// along the slide's own pace.
+/// with g multiplied by 1 + eta (2 s - 1).
 SlideDirections predicted_directions(const SlideTrack& track, const SlidingPersonModel& person);
 
 }  // namespace hrt

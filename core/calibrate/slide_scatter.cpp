@@ -13,20 +13,20 @@ constexpr int max_degree = 5;
 constexpr double same_angle_deg = 3.0;
 constexpr int passes = 12;
 constexpr int outlier_passes = 4;
-// Smaller residuals count no more in least absolute deviations.
+// Lower bound of a residual in the weights of least absolute deviations.
 constexpr double min_residual_deg = 0.05;
-// Almost 0, so that a row keeps its place.
+// Weight of an outlier: almost 0.
 constexpr double outlier_weight = 1e-9;
-// Limit of the squared distance of a slide over all parts. Normal slides exceed it far less often than chi-squared with
-// four degrees of freedom exceeds 28.5 (once in 100000), since the first part of a path has heavier tails.
+// Limit of the squared Mahalanobis distance of a slide. It exceeds the 1e-5 quantile of chi-squared with four degrees
+// of freedom, 28.5, because the first part of a path has heavier tails.
 constexpr double max_distance = 40.0;
-// A slide's direction is never more certain than this.
+// Lower bound of the SD of a direction.
 constexpr double min_deviation_deg = 0.02;
 constexpr double scatter_rank_threshold = 1e-12;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, slide_parts>;
 
-// Polynomials of all parts by weighted least squares; the residuals.
+// Residuals of weighted least-squares polynomials for each part.
 Rows residuals_of(const Eigen::MatrixXd& design, const Rows& directions, const Rows& weights) {
   Rows residuals(directions.rows(), slide_parts);
   for (int part = 0; part < slide_parts; ++part) {
@@ -38,8 +38,7 @@ Rows residuals_of(const Eigen::MatrixXd& design, const Rows& directions, const R
   return residuals;
 }
 
-// The covariance of the kept rows. With few slides, what parts have in common is uncertain and is taken for
-// less than it seems.
+// Covariance of the rows without outliers. With few slides, correlations between parts are uncertain and are reduced.
 PartsMatrix covariance_of(const Rows& residuals, const std::vector<bool>& outlying, int degree) {
   PartsMatrix sum = PartsMatrix::Zero();
   double kept = 0.0;
@@ -97,8 +96,7 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
     directions.row(i) = slide.direction_deg.transpose();
   }
 
-  // Least absolute deviations, by least squares with the inverse deviations as weights: robust against a fraction of
-  // outliers below a half.
+  // Least absolute deviations by reweighted least squares: robust if fewer than half of the slides are outliers.
   Rows weights = Rows::Ones(count, slide_parts);
   Rows residuals = residuals_of(design, directions, weights);
   for (int pass = 0; pass < passes; ++pass) {
@@ -115,7 +113,7 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
     covariance(part, part) = deviation * deviation;
   }
 
-  // Parts lie about 0 together, so their covariance decides in the end what is an outlier.
+  // The covariance over all parts then decides which slides are outliers.
   scatter.outlying.assign(slides.size(), false);
   for (int pass = 0; pass < outlier_passes; ++pass) {
     const PartsMatrix weight = inverse(covariance);

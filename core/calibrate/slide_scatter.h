@@ -1,5 +1,5 @@
-// Scatter of slides about a smooth function of the plate's angle, without a model of the person: the outliers, and the
-// covariance of the parts of a slide.
+// Scatter of slides about polynomials over the plate angle, without a model of the person: determines outliers, and the
+// covariance of the directions of a slide's parts.
 #pragma once
 
 #include <span>
@@ -11,20 +11,20 @@ namespace hrt {
 
 struct SlideScatter {
   std::vector<bool> outlying;  ///< for each slide
-  PartsMatrix covariance;  ///< covariance of a slide's directions about the polynomials, deg^2, without the outliers
-  int degree = 0;          ///< degree of the polynomials
+  PartsMatrix covariance;      ///< covariance of a slide's directions, deg^2, without the outliers
+  int degree = 0;              ///< degree of the polynomials
 };
 
-/// Different plate angles among the slides: those that lie within 3 degrees of one another count once.
+/// Returns the number of different plate angles; angles within 3 degrees count once.
 int different_angles(std::span<const SlideTrack> slides);
 
-/// Degree of a polynomial over the plate's angle that `slides` can carry, 1 to 5.
+/// Returns the degree, 1 to 5, of the polynomials over the plate angle that `slides` can determine.
 int polynomial_degree(std::span<const SlideTrack> slides);
 
-/// Powers of the plate's angle in units of 75 degrees, from 0 to `degree`.
+/// Returns the powers 0 to `degree` of the plate angle, in units of 75 degrees.
 Eigen::VectorXd plate_powers(double plate_deg, int degree);
 
-/// Scatter of the slides. Requires at least 8 slides.
+/// Computes the scatter. Requires at least 8 slides.
 SlideScatter slide_scatter(std::span<const SlideTrack> slides);
 
 }  // namespace hrt

@@ -16,33 +16,33 @@ namespace {
 
 constexpr double min_step_s = 0.01;
 constexpr double steps_a_slide = 200.0;
-// Half the width of the lines that smooth the pace.
+// Half of the time window in which lines smooth the pace.
 constexpr double smoothing_s = 0.075;
 constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.75, 1.01};
-// The slide is over where the tracker was away for longer.
+// A longer gap in tracking ends the slide.
 constexpr double max_gap_s = 5.0;
-// A position is an outlier if it is this many SDs, and at least this far, from the median of its neighbours,
-// `median_reach` on each side.
+// A position is an outlier if it is more than max_deviations SDs and more than min_outlier_mm from the median of the
+// `median_reach` positions on each side.
 constexpr int median_reach = 5;
 constexpr double max_deviations = 6.0;
-constexpr double min_made_up_mm = 1.0;
-// Fewer places do not make four parts.
+constexpr double min_outlier_mm = 1.0;
+// Minimum number of positions of a slide.
 constexpr std::size_t min_places = 6;
-// A line through fewer places is not smooth.
+// Minimum number of positions of a smoothing line.
 constexpr std::size_t min_line_places = 4;
-// The finger rests at the ends of the path, and a turn of the plate there is not felt.
-constexpr double end_share = 0.02;
-// A part that is shorter, as a share of the path, has no direction.
-constexpr double min_part_share = 0.02;
+// Rotations of the plate within this fraction of the path from its ends do not count, since the finger hardly moves.
+constexpr double end_fraction = 0.02;
+// Minimum length of a part as a fraction of the path.
+constexpr double min_part_fraction = 0.02;
 
-// A position relative to where the finger rested: along the goal, and to its left.
+// A position relative to the rest position: along the goal direction, and to its left.
 struct Place {
   double time_s;
   double along_mm;
   double left_mm;
 };
 
-// Median of a coordinate of sample `i` and of `reach` neighbours to each side.
+// Median of a coordinate over sample `i` and `reach` samples to each side.
 double middle_of(const std::vector<TimedPoint>& samples, int i, int reach, double PlatePoint::* coordinate) {
   std::array<double, 2 * median_reach + 1> values;
   for (int k = -reach; k <= reach; ++k)
@@ -52,7 +52,7 @@ double middle_of(const std::vector<TimedPoint>& samples, int i, int reach, doubl
   return *middle;
 }
 
-// True for each sample that is not an outlier among its neighbours.
+// Returns, for each sample, whether it is not an outlier.
 std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
   const auto count = static_cast<int>(samples.size());
   std::vector<double> off_mm(samples.size());
@@ -62,14 +62,14 @@ std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
                             middle_of(samples, i, reach, &PlatePoint::away_mm)};
     off_mm[static_cast<std::size_t>(i)] = distance_mm(middle, samples[static_cast<std::size_t>(i)].position);
   }
-  const double max_mm = std::max(min_made_up_mm, max_deviations * mad_to_deviation * median(off_mm));
+  const double max_mm = std::max(min_outlier_mm, max_deviations * mad_to_deviation * median(off_mm));
   std::vector<bool> keep;
   for (const double off : off_mm) keep.push_back(off <= max_mm);
   return keep;
 }
 
-// The way along the goal at `time_s` by a weighted line through the places about it; `first` is the first
-// place that may count, and moves on.
+// Distance along the goal direction at `time_s`, by a weighted line through the positions around it. `first`: first
+// position to use, which is advanced.
 double smooth_along_mm(const std::vector<Place>& places, double time_s, std::size_t* first) {
   double reach_s = smoothing_s;
   while (*first + 1 < places.size() && places[*first + 1].time_s < time_s - reach_s) ++*first;
@@ -100,7 +100,7 @@ double smooth_along_mm(const std::vector<Place>& places, double time_s, std::siz
   return spread > 1e-6 * n * n ? (a * tt - t * ta) / spread : a / n;
 }
 
-// When the finger left, and where it rested until then. None if it did not move.
+// Time of the onset and the rest position before it; nullopt if the finger did not move.
 std::optional<TimedPoint> find_onset(const std::vector<TimedPoint>& samples) {
   FingerPhase finger;
   for (const TimedPoint& sample : samples) {
@@ -110,7 +110,7 @@ std::optional<TimedPoint> find_onset(const std::vector<TimedPoint>& samples) {
   return std::nullopt;
 }
 
-// The samples from the onset on, until the tracker is away for long.
+// Samples from the onset to the first long gap in tracking.
 std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const TimedPoint& onset,
                              double goal_direction_deg) {
   const double sine = sin_deg(goal_direction_deg);
@@ -127,7 +127,7 @@ std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const Timed
   return places;
 }
 
-// The pace at steps of `step_s`; none of a slide that is too short. Returns the length.
+// Computes the pace in steps of `step_s`, unless the slide is too short. Returns the length of the path.
 double set_pace(const std::vector<Place>& places, SlideTrack* track) {
   const auto count = static_cast<std::size_t>(places.back().time_s / track->step_s);
   std::vector<double> along_mm{0.0};
@@ -147,8 +147,7 @@ double set_pace(const std::vector<Place>& places, SlideTrack* track) {
   return length_mm;
 }
 
-// The chords of the parts, between means of the places in each window: two samples would be noisier. False if a part
-// has no samples, or goes back.
+// Computes the directions of the parts. Returns false if a window has no samples or a part goes backwards.
 bool set_directions(const std::vector<Place>& places, double length_mm, SlideTrack* track) {
   SlideDirections left_mm = SlideDirections::Zero();
   SlideDirections mean_along_mm = SlideDirections::Zero();
@@ -169,7 +168,7 @@ bool set_directions(const std::vector<Place>& places, double length_mm, SlideTra
     const double from_left_mm = part > 0 ? left_mm(part - 1) : 0.0;
     const double from_along_mm = part > 0 ? mean_along_mm(part - 1) : 0.0;
     track->advance_mm(part) = mean_along_mm(part) - from_along_mm;
-    if (!(track->advance_mm(part) > min_part_share * length_mm)) return false;
+    if (!(track->advance_mm(part) > min_part_fraction * length_mm)) return false;
     track->direction_deg(part) = atan2_deg(left_mm(part) - from_left_mm, track->advance_mm(part));
   }
   return true;
@@ -214,7 +213,7 @@ bool plate_turned(const CalibrationTrial& trial, const SlideTrack& track) {
     const double step = (trial.samples[i].time_s - track.onset_s) / track.step_s;
     if (!(step < static_cast<double>(track.steps.size()))) break;
     const double share = track.steps[static_cast<std::size_t>(step)].share;
-    if (share < end_share || share > 1.0 - end_share) continue;
+    if (share < end_fraction || share > 1.0 - end_fraction) continue;
     min_deg = std::min(min_deg, trial.plate_deg[i]);
     max_deg = std::max(max_deg, trial.plate_deg[i]);
   }

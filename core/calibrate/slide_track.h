@@ -1,5 +1,4 @@
-// One slide over a plate at rest, reduced to what a fit of the person needs: its pace, and the directions of
-// four parts of its path.
+// Reduces a slide over a plate at rest to the data for a fit: its pace, and the directions of four parts of its path.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +9,7 @@
 
 namespace hrt {
 
-/// Data of one slide towards the target over a plate at rest. Positions before the motion show the noise of the
-/// tracker.
+/// Recording of one slide towards the target. Positions before the motion determine the noise of the tracker.
 struct CalibrationTrial {
   double plate_orientation_deg = 0.0;  ///< finite
   std::vector<TimedPoint> samples;     ///< times increase; positions finite
@@ -19,42 +17,42 @@ struct CalibrationTrial {
   std::vector<double> plate_deg;
 };
 
-/// The parts of a path lie between its start and four windows over the share of the path along the goal.
+/// The directions of a path's four parts: from the start to the mean position in a first window of the path, and from
+/// each window to the next. Windows are ranges of the fraction of the path along the goal direction.
 inline constexpr int slide_parts = 4;
 using SlideDirections = Eigen::Matrix<double, slide_parts, 1>;
 
-/// Angles are relative to the goal direction.
+/// A reduced slide. Angles are relative to the goal direction.
 struct SlideTrack {
   double plate_deg = 0.0;                                   ///< direction of the ridge normal, within 90 of the goal
-  SlideDirections direction_deg = SlideDirections::Zero();  ///< direction of each part's chord
+  SlideDirections direction_deg = SlideDirections::Zero();  ///< direction of each part
 
-  /// The pace, at steps of `step_s` from the onset.
+  /// Pace in steps of `step_s` from the onset.
   struct Step {
-    double advance_mm;     ///< along the goal in this step
+    double advance_mm;     ///< distance along the goal direction in this step
     double share;          ///< fraction of the path at the step's middle
-    int window = -1;       ///< window of the step; -1: none
-    double samples = 0.0;  ///< samples of the window that are used
+    int window = -1;       ///< index of the window that contains the step; -1: none
+    double samples = 0.0;  ///< number of samples in this step
   };
-  double onset_s = 0.0;  ///< the finger rested until then
+  double onset_s = 0.0;  ///< time of the onset
   double step_s = 0.01;
   std::vector<Step> steps;
-  SlideDirections advance_mm = SlideDirections::Zero();  ///< length of each part's chord along the goal
+  SlideDirections advance_mm = SlideDirections::Zero();  ///< length of each part along the goal direction
   SlideDirections window_samples = SlideDirections::Zero();
 };
 
-/// The direction of the second half of a path.
+/// Returns the direction of the second half of a path.
 inline double settled_direction_deg(const SlideDirections& directions) { return 0.5 * (directions(2) + directions(3)); }
 
-/// Removes copies of a measurement: see core/tracker/repeated_position.h.
+/// Removes duplicates of a position: see core/tracker/repeated_position.h.
 std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples);
 
 inline constexpr double min_slide_mm = 30.0;
 
-/// Track of a slide without outliers; none without a motion of `min_slide_mm` towards the goal with samples in all
-/// parts.
+/// Reduces a slide. Returns nullopt without a motion of `min_slide_mm` towards the goal with samples in all windows.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
 
-/// True if the trial's plate turned by more than `max_turn_deg` while the finger moved along `track`.
+/// Returns true if the plate turned by more than `max_turn_deg` during the motion.
 bool plate_turned(const CalibrationTrial& trial, const SlideTrack& track);
 inline constexpr double max_turn_deg = 5.0;
 

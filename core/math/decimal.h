@@ -1,4 +1,4 @@
-// Writes a number for a sentence, independent of the host's locale.
+// Formats numbers for messages, independent of the locale.
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,7 @@
 namespace hrt {
 namespace {
 
-// The logarithm of the gamma function for x > 0: Stirling's series, after x is raised to 8 or more.
+// Logarithm of the gamma function for x > 0, by Stirling's series for arguments of at least 8.
 double log_gamma(double x) {
   double product = 1.0;
   while (x < 8.0) product *= x++;
@@ -67,7 +67,7 @@ double f_tail(double f, double numerator, double denominator) {
 }
 
 double student_975(double degrees) {
-  // Expanded about the normal's (Abramowitz and Stegun 26.7.5).
+  // Expansion about the normal quantile (Abramowitz and Stegun 26.7.5).
   constexpr double z = normal_975;
   constexpr double z3 = z * z * z;
   constexpr double z5 = z3 * z * z;

@@ -1,10 +1,10 @@
-// The exponential function and the logarithm, built from the four operations alone. The C library's own
-// differ in the last bit between hosts, and a recording must replay to the same bits on all.
+// Exponential function and logarithm from the four operations alone. The functions of C libraries differ in the last
+// bit between hosts, and a recording must replay to the same bits on all of them.
 #pragma once
 
 namespace hrt {
 
-/// e^x for |x| <= 700, clamped beyond; relative error below 1e-14.
+/// Returns e^x, with x clamped to +-700; relative error below 1e-14.
 double exponential(double x);
 
 constexpr double square(double x) { return x * x; }

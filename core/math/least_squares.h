@@ -1,5 +1,4 @@
-// Non-linear least squares of a few parameters under a normal prior: Levenberg-Marquardt descent, and the covariance of
-// its result.
+// Nonlinear least squares with a normal prior: Levenberg-Marquardt descent, and the covariance of its result.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,12 +8,12 @@
 
 namespace hrt {
 
-/// Residuals are observed minus predicted values, derivatives are those of the predicted values. Both come in
-/// independent groups, in units of the residuals' SDs.
+/// A problem. Residuals are observed minus predicted values; derivatives are those of predicted values. Both are given
+/// for independent groups, in units of the residuals' SDs.
 struct LeastSquares {
   std::size_t groups = 0;
   std::function<Eigen::VectorXd(std::size_t group, const Eigen::VectorXd& parameters)> residuals;
-  /// One-sided differences are sufficient: they only direct the descent.
+  /// One-sided differences are accurate enough, since they only direct the descent.
   std::function<Eigen::MatrixXd(std::size_t group, const Eigen::VectorXd& parameters)> derivatives;
   std::function<Eigen::VectorXd(Eigen::VectorXd parameters)> clamped;  ///< limits the parameters to their ranges
   Eigen::VectorXd prior_mean;
@@ -24,16 +23,16 @@ struct LeastSquares {
 struct LeastSquaresFit {
   Eigen::VectorXd parameters;
   double misfit = 0.0;   ///< sum of squared residuals
-  double penalty = 0.0;  ///< cost of the prior
+  double penalty = 0.0;  ///< sum of squares of the prior
 };
 
-/// The descent in steps of bounded time, which a frame loop can spread over frames.
+/// Runs the descent in steps of bounded time, which a frame loop can distribute over frames.
 class Descent {
  public:
   /// `problem` must outlive the descent and must not change.
   Descent(const LeastSquares& problem, Eigen::VectorXd first);
-  /// Adds the derivatives of some groups, or tries one change of the parameters. Returns true at the end; no calls
-  /// after that.
+  /// Adds the derivatives of some groups, or tries one change of the parameters. Returns true when finished; do not
+  /// call it again then.
   bool step();
   const LeastSquaresFit& fit() const { return fit_; }
 
@@ -46,17 +45,17 @@ class Descent {
   std::vector<Eigen::VectorXd> residuals_;
   Eigen::MatrixXd information_;
   Eigen::VectorXd gradient_;
-  std::size_t group_ = 0;  // group whose derivatives are added next
+  std::size_t group_ = 0;  // next group whose derivatives are added
   int pass_ = 0;
   int attempt_ = 0;
   double damping_ = 1e-3;
 };
 
-/// The information of residuals and prior, if the SDs of the residuals are right.
+/// Returns the information matrix of residuals and prior, if the SDs of the residuals are right.
 Eigen::MatrixXd information_of(const std::vector<Eigen::MatrixXd>& derivatives, const Eigen::VectorXd& prior_deviation);
 
-/// Covariance of the parameters for residuals of any distribution: jackknife over groups, to first order, and the width
-/// of the prior. Requires at least two groups.
+/// Returns the covariance of the parameters for residuals of any distribution: first-order jackknife over groups, plus
+/// that of the prior. Requires at least two groups.
 Eigen::MatrixXd jackknife_covariance(const std::vector<Eigen::VectorXd>& residuals,
                                      const std::vector<Eigen::MatrixXd>& derivatives,
                                      const Eigen::VectorXd& prior_deviation);

@@ -1,4 +1,4 @@
-// Times are the caller's monotonic nanoseconds, of any sign; these do not overflow.
+// Differences of times without overflow. Times are nanoseconds of the caller's monotonic clock, of any sign.
 #pragma once
 
 #include <cstdint>
@@ -6,17 +6,17 @@
 
 namespace hrt {
 
-/// Nanoseconds from `from_ns` to `to_ns`, which is not before it.
+/// Returns the nanoseconds from `from_ns` to `to_ns`, which must not be earlier.
 constexpr std::uint64_t elapsed_ns(std::int64_t from_ns, std::int64_t to_ns) {
   return static_cast<std::uint64_t>(to_ns) - static_cast<std::uint64_t>(from_ns);
 }
 
-/// The same in seconds.
+/// Returns the same in seconds.
 constexpr double elapsed_s(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(elapsed_ns(from_ns, to_ns));
 }
 
-/// The time `duration_ns` >= 0 after `time_ns`, or the end of time.
+/// Returns the time `duration_ns` >= 0 after `time_ns`, limited to the largest number.
 constexpr std::int64_t later_ns(std::int64_t time_ns, std::int64_t duration_ns) {
   constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
   return time_ns > end - duration_ns ? end : time_ns + duration_ns;

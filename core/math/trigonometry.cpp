@@ -50,7 +50,7 @@ double arctangent_deg(double x) {
   return deg_per_rad * arctangent(x);
 }
 
-// An angle as a number of quarter turns, 0 to 3, and a remainder of at most an eighth of a turn.
+// An angle as a number of quarter turns, 0 to 3, and a remainder within an eighth of a turn.
 struct Reduced {
   int quarters;
   double x;

@@ -1,5 +1,5 @@
-// Sine, cosine and arctangent in degrees, from the four operations, comparisons and floor alone. The last bit of the C
-// library's functions differs between hosts, and a recording must replay to the same bits on all.
+// Sine, cosine and arctangent in degrees from the four operations, comparisons and floor alone. The functions of C
+// libraries differ in the last bit between hosts, and a recording must replay to the same bits on all of them.
 #pragma once
 
 #include <cmath>
@@ -20,14 +20,14 @@ struct SinCos {
   double cosine;
 };
 
-/// Sine and cosine, in the same bits as from the separate functions.
+/// Returns sine and cosine, with the same bits as the separate functions.
 SinCos sin_cos_deg(double angle_deg);
 
 /// Angle of the point (x, y) in (-180, 180] degrees, with a relative error below 4e-16; 0 at the origin. Requires
 /// finite arguments whose ratio does not overflow or underflow.
 double atan2_deg(double y, double x);
 
-/// `angle_deg` minus the whole turns of `period_deg` that bring it into [-period/2, period/2).
+/// Wraps an angle to [-period/2, period/2).
 inline double wrap_deg(double angle_deg, double period_deg) {
   return angle_deg - period_deg * std::floor(angle_deg / period_deg + 0.5);
 }

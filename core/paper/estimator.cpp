@@ -10,18 +10,17 @@
 namespace hrt {
 namespace {
 
-// People speed up and slow down within about half a second by some tens of mm/s: a random walk of the
-// speed with this density covers a minimum-jerk slide of 100 mm in 2 to 4 s.
+// Density of the random walk of the speed: covers a minimum-jerk motion of 100 mm in 2 to 4 s.
 constexpr double speed_density_mm2_s3 = 300.0;
-// Initial estimate: a slow slide along the mid-line.
+// Initial estimate: a slow motion along the mid-line.
 constexpr double initial_speed_mm_s = 30.0;
 constexpr double initial_speed_sd_mm_s = 30.0;
 constexpr double initial_direction_sd_deg = 4.0;
-// w_T drifts by about this in a model step: a tenth of its prior over a reach.
+// SD of the drift of w_T in a model step: a tenth of its prior SD over a reach.
 constexpr double weight_drift_sd = 0.001;
-// The direction of an exact sample.
+// Variance of an exact direction.
 constexpr double exact_direction_variance_deg2 = 1e-12;
-// Positions beyond five SDs are left out.
+// Limit of the NIS of a position (Mahalanobis distance 5).
 constexpr double outlier_innovation = 25.0;
 
 }  // namespace
@@ -96,9 +95,9 @@ void Estimator::end_step(double plate_orientation_deg, double gain, double step_
   step_variance_deg2_ = covariance_(direction, direction);
 }
 
-// The samples of a step amount to one measurement of its direction. By how much they moved it (delta) and
-// narrowed it (from V by D) gives the derivative of their log-likelihood by V, and so by sigma_u^2, which V
-// contains: (delta^2 - D) / 2 V^2, with the information D^2 / 2 V^4.
+// The samples of a step act like one measurement of its direction, which changes it by delta and reduces its variance V
+// by D. The derivative of the log-likelihood by V, and therefore by sigma_u^2, which V contains, is (delta^2 - D) / 2
+// V^2, with information D^2 / 2 V^4.
 void Estimator::learn_motor_variance() {
   if (step_variance_deg2_ <= 0.0) return;
   const double delta = state_(direction) - step_direction_deg_;
@@ -126,7 +125,7 @@ bool Estimator::observe_position(const PlatePoint& position) {
       (a * c - b * b);
   if (normalised_innovation_ > outlier_innovation && ++outliers_ <= max_outliers) return false;
   if (outliers_ > max_outliers) {
-    // The tracker has jumped, or the finger was moved: discards the estimated position.
+    // The tracker has jumped, or the finger was moved: replaces the estimated position.
     for (const int index : {right, away}) set_independent(covariance_, index, noise_mm2_);
     state_(right) = position.right_mm;
     state_(away) = position.away_mm;
@@ -139,7 +138,7 @@ bool Estimator::observe_position(const PlatePoint& position) {
   return true;
 }
 
-// One scalar measurement of one component, which corrects the last `count` of the state.
+// Corrects the last `count` components of the state by a measurement of one component.
 template <int count>
 inline void Estimator::correct(Index measured, double value, double noise_variance) {
   const Eigen::Matrix<double, count, 1> column = covariance_.col(measured).tail<count>();

@@ -6,11 +6,11 @@
 namespace hrt {
 namespace {
 
-// A smaller gain counts as 0.
+// A smaller gain is treated as 0.
 constexpr double min_gain = 1e-12;
 
-// A step without gain is left out: it adds its rate bound to that of the next step, and its weight to that of the next
-// miss, because the finger does not move.
+// Omits steps without gain: their rate bound is added to that of the next step, and their weight to that of the next
+// miss, because the finger's direction does not change.
 Window window_of(const MpcConfig& config, const MpcProblem& problem, double last_plate_deg) {
   Window window;
   window.steps = 0;
@@ -52,7 +52,7 @@ Mpc::Mpc(const MpcConfig& config) : config_(config) {
   }
 }
 
-// Follows the table of gains clamped to the bounds, and moves from there to the optimum.
+// Follows the table of gains, clamped to the bounds, and then moves to the optimum.
 bool Mpc::solve_window(const Window& window, WindowPath& path) const {
   double finger_deg = window.finger_deg;
   double last_deg = window.last_plate_deg;
@@ -73,7 +73,7 @@ bool Mpc::solve_window(const Window& window, WindowPath& path) const {
   return window.steps == 0 || solve_active_set(window, path);
 }
 
-// The optimum of a window with active bounds.
+// Returns the optimum if a bound is active.
 Mpc::Command Mpc::solve_bounded(const MpcProblem& problem, double last_deg, MpcPlan* plan) const {
   const double bound_deg = config_.plate_bound_deg;
   const double rate_deg = config_.plate_rate_bound_deg;
@@ -82,8 +82,8 @@ Mpc::Command Mpc::solve_bounded(const MpcProblem& problem, double last_deg, MpcP
   const bool optimal = solve_window(window, path);
   Command first{};
   for (int step = 0, i = 0; step < (plan ? config_.horizon : 1); ++step) {
-    // At an active bound the plate turns as far as the bounds allow, so that rounding cannot carry it past them. In
-    // steps that are not perceived it turns towards the next offset that is.
+    // At an active bound, the offset is set from the bound, so that rounding cannot exceed it. In steps that are not
+    // perceived, the plate rotates towards the next offset that is.
     const bool perceived = problem.gains[step] >= min_gain;
     const int side = !perceived ? 0 : path.pin[i] ? path.pin[i] : path.link[i];
     const double wanted_deg = side ? side * 2.0 * bound_deg : i < window.steps ? path.plate_deg[i] : last_deg;
@@ -106,7 +106,7 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) const {
   if (last_deg > bound_deg + rate_deg) return {last_deg - rate_deg, ActiveBound::rate_down, true};
   if (last_deg < -bound_deg - rate_deg) return {last_deg + rate_deg, ActiveBound::rate_up, true};
 
-  // The path that follows the table of gains is the optimum, unless it meets a bound or a step without gain.
+  // The path that follows the table of gains is the optimum unless it reaches a bound or a step without gain.
   const double by_weight = 1.0 / problem.tactile_weight;
   const double finger_weight = 1.0 - problem.tactile_weight;
   double finger_deg = problem.finger_offset_deg;

@@ -1,12 +1,5 @@
-// The controller of paper section III: the plate orientations over a short window that keep both the perceived
+// The controller of paper section III: chooses the plate orientations over a short window that keep the perceived
 // direction near the virtual target and the finger near the real target.
-//
-// With angles relative to the virtual direction theta_V (p finger, t plate, e perceived error) the participant of
-// section II-A is a scalar system
-//     e_i = K_i (w_T t_i + (1 - w_T) p_i),    p_i+1 = p_i - e_i
-// and the cost over the window of N steps (paper equation 1, with weights) is
-//     sum over i = k .. k+N-1 of  q_perceived e_i^2 + q_actual (p_i - p_R)^2,
-// subject to |t_i| <= L and |t_i - t_i-1| <= R. core/paper/README.md derives the method.
 #pragma once
 
 #include <array>
@@ -17,27 +10,26 @@
 
 namespace hrt {
 
-/// One problem; every angle in degrees relative to the virtual direction.
+/// Input of one step. Angles are relative to the virtual direction.
 struct MpcProblem {
   double finger_offset_deg;  ///< p_k, finite
   double real_offset_deg;    ///< p_R, finite
   double tactile_weight;     ///< w_T in (0, 0.5)
-  /// t_k-1: current plate offset, finite. Read only with a rate bound. A plate that is farther beyond the plate bound
-  /// than one step can rotate it returns at full rate.
+  /// t_k-1: current plate offset, finite. Used only with a rate bound. If it is farther beyond the plate bound than the
+  /// plate can rotate in one step, the plate returns at full rate.
   double plate_offset_deg;
-  /// K_k .. K_k+N-1, each in [0, 1]; must point at `horizon` values. A gain below 1e-12 counts as 0: the plate is not
-  /// perceived in that step, and rotates towards the offset of the next step in which it is, or stays.
+  /// K_k .. K_k+N-1, `horizon` gains in [0, 1]. In a step with a gain below 1e-12 the plate is not perceived; it
+  /// rotates towards the offset of the next step in which it is, or does not move.
   const double* gains;
 };
 
-/// Plate offsets over the window. Entries past `horizon` are not written; no entry is if the plate returns from beyond
-/// its bound.
+/// Plate offsets over the window. Nothing is written past `horizon`, and if the plate returns from beyond its bound.
 struct MpcPlan {
-  std::array<double, max_horizon> plate_offset_deg;  ///< t_k ..
+  std::array<double, max_horizon> plate_offset_deg;  ///< t_k .. t_k+N-1
   std::array<ActiveBound, max_horizon> active;       ///< the plate bound, or else the rate bound
 };
 
-/// Solves one problem per step, exactly. No heap, lock or exception; bounded time. Any thread.
+/// Solves each problem exactly. Uses no heap, lock or exception; bounded time. Any thread.
 class Mpc {
  public:
   /// Requires is_valid(config).
@@ -45,11 +37,11 @@ class Mpc {
 
   struct Command {
     double plate_offset_deg;  ///< t_k, relative to the virtual direction; always within both bounds
-    ActiveBound active;       ///< the bound at which t_k is
-    bool optimal;             ///< false: the solver reached its limit of iterations, and a better t_k may exist
+    ActiveBound active;       ///< bound that limits t_k
+    bool optimal;             ///< false: the solver reached its iteration limit, and a better t_k may exist
   };
 
-  /// Returns the first step of the optimum, and writes all steps to `plan` if it is not null.
+  /// Returns the first step of the optimum, and writes all steps to `plan` unless it is null.
   Command solve(const MpcProblem& problem, MpcPlan* plan = nullptr) const;
 
   const MpcConfig& config() const { return config_; }
@@ -59,7 +51,8 @@ class Mpc {
   bool solve_window(const Window& window, WindowPath& path) const;
 
   MpcConfig config_;
-  std::array<double, max_horizon + 1> free_gain_{};  // g by number of steps left: e = g (p - p_R) without active bounds
+  // g_n by the number n of steps left: e = g (p - p_R) without active bounds
+  std::array<double, max_horizon + 1> free_gain_{};
 };
 
 }  // namespace hrt

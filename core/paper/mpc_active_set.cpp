@@ -8,9 +8,8 @@ namespace {
 
 constexpr int max_iterations = 1000;
 
-// A primal active-set method. The constraints that it holds as equalities are the pins and links of the path. Links
-// join steps to runs. No run contains more than one pin, and none if it is linked to t_-1, so that the constraints
-// held are always linearly independent.
+// Primal active-set method. The constraints that are held as equalities are the pins and links of the path; links join
+// steps to runs. A run contains at most one pin, and none if it is linked to t_-1, so they are linearly independent.
 class ActiveSet {
  public:
   ActiveSet(const Window& window, WindowPath& path)
@@ -30,7 +29,7 @@ class ActiveSet {
   const Window& window_;
   WindowPath& path_;
   double finger_weight_;                                        // 1 - w_T
-  double tolerance_deg_;                                        // rounding error of perceived angles, as of e_i
+  double tolerance_deg_;                                        // rounding error of perceived angles such as e_i
   std::array<bool, max_horizon> fixed_;                         // the constraints held determine t_i
   std::array<double, max_horizon> law_slope_, law_offset_deg_;  // t_i = slope p_i + offset where fixed or not linked
   std::array<double, max_horizon> target_deg_;
@@ -38,7 +37,7 @@ class ActiveSet {
   std::array<double, max_horizon> error_deg_;       // e_i
 };
 
-// Finds the steps whose run contains a pin or is linked to t_-1, and sets their laws.
+// Finds the steps whose run contains a pin or is linked to t_-1. The held constraints determine t_i in these steps.
 void ActiveSet::fix_runs() {
   double last_deg = window_.last_plate_deg;
   bool fixed = true;
@@ -60,9 +59,9 @@ void ActiveSet::fix_runs() {
   }
 }
 
-// Sets the target path to the optimum under the constraints held alone, by dynamic programming. Backwards, the least
-// cost of the steps from i on is  pp p_i^2 + 2 pt p_i t_i-1 + tt t_i-1^2 + 2 p1 p_i + 2 t1 t_i-1  and a constant; t_i-1
-// matters only if step i is linked to it. Its minimum by t_i is the law of step i.
+// Sets the target path to the optimum under the held constraints alone, by dynamic programming. Backwards, the least
+// cost of the steps from i on is pp p_i^2 + 2 pt p_i t_i-1 + tt t_i-1^2 + 2 p1 p_i + 2 t1 t_i-1 plus a constant; t_i-1
+// matters only if step i is linked to it. Its minimum by t_i is a linear law t_i(p_i).
 void ActiveSet::optimise() {
   fix_runs();
   const double q = window_.perceived_weight;
@@ -100,7 +99,7 @@ void ActiveSet::optimise() {
 }
 
 // Moves the path towards the target as far as the bounds allow. If a bound blocks the path, holds it and returns false;
-// otherwise returns true. The path does not move against a bound whose value the held constraints determine.
+// otherwise returns true. Bounds of steps that the held constraints determine are not considered.
 bool ActiveSet::advance() {
   double fraction = 1.0;
   std::int8_t* blocking = nullptr;

@@ -1,4 +1,4 @@
-// The quadratic programme of one window and an exact method for it. Derivation: core/paper/README.md.
+// Quadratic program of one window, and an exact method for it. Derivation: README.md.
 #pragma once
 
 #include <array>
@@ -20,18 +20,18 @@ struct Window {
   double last_plate_deg;                            ///< t_-1, |t_-1| <= L + R_0
   std::array<double, max_horizon> gain;             ///< K_i > 0
   std::array<double, max_horizon> rate_deg;         ///< R_i, may be infinite
-  std::array<double, max_horizon + 1> miss_weight;  ///< the last one weighs the miss after the window
+  std::array<double, max_horizon + 1> miss_weight;  ///< the last one is the weight of the miss after the window
 };
 
-/// A path of the plate and its active bounds: +1 at the upper bound, -1 at the lower bound, 0 inactive.
+/// Plate offsets over the window, and their active bounds: +1 upper, -1 lower, 0 inactive.
 struct WindowPath {
   std::array<double, max_horizon> plate_deg;  ///< t_i
   std::array<std::int8_t, max_horizon> pin;   ///< t_i is at +-L
   std::array<std::int8_t, max_horizon> link;  ///< t_i - t_i-1 is at +-R_i
 };
 
-/// Moves `path` to the optimum. Requires a path within the bounds, and at each step at most one active bound. Returns
-/// false if the number of iterations reaches its limit; the path is then within the bounds but not optimal.
+/// Moves `path` to the optimum. Requires a path within the bounds with at most one active bound per step. Returns false
+/// if the iteration limit is reached; `path` is then within the bounds but not optimal.
 bool solve_active_set(const Window& window, WindowPath& path);
 
 }  // namespace hrt

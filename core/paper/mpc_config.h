@@ -1,4 +1,4 @@
-// Settings of the controller of paper section III.
+// Parameters of the controller of paper section III.
 #pragma once
 
 #include <limits>
@@ -11,7 +11,7 @@ inline constexpr int max_horizon = 20;
 /// Largest number of steps between a command and its effect at the finger.
 inline constexpr int max_lead = 8;
 
-/// Settings of the controller; is_valid() checks the ranges.
+/// Parameters of the controller; is_valid() checks the ranges.
 struct MpcConfig {
   int horizon = 3;                ///< N, steps in the window, 1 to max_horizon
   double perceived_weight = 1.0;  ///< q_perceived, > 0

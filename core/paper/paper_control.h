@@ -1,5 +1,5 @@
-// The controller of paper section III for a plate that takes time: the optimum over a short window, from the
-// first step that a command given now can still change.
+// The controller of paper section III for a plate with dynamics: plans from the first step that a new command can
+// change.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@
 
 namespace hrt {
 
-/// Plans one reach. Uses no heap, lock or exception. One thread at a time.
+/// Controller of one reach. Uses no heap, lock or exception. One thread at a time.
 class PaperControl {
  public:
-  /// A turn within a step is bounded by `plate` as well as by `config`. Requires valid arguments,
-  /// a latency of at most `max_lead` steps.
+  /// The rotation within a step is bounded by `plate` as well as by `config`. Requires valid arguments, and a latency
+  /// of at most `max_lead` steps.
   PaperControl(const MpcConfig& config, const PlateDynamics& plate, std::int64_t step_period_ns,
                double goal_direction_deg);
 
-  /// Plate orientation at the end of the first step that a new command can change, planned about `centre_deg`, an
-  /// orientation with the ridge normal of the goal. Earlier steps end with the orientations of `plate` under the
-  /// commands already given.
+  /// Returns the plate orientation at the end of the first step that a new command can change, relative to
+  /// `centre_deg`, an orientation whose ridge normal is the goal. Earlier steps end with the orientations of `plate`
+  /// under the commands already given.
   PlateOrientation plan(const ReachEstimator& reach, double aimed_direction_deg, double centre_deg,
                         const PlateModel& plate);
 
-  /// True if turns take time and are planned.
+  /// True if the plate has a rate bound, which the plan includes.
   bool plans_turns() const;
 
  private:

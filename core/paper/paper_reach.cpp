@@ -10,14 +10,14 @@ namespace hrt {
 namespace {
 
 PlateLimits limits_of(const PaperReachConfig& config, bool plans_turns, double real_deg, double goal_deg,
-                      double stands_deg) {
+                      double present_deg) {
   const double bound_deg = config.mpc.plate_bound_deg;
-  // A fixed plate has its orientation from the start and needs no limits.
+  // A fixed plate is commanded once and needs no limits.
   if (config.fixed_plate_orientation_deg) return {{}, goal_deg, bound_deg, goal_deg, goal_deg};
   if (!plans_turns) return {config.plate.stops, goal_deg};
   const double holding_deg =
-      steering_authority(real_deg, goal_deg, config.participant.tactile_weight, bound_deg).plate_orientation_deg;
-  return {config.plate.stops, goal_deg, bound_deg, holding_deg, stands_deg};
+      paper_gap_feasibility(real_deg, goal_deg, config.participant.tactile_weight, bound_deg).plate_orientation_deg;
+  return {config.plate.stops, goal_deg, bound_deg, holding_deg, present_deg};
 }
 
 bool is_saturated(ActiveBound active) { return active == ActiveBound::lower || active == ActiveBound::upper; }
@@ -49,9 +49,10 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach, const
 }
 
 PlateOrientation PaperReach::initial_plate(const std::optional<PlateHandover>& handover) const {
-  const double stands_deg = plate_.orientation_deg();
-  if (!config_.fixed_plate_orientation_deg) return {handover ? handover->commanded_deg : stands_deg, ActiveBound::none};
-  return {nearest_equivalent_deg(*config_.fixed_plate_orientation_deg, stands_deg, config_.plate.stops),
+  const double present_deg = plate_.orientation_deg();
+  if (!config_.fixed_plate_orientation_deg)
+    return {handover ? handover->commanded_deg : present_deg, ActiveBound::none};
+  return {nearest_equivalent_deg(*config_.fixed_plate_orientation_deg, present_deg, config_.plate.stops),
           ActiveBound::none};
 }
 
@@ -119,7 +120,8 @@ PlateHandover PaperReach::handover() const {
           dropped_before_ + counts.dropped_samples};
 }
 
-// Aiming beyond the direction that can be held adds felt error and brings the finger no nearer.
+// If the gap is not feasible, steers to the nearest feasible direction: a larger aim would increase the
+// perceived-direction error without bringing the finger nearer.
 inline PaperReach::Aim PaperReach::aim() const {
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double gap_deg = goal_deg_ - reach_.real_direction_deg;
@@ -136,7 +138,7 @@ inline PlateOrientation PaperReach::plan(const Aim& aim) {
   return control_.plan(estimator_, aim.direction_deg, limits_.centre_deg(), plate_);
 }
 
-// Only the last decision of a step counts.
+// Counts only the last decision of a step.
 inline void PaperReach::decide(const Decision& decision) {
   if (decision.step != decision_.step) {
     saturated_steps_ += is_saturated(decision_.plate.active);

@@ -1,5 +1,5 @@
-// A reach under the controller of the paper. A sample passes through
-//   estimate (reach_estimator), aim (authority), plan (paper_control), limit (plate_limits), command.
+// A reach under the paper's controller. Each sample passes through
+//   estimate (reach_estimator), aim (participant), plan (paper_control), limit (plate_limits), command.
 #pragma once
 
 #include <cstdint>
@@ -15,36 +15,35 @@
 namespace hrt {
 
 struct PaperReachConfig {
-  Participant participant;  ///< as assumed by the controller; adaptation starts at its w_T
+  Participant participant;  ///< model of the participant; adaptation starts at its w_T
   MpcConfig mpc;
-  std::optional<double> fixed_plate_orientation_deg;  ///< the plate stays there, uncontrolled (paper Fig. 8)
+  std::optional<double> fixed_plate_orientation_deg;  ///< constant plate orientation without control (paper Fig. 8)
   EstimatorConfig estimator;
-  PlateDynamics plate;  ///< its latency is at most `max_lead` steps
+  PlateDynamics plate;  ///< latency at most `max_lead` steps
   std::int64_t step_period_ns = 100'000'000;
 };
 
-/// Exact directions move the controller once a model step; each position moves it, since each refines the
-/// estimate. In between the command is held. Uses no heap, lock or exception. One thread at a time.
+/// The controller decides once in a model step if directions are observed, and at each position, since positions refine
+/// the estimate. Otherwise the command is unchanged. Uses no heap, lock or exception. One thread at a time.
 class PaperReach {
  public:
-  /// `handover`: state of the reach that this one replaces; none: the plate is at rest. Requires valid arguments.
+  /// `handover`: state of the reach that this one replaces; nullopt: the plate is at rest. Requires valid arguments.
   PaperReach(const PaperReachConfig& config, const Reach& reach,
              const std::optional<PlateHandover>& handover = std::nullopt);
 
-  /// Takes one sample in, not before the last one's.
+  /// Processes a sample, not earlier than the previous one.
   const PlateCommand& update(const FingerSample& sample);
 
   /// Changes the real target to `real`. `now`: the reach as seen from the finger.
   void retarget(const PlatePoint& real, const Reach& now);
 
-  /// The paper's loop, without a clock: one model step with the finger moving along `finger_direction_deg`
-  /// (finite). Not to be mixed with update().
+  /// Advances by one model step without a clock; `finger_direction_deg` is finite. Do not mix with update().
   const PlateCommand& step(double finger_direction_deg);
 
   const PlateCommand& command() const { return command_; }
-  /// Position of the finger; none before it moves, and with directions alone.
+  /// Position of the finger; nullopt before it moves, and without positions.
   std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
-  double speed_mm_s() const { return 0.0; }  ///< not used to aim
+  double speed_mm_s() const { return 0.0; }  ///< unused by this controller
   ReachSummary summary() const;
   PlateHandover handover() const;
   const FingerPhase& finger() const { return estimator_.finger(); }
@@ -55,7 +54,7 @@ class PaperReach {
     double direction_deg;
     bool unreachable;
   };
-  /// The last command, with its step and aim.
+  /// The last decision, with its step and aim.
   struct Decision {
     std::int64_t step = -1;
     Aim aim;
@@ -81,10 +80,10 @@ class PaperReach {
   PlateModel plate_;
   PlateLimits limits_;
   Decision decision_;
-  PlateCommand command_;  // last command, with the last observed finger
+  PlateCommand command_;  // last command, with the last observed state of the finger
   std::int64_t samples_before_ = 0;
   std::int64_t dropped_before_ = 0;
-  std::int64_t saturated_steps_ = 0;  // without the last decision's
+  std::int64_t saturated_steps_ = 0;  // without that of the last decision
   std::int64_t rate_limited_steps_ = 0;
 };
 

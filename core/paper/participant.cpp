@@ -13,8 +13,8 @@ bool is_valid(const Participant& participant) {
          std::isfinite(participant.bias_deg);
 }
 
-Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
-                             double plate_bound_deg) {
+GapFeasibility paper_gap_feasibility(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
+                                     double plate_bound_deg) {
   const double gap_deg = virtual_direction_deg - real_direction_deg;
   const double max_deg = max_gap_deg(tactile_weight, plate_bound_deg);
   const double held_gap_deg = std::clamp(gap_deg, -max_deg, max_deg);

@@ -1,5 +1,5 @@
-// Perception and steering of the participant of paper section II-A. All equations that change P or theta_hat are here.
-// Uses no heap, lock or exception.
+// Perception and steering of the participant of paper section II-A: all equations of P and theta_hat. No heap, lock or
+// exception.
 #pragma once
 
 #include <array>
@@ -10,46 +10,44 @@
 
 namespace hrt {
 
-/// A participant's parameters. The defaults are condition 1 of Table I with the sensory variance that fits
-/// that table.
+/// Parameters of a participant. The defaults are condition 1 of Table I, with the sensory variance that fits it.
 struct Participant {
-  /// w_T: share of touch in the felt direction, in (0, 0.5); proprioception has the rest.
+  /// w_T: fraction of touch in the perceived direction, in (0, 0.5); the rest is proprioception.
   double tactile_weight = 0.15;
-  /// sigma_u^2: variance of the motor command, degrees squared in a model step, >= 0.
+  /// sigma_u^2: variance of the motor command, deg^2 per model step, >= 0.
   double motor_variance_deg2 = 0.5;
-  /// sigma_h^2: variance of the somatosensory measurement, degrees squared, > 0.
+  /// sigma_h^2: variance of the somatosensory measurement, deg^2 per model step, > 0.
   double sensory_variance_deg2 = 0.1;
-  /// Variance of the perceived direction before the first step, degrees squared, >= 0.
+  /// Variance of the perceived direction before the first step, >= 0.
   double initial_variance_deg2 = 0.0;
-  /// The person takes targets to lie this much further left, degrees.
+  /// Direction at which the person aims minus the virtual direction.
   double bias_deg = 0.0;
 };
 
 /// True if every field is finite and in its range.
 bool is_valid(const Participant& participant);
 
-/// G: direction at which a person aims for a target in `virtual_direction_deg`.
+/// Returns G, the direction at which the person aims for a target in `virtual_direction_deg`.
 inline double goal_direction_deg(const Participant& participant, double virtual_direction_deg) {
   return virtual_direction_deg + participant.bias_deg;
 }
 
-/// h = w_T T + (1 - w_T) P: the combination of touch and proprioception.
+/// Returns h = w_T T + (1 - w_T) P, the combination of touch and proprioception.
 inline double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg) {
   return tactile_weight * plate_orientation_deg + (1.0 - tactile_weight) * finger_direction_deg;
 }
 
-/// Input of a step: the finger moves along `finger_direction_deg` over ridges at `plate_orientation_deg` while the
-/// person aims at `goal_direction_deg`. The three angles are in degrees from the same direction; the orientation is
-/// that of the perceived normal, see ridge_normal_deg().
+/// Input of a step: the finger moves along `finger_direction_deg` over ridges at `plate_orientation_deg`, and the
+/// person aims at `goal_direction_deg`. The angles are relative to one common direction; see ridge_normal_deg().
 struct ParticipantInput {
   double tactile_weight;         ///< w_T
-  double gain;                   ///< K, of the perception filter
+  double gain;                   ///< K, gain of the perception filter
   double goal_direction_deg;     ///< G
   double plate_orientation_deg;  ///< T
   double finger_direction_deg;   ///< P
 };
 
-/// The person's response. P of the next step is P + motor_command_deg + noise.
+/// Response of the person. In the next step, P is P + motor_command_deg + noise.
 struct ParticipantStep {
   double felt_direction_deg;       ///< h
   double perceived_direction_deg;  ///< theta_hat = G + K (h - G): the filter's prior is the goal itself
@@ -64,14 +62,13 @@ inline ParticipantStep participant_step(const ParticipantInput& input) {
   return {felt_deg, perceived_deg, goal_deg - perceived_deg};
 }
 
-/// As participant_step(), over a plate whose ridges repeat every half turn: the normal within 90 of the goal is
-/// perceived.
+/// As participant_step(), for ridges: the normal within 90 degrees of the goal is perceived.
 inline ParticipantStep participant_step_on_plate(ParticipantInput input) {
   input.plate_orientation_deg = ridge_normal_deg(input.plate_orientation_deg, input.goal_direction_deg);
   return participant_step(input);
 }
 
-/// Derivatives of the next step's P.
+/// Derivatives of P in the next step.
 struct ParticipantSlopes {
   double by_direction;  ///< derivative by P: 1 - K (1 - w_T)
   double by_weight;     ///< derivative by w_T: -K (T - P)
@@ -82,41 +79,41 @@ inline ParticipantSlopes participant_slopes(const ParticipantInput& input) {
           .by_weight = -input.gain * (input.plate_orientation_deg - input.finger_direction_deg)};
 }
 
-/// The largest gap |theta_V - P_R| that a plate bounded to `plate_bound_deg` about theta_V can hold: at rest
-/// the participant feels the goal, so w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5),
-/// `plate_bound_deg` in (0, 90].
+/// Returns the largest feasible gap |theta_V - P_R| for a plate within `plate_bound_deg` of theta_V. In the steady
+/// state the person perceives the goal: w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5), `plate_bound_deg`
+/// in (0, 90].
 inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
   return plate_bound_deg * tactile_weight / (1.0 - tactile_weight);
 }
 
-/// Authority over the pair of directions, any finite degrees. Ranges as for max_gap_deg().
-Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
-                             double plate_bound_deg);
+/// Computes the feasible gap of this participant, whether the gap lies within it, and the plate orientation that
+/// sustains it. Directions: finite. Other ranges: see max_gap_deg().
+GapFeasibility paper_gap_feasibility(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
+                                     double plate_bound_deg);
 
-/// A step of the Kalman filter that fuses touch and proprioception. It does not depend on the perceived direction, so
-/// that a controller knows future gains.
+/// A step of the Kalman filter that combines touch and proprioception. It does not depend on the perceived direction,
+/// so a controller can compute future gains.
 struct FilterGain {
   double gain;           ///< K, in (0, 1] (0 only if both variances before it are 0)
-  double variance_deg2;  ///< variance of the corrected perceived direction: (1 - K) var-
+  double variance_deg2;  ///< variance of the perceived direction: (1 - K) var-
 };
 
-/// Gain and variance of the step that follows a perceived direction of variance `variance_deg2`.
+/// Computes the step after a perceived direction with variance `variance_deg2`.
 FilterGain next_gain(const Participant& participant, double variance_deg2);
 
-/// Variance of the noise that a step of gain `gain` adds to the finger's direction: sigma_u^2 + var_k, and var_k =
-/// (1 - K) var- = K sigma_h^2.
+/// Returns the variance of the noise that a step of gain `gain` adds to the direction of the finger: sigma_u^2 + var_k,
+/// where var_k = (1 - K) var- = K sigma_h^2.
 inline double step_variance_deg2(const Participant& participant, double gain) {
   return participant.motor_variance_deg2 + gain * participant.sensory_variance_deg2;
 }
 
-/// The gains of the next steps: data() is K_k .. K_k+horizon-1.
+/// Gains of the next steps: data() points at K_k .. K_k+horizon-1.
 class GainWindow {
  public:
-  /// Starts at the first step of a reach. Requires is_valid(participant), 1 <= horizon <= max_horizon +
-  /// max_lead.
+  /// Begins at the first step of a reach. Requires is_valid(participant), 1 <= horizon <= max_horizon + max_lead.
   GainWindow(const Participant& participant, int horizon);
 
-  /// `horizon` gains, the current step's first. Valid until advance().
+  /// Returns `horizon` gains, that of the current step first. Valid until advance().
   const double* data() const { return gains_.data() + first_; }
 
   /// Moves to the next step.
@@ -127,7 +124,7 @@ class GainWindow {
   int horizon_;
   int first_ = 0;
   double last_variance_deg2_;
-  // A ring that holds every gain twice, so that a window is contiguous wherever it starts.
+  // Ring buffer that stores every gain twice, so that each window is contiguous.
   std::array<double, std::size_t{2} * (max_horizon + max_lead)> gains_{};
 };
 

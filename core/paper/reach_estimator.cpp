@@ -58,7 +58,7 @@ SampleCounts ReachEstimator::counts() const {
   return counts;
 }
 
-// The finger moves: the first model step began at `time_ns`.
+// Begins the first model step at `time_ns`.
 void ReachEstimator::start(std::int64_t time_ns, const PlatePoint& place) {
   clock_.start(time_ns);
   now_ns_ = time_ns;
@@ -124,8 +124,8 @@ inline Observation ReachEstimator::take(const FingerSample& sample, PlateModel& 
   return take_position(sample, plate);
 }
 
-// The configured SD, or the one of neighbouring positions, with the assumed SD as one observation: the noise determines
-// which part of a deviation is attributed to the person.
+// The configured SD, or the estimate from successive positions with the assumed SD as one observation. The noise
+// determines which part of a deviation is attributed to the person.
 double ReachEstimator::white_noise_mm() const {
   const NoiseLearner<PlatePoint>& learner = finger_.learner();
   if (learner.known()) return learner.noise().white_mm;
@@ -135,7 +135,7 @@ double ReachEstimator::white_noise_mm() const {
 }
 
 Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel& plate) {
-  if (position_ns_ == sample.time_ns) {  // the tracker has sent it twice
+  if (position_ns_ == sample.time_ns) {  // duplicate sample
     ++counts_.dropped_samples;
     return Observation::none;
   }
@@ -155,7 +155,7 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
       place_ = sample.position;
       return Observation::none;
     }
-    // After a gap in tracking the time of the onset is unknown.
+    // After a gap in tracking, the time of the onset is unknown.
     const double since_rest_s = time_s - finger_.left_s();
     if (since_rest_s < 2e-9 * static_cast<double>(clock_.period_ns()))
       start(sample.time_ns - std::llround(1e9 * since_rest_s), finger_.rest_place());

@@ -1,7 +1,7 @@
-// The state of one reach: samples and time in, the finger's motion and the person's w_T out.
+// Estimates the motion of the finger and w_T of the person in one reach.
 //
-// The model's steps start when the finger starts to move. They wait while the finger rests or is lifted,
-// since nothing is felt then; a step without samples is predicted.
+// The steps of the model start with the motion. They are suspended while the finger rests or is lifted, since nothing
+// is perceived then. A step without samples is predicted.
 #pragma once
 
 #include <cstdint>
@@ -24,43 +24,43 @@ struct SampleCounts {
   std::int64_t dropped_samples = 0;  ///< samples without an observation, outliers and duplicates
 };
 
-/// Uses no heap, lock or exception. One thread at a time.
+/// Estimator for one reach. Uses no heap, lock or exception. One thread at a time.
 class ReachEstimator {
  public:
-  /// The finger rests at `start`, about to go for `goal_direction_deg`. `horizon` gains are known ahead, 1 to
-  /// max_horizon + max_lead. Requires valid arguments, `step_period_ns` > 0.
+  /// Begins at rest at `start`, before a motion whose goal is `goal_direction_deg`. `horizon`: number of gains that are
+  /// computed in advance, 1 to max_horizon + max_lead. Requires valid arguments, `step_period_ns` > 0.
   ReachEstimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                  const PlatePoint& start, std::int64_t step_period_ns, int horizon);
 
-  /// Lets time pass until the sample's, for `plate` too, and takes the sample in. Returns its basis for a
-  /// decision: none, direction or position.
+  /// Advances to the time of the sample, also `plate`, and processes the sample. Returns the observation on which a
+  /// decision may be based: none, direction or position.
   Observation observe(const FingerSample& sample, PlateModel& plate);
 
   /// Advances by one step without a clock: the finger moves along `direction_deg` after a step that ended with the
   /// present plate orientation. Do not mix with observe().
   void step(double direction_deg, const PlateModel& plate);
 
-  /// The participant goes for another direction from now on.
+  /// Changes the goal of the participant.
   void turn_to(double goal_direction_deg);
 
-  /// P, estimated or predicted.
+  /// Direction of motion P, estimated or predicted.
   double direction_deg() const { return direction_deg_; }
   double tactile_weight() const { return estimator_.tactile_weight(); }
   double tactile_weight_sd() const { return estimator_.tactile_weight_sd(); }
-  /// True if the last two steps have no sample.
+  /// True if the last two steps have no samples.
   bool predicted() const { return missed_ && !sampled_; }
-  /// The step under way; -1 before the finger moves.
+  /// Current step; -1 before the motion.
   std::int64_t current_step() const { return clock_.step(); }
   std::int64_t now_ns() const { return now_ns_; }
   std::int64_t step_end_ns() const { return clock_.end_ns(); }
-  /// K of this step and of those ahead; valid until the next sample.
+  /// Gains K of this and the next steps; valid until the next sample.
   const double* gains() const { return gains_.data(); }
 
-  /// Counts of the whole reach, with the present step once it has a sample.
+  /// Counts since the start of the reach; includes the current step once it has a sample.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
   const FingerPhase& finger() const { return finger_; }
-  /// Last position, observed or predicted; none until a position is observed.
+  /// Last position, observed or predicted; nullopt until a position is observed.
   const std::optional<PlatePoint>& place() const { return place_; }
 
  private:
@@ -79,16 +79,16 @@ class ReachEstimator {
   Estimator estimator_;
   StepClock clock_;
   GainWindow gains_;
-  SampleCounts counts_;  // without the step under way
+  SampleCounts counts_;  // without the current step
   double direction_deg_ = 0.0;
   std::optional<PlatePoint> place_;
   std::optional<std::int64_t> first_ns_;     // time of the first position
   std::optional<std::int64_t> position_ns_;  // time of the last position
   std::int64_t now_ns_ = 0;                  // time of the estimator
-  double unseen_s_ = 0.0;                    // time for which it has moved since the last sample
+  double unseen_s_ = 0.0;                    // time of predicted motion since the last sample
   bool paused_ = false;                      // the finger rests or is lifted
-  bool sampled_ = false;                     // the present step has a sample
-  bool missed_ = false;                      // the step before had no sample
+  bool sampled_ = false;                     // the current step has a sample
+  bool missed_ = false;                      // the previous step had no sample
 };
 
 }  // namespace hrt

@@ -1,4 +1,4 @@
-// The model's steps in the caller's time: a fixed period, from when the finger starts to move.
+// Steps of the model in the caller's time: a fixed period from the onset.
 #pragma once
 
 #include <algorithm>
@@ -16,19 +16,19 @@ class StepClock {
 
   std::int64_t period_ns() const { return period_ns_; }
   bool started() const { return step_ >= 0; }
-  /// The step under way, from 0; -1 before start().
+  /// Current step, from 0; -1 before start().
   std::int64_t step() const { return step_; }
-  /// When the step under way ends.
+  /// End of the current step.
   std::int64_t end_ns() const { return later_ns(start_ns_, period_ns_); }
 
-  /// Step 0 begins at `time_ns`.
+  /// Begins step 0 at `time_ns`.
   void start(std::int64_t time_ns) {
     start_ns_ = time_ns;
     step_ = 0;
   }
 
-  /// Ends the steps that end by `time_ns`, each with a call of `end_step(end_ns)`. However long the gap, at
-  /// most `max_catch_up_steps`; returns how many more went by.
+  /// Ends the steps that end by `time_ns`, and calls `end_step(end_ns)` for each, up to `max_catch_up_steps` times.
+  /// Returns the number of further steps, which are skipped.
   template <class EndStep>
   std::int64_t advance(std::int64_t time_ns, const EndStep& end_step) {
     const auto period_ns = static_cast<std::uint64_t>(period_ns_);
@@ -45,15 +45,15 @@ class StepClock {
     return static_cast<std::int64_t>(skipped);
   }
 
-  /// The step under way lasts this much longer.
+  /// Extends the current step by `duration_ns`.
   void wait(std::uint64_t duration_ns) {
     start_ns_ = static_cast<std::int64_t>(static_cast<std::uint64_t>(start_ns_) + duration_ns);
   }
 
-  /// The next step, without a time.
+  /// Advances to the next step without a time.
   void count() { ++step_; }
 
-  /// After this many steps without a sample the model has settled.
+  /// Number of steps without a sample after which the model has settled.
   static constexpr std::uint64_t max_catch_up_steps = 64;
 
  private:

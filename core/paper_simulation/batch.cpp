@@ -13,14 +13,14 @@ constexpr bool has_threads = false;
 constexpr bool has_threads = true;
 #endif
 
-// Threads that draw chunks by a counter. At the end of their scope, by an exception too, they draw no more
-// and are joined. (std::jthread is not yet in every C++ library.)
-class DrawingThreads {
+// Threads that take chunks by a counter. The destructor, also after an exception, stops and joins them. (std::jthread
+// is not yet in every C++ library.)
+class WorkerThreads {
  public:
-  DrawingThreads(std::atomic<std::uint64_t>& next, std::uint64_t end) : next_(next), end_(end) {}
-  DrawingThreads(const DrawingThreads&) = delete;
-  DrawingThreads& operator=(const DrawingThreads&) = delete;
-  ~DrawingThreads() {
+  WorkerThreads(std::atomic<std::uint64_t>& next, std::uint64_t end) : next_(next), end_(end) {}
+  WorkerThreads(const WorkerThreads&) = delete;
+  WorkerThreads& operator=(const WorkerThreads&) = delete;
+  ~WorkerThreads() {
     next_ = end_;
     join();
   }
@@ -41,7 +41,7 @@ class DrawingThreads {
   std::vector<std::thread> threads_;
 };
 
-// Trials that a thread takes at a time: short enough for progress and for even work on all cores.
+// Trials that a thread takes at once: few enough for progress and for an even load.
 constexpr std::uint32_t chunk_trials = 4096;
 
 struct Chunk {
@@ -73,7 +73,7 @@ class Chunks {
 
  private:
   std::span<const BatchJob> jobs_;
-  std::vector<std::uint64_t> ends_;  // for each job, the number after that of its last chunk
+  std::vector<std::uint64_t> ends_;  // for each job, the number of the first chunk after it
 };
 
 BatchResult run_trials(const BatchJob& job, std::uint64_t seed, const Chunk& chunk) {
@@ -120,7 +120,7 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
   const std::size_t wanted = !has_threads          ? 1
                              : options.threads > 0 ? options.threads
                                                    : std::max(1u, std::thread::hardware_concurrency());
-  DrawingThreads others(next_chunk, chunks.count());
+  WorkerThreads others(next_chunk, chunks.count());
   for (std::uint64_t i = 1; i < std::min<std::uint64_t>(wanted, chunks.count()); ++i)
     others.start([&] { work([] {}); });
   work([&] {

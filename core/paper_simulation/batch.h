@@ -1,6 +1,6 @@
-// Many trials of many conditions on all cores. The results depend on the seed, the conditions and the
-// trial numbers alone: every bit is the same for any number of threads, any order, any split of a range of
-// trials into parts, and any compiler that keeps IEEE arithmetic.
+// Simulates many trials of many conditions on all cores. The results depend only on the seed, the conditions and the
+// trial numbers: every bit is the same for any number of threads, any order, any split of a range of trials, and any
+// compiler with IEEE arithmetic.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@
 
 namespace hrt {
 
-/// Trials `first_trial` up to, not including, `last_trial` of one condition.
+/// Trials from `first_trial` up to, but not including, `last_trial` of one condition.
 struct BatchJob {
   Condition condition;
   std::uint32_t condition_id;  ///< TrialId::condition of its trials
@@ -23,16 +23,15 @@ struct BatchJob {
 };
 
 struct BatchOptions {
-  int threads = 0;  ///< 0: as many as the machine has
-  /// Called now and then on the calling thread, with trials done and trials of all jobs.
+  int threads = 0;  ///< 0: number of hardware threads
+  /// Called repeatedly on the calling thread with the number of finished trials and of all trials.
   std::function<void(std::uint64_t done, std::uint64_t total)> progress;
-  /// Once this is true the batch ends early. May be null; any thread or signal handler may set it.
+  /// If it becomes true, the batch ends early. May be null; any thread or signal handler may set it.
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// Runs all jobs and returns their results in the same order. A cancelled batch has results with fewer trials. Requires
-/// is_valid() of every job's condition. Throws std::system_error if threads cannot be started, and any exception of
-/// `progress`.
+/// Runs all jobs and returns their results in the same order. If cancelled, the results have fewer trials. Requires
+/// is_valid() for all conditions. Throws std::system_error if a thread cannot start, and what `progress` throws.
 std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,
                                    const BatchOptions& options = {});
 

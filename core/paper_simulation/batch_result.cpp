@@ -12,7 +12,7 @@ constexpr double max_deg = 1000.0;
 }  // namespace
 
 void AngleSums::add(double angle_deg) {
-  // Written so that a NaN counts as a miss of the largest size.
+  // The order of the comparisons makes a NaN count as the largest miss.
   const double clamped_deg = angle_deg >= max_deg ? max_deg : (angle_deg > -max_deg ? angle_deg : -max_deg);
   const auto units = static_cast<std::int64_t>(clamped_deg * units_per_deg + (clamped_deg < 0.0 ? -0.5 : 0.5));
   const auto square = static_cast<std::uint64_t>(units * units);

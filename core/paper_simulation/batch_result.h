@@ -1,11 +1,11 @@
-// The result of many trials, whose parts add up exactly in any order.
+// Results of many trials, which can be added exactly in any order.
 #pragma once
 
 #include <cstdint>
 
 namespace hrt {
 
-/// Sum and sum of squares of angles, in integers, so that the order of addition has no effect.
+/// Sum and sum of squares of angles, as integers, so that the order of addition has no effect.
 class AngleSums {
  public:
   /// Adds one angle, rounded to 2^-20 degrees and clamped to +-1000.
@@ -25,13 +25,12 @@ class AngleSums {
   std::uint64_t squares_high_ = 0;
 };
 
-/// The result of a range of trials of one condition. Results of disjoint ranges add up exactly to that of
-/// their union.
+/// Result of a range of trials of one condition. The sum of results of disjoint ranges is exactly that of their union.
 struct BatchResult {
   std::uint64_t trials = 0;
   std::uint64_t hits = 0;
   std::uint64_t steps = 0;            ///< model steps of all trials
-  std::uint64_t saturated_steps = 0;  ///< steps in which a bound held the plate
+  std::uint64_t saturated_steps = 0;  ///< steps in which a bound limited the plate
   AngleSums miss;                     ///< P_steps - P_R of each trial
   AngleSums felt_error;               ///< theta_hat - theta_V in the last step of each trial
 

@@ -1,4 +1,4 @@
-// Simulated slides of the paper's person over a plate at rest, as a calibration records them.
+// Simulated slides of the paper's participant over a plate at rest, as a calibration records them.
 #pragma once
 
 #include "core/calibrate/slide_track.h"
@@ -14,7 +14,7 @@ struct CalibrationCondition {
   double distance_mm = 100.0;       ///< length of the path, > 0
   double duration_s = 3.0;          ///< duration of the path, > 0
   double step_period_s = 0.1;       ///< period of the participant's steps, > 0
-  double rest_s = 0.5;              ///< tracked at rest before the path, >= 0
+  double rest_s = 0.5;              ///< time of tracking at rest before the path, >= 0
   double tracker_noise_mm = 1.2;    ///< >= 0
   double tracker_rate_hz = 90.0;    ///< > 0
 };

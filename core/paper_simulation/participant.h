@@ -1,4 +1,4 @@
-// Simulated person who follows paper section II-A exactly.
+// Simulated participant of paper section II-A.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace hrt {
 
 /// Result of one step of a SimulatedParticipant. Angles in degrees.
 struct SimulatedStep {
-  double felt_direction_deg;  ///< h_k: of touch and proprioception together
+  double felt_direction_deg;  ///< h_k: combination of touch and proprioception
   double gain;                ///< K_k
   double variance_deg2;       ///< var_k of the perceived direction
   double motor_command_deg;   ///< u_k
@@ -19,20 +19,19 @@ struct SimulatedStep {
 
 class SimulatedParticipant {
  public:
-  /// About to reach for `virtual_direction_deg` (theta_V); the finger first moves along the mid-line.
-  /// Requires is_valid(participant).
+  /// Begins a reach for `virtual_direction_deg` (theta_V); P_0 is the mid-line. Requires is_valid(participant).
   SimulatedParticipant(const Participant& participant, double virtual_direction_deg)
       : participant_(participant),
         goal_direction_deg_(goal_direction_deg(participant, virtual_direction_deg)),
         variance_deg2_(participant.initial_variance_deg2) {}
 
-  /// P_k: where the finger moves, degrees from the mid-line.
+  /// P_k: direction of motion, degrees from the mid-line.
   double finger_direction_deg() const { return finger_direction_deg_; }
-  /// theta_hat: where the person felt the finger move in the last step.
+  /// theta_hat: perceived direction in the last step.
   double perceived_direction_deg() const { return perceived_direction_deg_; }
 
-  /// One model step over ridges at `plate_orientation_deg` (T_k). `noise` is a draw from N(0, 1): it
-  /// stands for the sum of the motor and the estimation noise, of variance sigma_u^2 + var_k.
+  /// Simulates one step over ridges at `plate_orientation_deg` (T_k). `noise`: a draw from N(0, 1), which is scaled to
+  /// the sum of motor and estimation noise, with variance sigma_u^2 + var_k.
   SimulatedStep step(double plate_orientation_deg, double noise) {
     const auto [gain, variance_deg2] = next_gain(participant_, variance_deg2_);
     const ParticipantStep felt = participant_step_on_plate({.tactile_weight = participant_.tactile_weight,

@@ -1,5 +1,4 @@
-// One simulated reach: a participant who goes for the virtual target, and the controller that leads
-// them to the real one, step by step as in paper section II-A and III.
+// One simulated reach of the paper's participant and a controller, step by step as in paper sections II-A and III.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +8,13 @@
 
 namespace hrt {
 
-/// The longest reach that is simulated.
+/// Largest number of steps of a reach.
 inline constexpr int max_trial_steps = 10'000;
 
-/// All that a trial depends on but its random numbers. The defaults are condition 1 of Table I.
+/// Parameters of a trial except its random numbers. The defaults are condition 1 of Table I.
 struct Condition {
   Participant participant;             ///< simulated participant
-  RetargeterConfig controller;         ///< `controller.participant` is the participant that it assumes
+  RetargeterConfig controller;         ///< `controller.participant` is the one that the controller assumes
   double real_direction_deg = -5.0;    ///< P_R
   double virtual_direction_deg = 5.0;  ///< theta_V, within 90 of the real one
   double plate_orientation_deg = 0.0;  ///< plate orientation before the first step
@@ -33,7 +32,7 @@ struct TrialId {
   std::uint32_t trial;
 };
 
-/// Steps of trials draw below this, a tracker's noise from here on.
+/// First random number of a tracker; those of the steps are below it.
 inline constexpr std::uint32_t tracker_draws = 1U << 20;
 
 /// Step k, 0 to Condition::steps - 1. Angles in degrees from the mid-line.
@@ -47,18 +46,18 @@ struct TrialStep {
   double variance_deg2;            ///< var_k of the perceived direction
   double motor_command_deg;        ///< u_k
   double noise_deg;                ///< eps_u + eps_theta: P_k+1 = P_k + u_k + noise
-  ActiveBound active;              ///< the bound that holds T_k
+  ActiveBound active;              ///< bound that limits T_k
 };
 
 struct TrialOutcome {
   double final_direction_deg;      ///< P_steps
   double perceived_direction_deg;  ///< theta_hat of the last step
-  int saturated_steps;             ///< steps with T_k held by a bound
+  int saturated_steps;             ///< steps in which a bound limited T_k
   bool hit;
 };
 
-/// Simulates one trial with the Retargeter, as an engine would drive it. Appends every step to `steps` if
-/// it is not null. Requires is_valid(condition). Any thread.
+/// Simulates one trial with the Retargeter. Appends every step to `steps` unless it is null. Requires
+/// is_valid(condition). Any thread.
 TrialOutcome simulate_trial(const Condition& condition, const TrialId& id, std::vector<TrialStep>* steps = nullptr);
 
 }  // namespace hrt

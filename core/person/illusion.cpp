@@ -12,18 +12,19 @@ constexpr double scale_deg = 75.0;
 
 constexpr double ridge_spacing_mm = 10.0;
 constexpr double max_newton_error_deg =
-    1e-6;  // limit of the error of the last step but one: the last step is then exact
+    // Newton's method converges quadratically: after a change below this limit, the next value is exact to rounding.
+    1e-6;
 
-// Share of a fading touch that is lost, and its derivative by the offset.
-struct LostShare {
-  double share;
+// Fraction of f that is lost, A / (|cos t| + A), and its derivative by the offset t.
+struct LostFraction {
+  double fraction;
   double by_offset;
 };
 
-LostShare lost_share(double slowness, double offset_deg) {
+LostFraction lost_fraction(double slowness, double offset_deg) {
   const auto [sine, cosine] = sin_cos_deg(offset_deg);
-  const double share = slowness / (std::max(cosine, 1e-6) + slowness);
-  return {share, slowness > 0.0 ? rad_per_deg * sine * share * share / slowness : 0.0};
+  const double fraction = slowness / (std::max(cosine, 1e-6) + slowness);
+  return {fraction, slowness > 0.0 ? rad_per_deg * sine * fraction * fraction / slowness : 0.0};
 }
 
 }  // namespace
@@ -39,19 +40,19 @@ FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
   const double square = (t / scale_deg) * (t / scale_deg);
   const double full_deg = (illusion.weight - illusion.curve * square) * t;
   const double full_by_offset = illusion.weight - 3.0 * illusion.curve * square;
-  const LostShare lost = lost_share(illusion.slowness, t);
-  const double kept = 1.0 - illusion.fading * lost.share;
+  const LostFraction lost = lost_fraction(illusion.slowness, t);
+  const double kept = 1.0 - illusion.fading * lost.fraction;
   return {.shift_deg = full_deg * kept,
           .by_offset = full_by_offset * kept - full_deg * illusion.fading * lost.by_offset,
           .by_weight = t * kept,
           .by_curve = -t * square * kept,
-          .by_fading = -full_deg * lost.share};
+          .by_fading = -full_deg * lost.fraction};
 }
 
 MaxShift max_shift(const Illusion& illusion, double bound_deg) {
   double offset_deg = std::min(bound_deg, 89.0);
   if (illusion.curve > 0.0) {
-    // g' = 0
+    // g' = 0 at the maximum
     offset_deg = std::min(offset_deg, scale_deg * std::sqrt(illusion.weight / (3.0 * illusion.curve)));
   }
   FeltShift felt = felt_shift(illusion, offset_deg);
@@ -84,8 +85,8 @@ double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShi
   return std::copysign(offset_deg, shift_deg);
 }
 
-Authority authority_about_motion(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
-                                 double bound_deg) {
+GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
+                               double bound_deg) {
   const double gap_deg = goal_direction_deg - real_direction_deg;
   const MaxShift max = max_shift(illusion, bound_deg);
   const double held_gap_deg = std::clamp(gap_deg, -max.felt.shift_deg, max.felt.shift_deg);

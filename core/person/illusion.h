@@ -1,10 +1,10 @@
-// The illusion of touch in the controller's model: shift of the perceived direction of motion by the ridges.
-//
+// The illusion of touch in the controller's model: the ridges shift the direction of motion that the person perceives
+// by
 //   g(t) = (w t - b t (t / 75)^2) (1 - f A / (|cos t| + A))
-//
-// with t = ridge normal - direction of motion, folded to within 90 degrees. g is linear in w, b and f, so that they can
-// be estimated. With b > 0 it has a peak. A fraction f of touch fades from one ridge to the next: the slower the finger
-// crosses ridges (A, their slowness), the smaller the shift, and it is 0 for a finger that moves along them.
+// where t is the angle from the direction of motion to the ridge normal, in degrees, folded to within 90. g is linear
+// in w, b and f, so that a filter can estimate them. If b > 0, g has a maximum. f is the fraction of the cue from touch
+// that has decayed when the finger crosses the next ridge slowly. A is large if the finger crosses ridges slowly; for a
+// motion along the ridges the shift then tends to (1 - f) of its full value.
 #pragma once
 
 #include "core/person/tuning.h"
@@ -12,19 +12,19 @@
 
 namespace hrt {
 
-/// Illusion of a person: the perceived shift as a function of the angle between ridge normal and motion.
+/// Parameters of a person's illusion, without unit.
 struct Illusion {
   double weight;          ///< w: slope at 0
-  double curve;           ///< b: a third of the decrease of the slope at 75 degrees
-  double fading = 0.0;    ///< f: fraction of touch that fades between ridges
-  double slowness = 0.0;  ///< A, >= 0; 0 for a finger so fast that nothing fades
+  double curve;           ///< b: a third of the decrease of the slope from 0 to 75 degrees
+  double fading = 0.0;    ///< f: fraction of the cue from touch that decays between two ridges
+  double slowness = 0.0;  ///< A >= 0; 0 for a finger so fast that nothing decays
 };
 
-/// A of a finger at `speed_mm_s` after `travelled_mm`, for ridges 10 mm apart: 1 at 17 mm/s, where half of f is lost
-/// across the ridges; large before a first ridge is crossed.
+/// Returns A for a finger at `speed_mm_s` that has travelled `travelled_mm`; ridges are 10 mm apart. A is 1 at 17 mm/s,
+/// where half of f is lost in a motion across the ridges, and large before the first ridge is crossed.
 double ridge_slowness(double speed_mm_s, double travelled_mm, const Tuning& tuning = {});
 
-/// Perceived minus true direction, degrees, and its derivatives.
+/// Shift of the perceived direction, perceived minus true, and its derivatives.
 struct FeltShift {
   double shift_deg;
   double by_offset;  ///< d g / d t
@@ -33,24 +33,24 @@ struct FeltShift {
   double by_fading;  ///< d g / d f
 };
 
-/// Perceived shift at the angle `offset_deg` (any finite angle) between ridge normal and motion.
+/// Returns the shift for a ridge normal at `offset_deg` (finite) from the direction of motion.
 FeltShift felt_shift(const Illusion& illusion, double offset_deg);
 
-/// The largest shift with the ridge normal within `bound_deg` of the motion, and the offset that gives it.
+/// The largest shift that a ridge normal within a bound of the motion can cause, and the offset that causes it.
 struct MaxShift {
   double offset_deg;
   FeltShift felt;
 };
 
-/// `bound_deg` in (0, 90]; weight > 0.
+/// Requires weight > 0. `bound_deg`: largest angle between ridge normal and motion, in (0, 90].
 MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
-/// The offset on the rising branch, up to that of `max`, that gives `shift_deg`, or comes nearest to it.
+/// Inverts g on its rising branch, from 0 to `max`: returns the offset for `shift_deg`, or the nearest possible shift.
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max);
 
-/// Authority over the pair of directions, any finite degrees, for a person of this illusion. `bound_deg` in
-/// (0, 90].
-Authority authority_about_motion(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
-                                 double bound_deg);
+/// Computes the feasible gap for a person with this illusion, whether the gap from the real to the goal direction lies
+/// within it, and the plate orientation that sustains it. Directions: finite, degrees. `bound_deg`: see max_shift().
+GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
+                               double bound_deg);
 
 }  // namespace hrt

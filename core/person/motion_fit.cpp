@@ -15,8 +15,8 @@ constexpr int rates_to_a_side = 6;  // rates of the grid on each side of the mid
 
 }  // namespace
 
-// A rate determines when the motion began, since the part of the path that is behind is known; the positions since the
-// onset decide between rates.
+// For each candidate rate, the path covered so far determines the onset. The squared distances of the positions along
+// the path from those that the rate predicts, plus the prior of the rate, select the candidate.
 MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& origin, const PersonBelief& belief,
                      double path_mm, double noise_variance_mm2, const Tuning& tuning) {
   const double seen_s = places[1].time_s;
@@ -29,7 +29,7 @@ MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& o
   const int count = places.count();
   const double spacing_s = (places[0].time_s - places[count - 1].time_s) / (count - 1);
   const int stride = static_cast<int>(std::clamp(std::ceil(tuning.fit_spacing_s / spacing_s), 1.0, 5.0));
-  const auto squares = [&](double rate, double onset_s) {
+  const auto misfit = [&](double rate, double onset_s) {
     double sum = 0.0;
     for (int back = 0; back < count && places[back].time_s > onset_s; back += stride) {
       const PlatePoint place = places[back].position - origin;
@@ -49,7 +49,7 @@ MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& o
                                        person_state[T::log_rate].min, person_state[T::log_rate].max);
     const double rate = exponential(log_rate);
     const double onset_s = seen_s - phase / rate;
-    const double cost = square(deviations) + squares(rate, onset_s);
+    const double cost = square(deviations) + misfit(rate, onset_s);
     if (cost >= min_cost) continue;
     min_cost = cost;
     best = {log_rate, onset_s};

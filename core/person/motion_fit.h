@@ -1,4 +1,4 @@
-// Pace and onset of a motion, from its first places.
+// Estimates pace and onset of a motion from its first positions.
 #pragma once
 
 #include "core/person/person_belief.h"
@@ -11,8 +11,9 @@ struct MotionFit {
   double onset_s;
 };
 
-/// The motion over `path_mm` from rest at `origin`, of which at least three positions have been seen: maximum of the
-/// posterior on a grid of rates. `noise_variance_mm2`: of a coordinate. Uses no heap, lock or exception.
+/// Returns the maximum of the posterior of log rate and onset, searched over a grid of rates, for a motion over
+/// `path_mm` that began at rest at `origin`. Requires at least three places. `noise_variance_mm2`: variance of the
+/// tracker noise of one coordinate. Uses no heap, lock or exception.
 MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& origin, const PersonBelief& belief,
                      double path_mm, double noise_variance_mm2, const Tuning& tuning);
 

@@ -27,7 +27,7 @@ void MotionLog::add(double time_s, const PlatePoint& position, double felt_plate
   positions_[count_++] = {time_s, position, felt_plate_deg};
 }
 
-// Passes the motion through `filter`. Between positions the felt plate is interpolated.
+// Processes all positions with `filter`. The felt plate orientation is interpolated between positions.
 double MotionLog::log_likelihood(PersonFilter& filter) const {
   double sum = 0.0;
   double time_s = onset_s_;
@@ -70,7 +70,8 @@ PersonBelief MotionLog::belief(const PersonBelief& learnt) const {
     log_likelihood(filter);
     belief = filter.belief();
   }
-  know(belief, PersonState::log_wander, filter_->mean(PersonState::log_wander) + change, std::sqrt(1.0 / precision));
+  set_trait_prior(belief, PersonState::log_wander, filter_->mean(PersonState::log_wander) + change,
+                  std::sqrt(1.0 / precision));
   return belief;
 }
 

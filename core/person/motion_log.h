@@ -1,14 +1,12 @@
-// Positions of one motion, and the estimate of the person from them after the motion.
+// Stores the positions of one motion, and estimates the person from them after the motion.
 //
-// The SD of the wander is a parameter of the filter, not a state. It is estimated by likelihood: after the reach the
-// motion passes through filters that differ in log_wander alone, by -eps, 0 and eps. With their log likelihoods
-//
+// The SD of the wander is a parameter of the filter, not a state, so the filter cannot estimate it. After the reach,
+// three filters whose log_wander differs by -eps, 0 and eps process the positions. From their log likelihoods
 //   l = beta sum over the positions of -(nis + log det S) / 2
-//
-// the posterior of log_wander is to second order normal, with precision 1 / var - l'' and a mean that lies
-// l' / precision above the prior's. var is the variance of the prior, l' and l'' are differences over eps, and beta < 1
-// accounts for positions that are less independent than in the model. The motion then passes through a filter with that
-// mean, which determines the other traits.
+// the posterior of log_wander is approximated by a normal distribution with precision 1 / var - l'' and a mean that
+// lies l' / precision above that of the prior. var is the variance of the prior, l' and l'' are finite differences over
+// eps, and beta < 1 accounts for correlation between positions that the model neglects. A fourth filter with that mean
+// then processes the positions, and estimates the other traits.
 #pragma once
 
 #include <array>
@@ -18,23 +16,23 @@
 
 namespace hrt {
 
-/// Positions of one motion, at most `capacity`: when the log is full, every other one is dropped. Uses no heap, lock or
-/// exception.
+/// Positions of one motion. When `capacity` is reached, every other position is deleted, and only every second, fourth,
+/// ... position is stored from then on. Uses no heap, lock or exception.
 class MotionLog {
  public:
   static constexpr int capacity = 64;
 
-  /// Begins with the state of `filter` at `onset_s`.
+  /// Deletes all positions, and stores `filter` as the state at `onset_s`.
   void begin(const PersonFilter& filter, double onset_s);
-  /// Adds a position, relative to where the finger rested, and the ridge normal felt at that time. `time_s`: after the
-  /// last one's. Ignored after close().
+  /// Adds a position relative to the rest position, and the ridge normal whose effect the person perceives at that
+  /// time. `time_s` must be later than that of the previous position. Has no effect after close().
   void add(double time_s, const PlatePoint& position, double felt_plate_deg);
-  /// Ends the log at a pause, a lift, a jump or another target: later positions are not added.
+  /// Ends the log, at a pause, a lift, a jump or another target: later positions are ignored.
   void close() { closed_ = true; }
 
   int count() const { return count_; }
-  /// Returns the belief about the person after the motion. `learnt` is the belief of the filter that ran during the
-  /// reach; if the motion was interrupted, it determines all traits but log_wander.
+  /// Returns the posterior of the person after the motion. `learnt`: posterior of the filter that ran during the reach;
+  /// if the log was closed early, it is returned with a new log_wander only.
   PersonBelief belief(const PersonBelief& learnt) const;
 
  private:
@@ -49,8 +47,8 @@ class MotionLog {
   std::optional<PersonFilter> filter_;  // filter at the onset
   double onset_s_ = 0.0;
   int count_ = 0;
-  int stride_ = 1;   // one of this many positions is kept
-  int skipped_ = 0;  // since the last one
+  int stride_ = 1;   // one of `stride_` positions is stored
+  int skipped_ = 0;  // number of positions since the last stored one
   bool closed_ = true;
 };
 

@@ -43,12 +43,12 @@ PersonBelief unknown_person(double tactile_weight, double tactile_weight_sd, dou
 PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& tuning) {
   PersonBelief belief = unknown_person(tactile_weight, tuning.known_weight_sd, bias_deg, tuning);
   belief.covariance(T::bias, T::bias) = tuning.known_bias_sd_deg * tuning.known_bias_sd_deg;
-  know(belief, T::fading, 0.0, tuning.known_fading_sd);
-  know(belief, T::scatter, 0.0, tuning.known_scatter_sd_deg);
+  set_trait_prior(belief, T::fading, 0.0, tuning.known_fading_sd);
+  set_trait_prior(belief, T::scatter, 0.0, tuning.known_scatter_sd_deg);
   return belief;
 }
 
-void know(PersonBelief& belief, T::Index trait, double mean, double sd) {
+void set_trait_prior(PersonBelief& belief, T::Index trait, double mean, double sd) {
   belief.mean(trait) = clamped(trait, mean);
   set_independent(belief.covariance, trait, sd * sd);
 }
@@ -73,9 +73,9 @@ PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning) {
 
 LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
                                double curve_variance) {
-  constexpr double share = (60.0 / 75.0) * (60.0 / 75.0);
-  const double variance = weight_variance - 2.0 * share * covariance + share * share * curve_variance;
-  return {std::clamp(weight - share * curve, 0.001, 0.499), std::sqrt(variance > 0.0 ? variance : 0.0)};
+  constexpr double fraction = (60.0 / 75.0) * (60.0 / 75.0);  // (t / 75)^2 at 60 degrees
+  const double variance = weight_variance - 2.0 * fraction * covariance + fraction * fraction * curve_variance;
+  return {std::clamp(weight - fraction * curve, 0.001, 0.499), std::sqrt(variance > 0.0 ? variance : 0.0)};
 }
 
 LinearIllusion linear_illusion(const PersonBelief& belief) {
@@ -97,7 +97,7 @@ PersonBelief calibrated_person(const CalibratedTraits& traits, const Tuning& tun
   PersonBelief belief = unknown_person(0.2, 0.05, 0.0, tuning);
   const auto measured = [&belief](T::Index trait, const Interval& interval, double min_sd) {
     const double sd = std::max(deviation_of_interval(interval.lower, interval.upper), min_sd);
-    know(belief, trait, interval.value, sd);
+    set_trait_prior(belief, trait, interval.value, sd);
     return sd;
   };
   const double weight_sd = measured(T::weight, traits.weight, tuning.min_weight_sd);

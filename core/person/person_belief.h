@@ -1,4 +1,4 @@
-// Belief about a person before a reach: mean and covariance of the traits.
+// Distribution of a person's traits before or after a reach: mean and covariance.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,36 +13,34 @@ namespace hrt {
 struct PersonBelief {
   using Vector = Eigen::Matrix<double, PersonState::traits, 1>;
   using Matrix = Eigen::Matrix<double, PersonState::traits, PersonState::traits>;
-  Vector mean;        ///< in the order of PersonState, as the covariance
+  Vector mean;        ///< in the order of PersonState
   Matrix covariance;  ///< positive definite
 };
 
 inline double trait_sd(const PersonBelief& belief, int trait) { return std::sqrt(belief.covariance(trait, trait)); }
 
-/// The prior of an unknown person. `tactile_weight` and its SD are those of a linear
-/// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0. Clamped to the
-/// ranges.
+/// Returns the prior of a person who has not been measured. `tactile_weight`, `tactile_weight_sd`: mean and SD of w_T
+/// if the illusion were linear; mean and SD of w, and of the curvature b, follow from them (tuning.h). `bias_deg`: bias
+/// from a calibration, or 0. Means are clamped to the ranges in person_state.h.
 PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05, double bias_deg = 0.0,
                             const Tuning& tuning = {});
 
-/// The same, with illusion and bias taken as known.
+/// Returns the prior of a person whose w_T (of a linear illusion) and bias are known exactly.
 PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& tuning = {});
 
-/// A trait is known from now on, to within an SD: alone of the others, and clamped to its
-/// range.
-void know(PersonBelief& belief, PersonState::Index trait, double mean, double sd);
+/// Replaces the distribution of one trait: `mean`, clamped to its range, and `sd`, independent of the others.
+void set_trait_prior(PersonBelief& belief, PersonState::Index trait, double mean, double sd);
 
-/// SD of the habit from one reach to the next.
+/// Returns the SD of the habit from reach to reach.
 double habit_scatter_deg(const PersonBelief& belief, const Tuning& tuning);
 
 /// Sets the variance of a trait and keeps its correlations.
 void set_variance(PersonBelief& belief, int trait, double variance);
 
-/// The belief that steers a reach: that about the person, with a habit whose SD is at most steered_habit_sd_deg.
+/// Returns the belief with which a reach begins: `belief`, with an SD of the habit of at most steered_habit_sd_deg.
 PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning);
 
-/// The weight that a linear illusion would have to shift the felt direction as much at 60 degrees; 0.001 to
-/// 0.499.
+/// The weight of the linear illusion that causes the same shift at 60 degrees, clamped to 0.001 to 0.499, and its SD.
 struct LinearIllusion {
   double weight;
   double weight_sd;
@@ -51,10 +49,10 @@ LinearIllusion linear_illusion(double weight, double curve, double weight_varian
                                double curve_variance);
 LinearIllusion linear_illusion(const PersonBelief& belief);
 
-/// True if each mean is in its range, and the covariance finite, symmetric and positive definite.
+/// Returns true if each mean is in its range, and the covariance is finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);
 
-/// Traits of the controller's curve, the goal and the paths that a calibration determines.
+/// Traits that a calibration determines.
 struct CalibratedTraits {
   Interval weight;
   Interval curve;
@@ -63,8 +61,8 @@ struct CalibratedTraits {
   Interval habit_deg;
 };
 
-/// A person with these traits; the others are unknown. The SDs are at least those of changes of a person, and of a
-/// curve of another family.
+/// Returns the prior of a calibrated person; traits that no calibration determines keep the prior of unknown_person().
+/// Each SD has a lower bound (`min_*_sd` in tuning.h), because people change and may not have a cubic curve.
 PersonBelief calibrated_person(const CalibratedTraits& traits, const Tuning& tuning = {});
 
 }  // namespace hrt

@@ -11,7 +11,7 @@
 namespace hrt {
 namespace {
 
-// Positions since the onset that the filter takes in at each new one: bounds the time of an update.
+// Maximum number of stored positions that one update processes: bounds the time of an update.
 constexpr int max_replayed = 6;
 
 double dot(const PlatePoint& a, const PlatePoint& b) { return a.right_mm * b.right_mm + a.away_mm * b.away_mm; }
@@ -86,12 +86,12 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
     return;
   }
   log_.close();
-  // A target that moves on before they have answered is answered with it.
+  // If the target moves again before the person has responded, the response is to both moves, at the time of the first.
   if (!retarget_)
     retarget_ = {.time_s = time_s + tuning().reaction_time_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
   retarget_->virtual_direction_deg = virtual_direction_deg;
   retarget_->longer_mm += longer_mm;
-  // The finger rests at its former target until it leaves.
+  // At the end of a motion, the finger rests at the former target until the person responds.
   if (moving() && filter_.mean(PersonState::phase) > tuning().last_phase) {
     if (!finger_.at_rest()) finger_.pause_at(filter_s_, finger_.smoothed());
     clock_stopped_ = true;
@@ -162,11 +162,11 @@ bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
   if (find_pause(innovation.nis)) {
     clock_stopped_ = true;
     relocate(finger_.rest_place());
-    fit_ = {};  // the start of a pause is not modelled
+    fit_ = {};  // the filter did not model the deceleration
     return true;
   }
   fit_.add(tuning(), innovation.off_mm, innovation.nis);
-  switch (gate_.judge(innovation.nis <= tuning().max_accepted_nis)) {
+  switch (gate_.test(innovation.nis <= tuning().max_accepted_nis)) {
     case OutlierGate::accepted:
       filter_.correct(innovation);
       return true;
@@ -188,7 +188,7 @@ void PersonEstimator::relocate(const PlatePoint& position) {
 
 PersonBelief PersonEstimator::learnt() const { return log_.belief(filter_.belief()); }
 
-// Only a position that surprises the filter may be one of a pause.
+// A pause can only have begun if the filter did not predict the position.
 bool PersonEstimator::find_pause(double nis) {
   if (backlog_ > 0 || nis <= tuning().min_pausing_nis) return false;
   const double speed_mm_s = filter_.now().speed_mm_s;

@@ -1,17 +1,18 @@
-// Extended Kalman filter of a finger that slides over the plate and of the person who moves it.
+// Extended Kalman filter of a finger that slides over the plate, and of the person who moves it.
 //
-// The person moves over a path of length L at the pace of pace.h, perceives the motion shifted by the ridges
-// (illusion.h), and steers the perceived direction towards a goal G, which is the virtual direction V plus the bias B.
-// The own path strays from the line to the goal and returns to it, without lag:
+// The person moves along a path of length L with the pace s(u) of pace.h. The ridges shift the perceived direction by g
+// (illusion.h). The person steers the perceived direction towards the goal G, which is the virtual direction V plus the
+// bias B. In addition, the hand follows without delay an own path o, which leaves the line to the goal and returns to
+// it. With dots for time derivatives and s_u = ds/du:
 //
-//   progress    v = L r s'(u),   u' = r = exp(rho)
-//   own path    o = dr + c (1 - 2 s(u)) - y / (L (1 - s)),   y' = v (dr - y / (L (1 - s)))
-//   motion      phi = psi + o,   psi' = -k (psi + g(T(now - 60 ms) - phi) - G),   G = V + B
-//               x' = -v sin phi,   z' = v cos phi
-//   measured    x + nx and z + nz, each with white noise; nx and nz decay within 0.1 s unless known otherwise, dr
-//               within 0.3 s
+//   progress    v = L r s_u(u),   du/dt = r = exp(rho)
+//   own path    o = dr + c (1 - 2 s(u)) - y / (L (1 - s)),   dy/dt = v (dr - y / (L (1 - s)))
+//   motion      phi = psi + o,   dpsi/dt = -k (psi + g(T(time - sensory delay) - phi) - G),   G = V + B
+//               dx/dt = -v sin phi,   dz/dt = v cos phi
+//   measured    x + nx and z + nz, each with white noise. nx and nz are correlated noise: they decay within 0.1 seconds
+//               unless the time is known. dr decays within 0.3 seconds.
 //
-// person_state.h lists the states; core/person/README.md has the derivatives.
+// person_state.h lists the states. core/person/README.md has symbols and derivatives.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,60 +27,60 @@
 
 namespace hrt {
 
-/// Quantities derived from the state, at the time of the filter.
+/// Quantities derived from the state at its time.
 struct PersonNow {
   Progress pace;
   double speed_mm_s;
   double direction_deg;  ///< phi
-  double goal_deg;       ///< G + o: the direction that the person means to move in
-  Illusion illusion;     ///< illusion at this speed
+  double goal_deg;       ///< G + o: the direction in which the person intends to move
+  Illusion illusion;     ///< illusion at the present speed
 };
 
-/// Filter of one motion. Positions are relative to the rest before it. Uses no heap, lock or exception.
+/// Filter for one motion. Positions are relative to the rest position before it. Uses no heap, lock or exception.
 class PersonFilter {
  public:
   using X = PersonState;
   using State = Eigen::Matrix<double, X::count, 1>;
   using Covariance = Eigen::Matrix<double, X::count, X::count>;
 
-  /// At rest, about to move over `path_mm` > 0 towards `virtual_direction_deg`.
+  /// Begins at rest, before a motion over `path_mm` > 0 towards `virtual_direction_deg`.
   PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const TrackerNoise& noise,
                const Tuning& tuning = {});
 
-  /// Begins the motion with a log rate that fits its first samples. `onset_sd_s`, `place_sd_mm`: SDs of the onset and
-  /// of where the finger rested.
+  /// Begins the motion with a log rate that fits its first samples. `onset_sd_s`, `place_sd_mm`: SDs of the time of the
+  /// onset and of the rest position.
   void begin(double log_rate, double onset_sd_s, double place_sd_mm);
 
-  /// This filter, before its motion, with log_wander larger by `change`.
+  /// Returns a copy of this filter, in its state before the motion, with a log_wander that is larger by `change`.
   PersonFilter with_wander(double change) const;
 
   static constexpr double max_step_s = 0.012;  ///< longest step of move()
-  /// `seconds` of motion, at most max_step_s, with the ridge normal that is felt at `felt_plate_deg`.
+  /// Advances the motion by `seconds`, at most max_step_s. `felt_plate_deg`: ridge normal, sensory delay ago.
   void move(double seconds, double felt_plate_deg);
 
-  /// `seconds` of rest: the person's clock stops.
+  /// Advances by `seconds` in which the finger rests: the phase u does not change.
   void rest(double seconds);
 
-  /// A measured position minus its prediction: nu = z - H x, with H x = position + correlated noise.
+  /// A measured position minus its prediction: nu = z - H x, where H x is the position plus the correlated noise.
   struct Innovation {
     PlatePoint off_mm;                         ///< nu
-    Eigen::Matrix<double, X::count, 2> cross;  ///< P H'
-    Eigen::Matrix2d information;               ///< S^-1, S = H P H' + R
-    double nis;  ///< nu' S^-1 nu: chi-squared with 2 degrees of freedom if the model holds
+    Eigen::Matrix<double, X::count, 2> cross;  ///< P H^T
+    Eigen::Matrix2d information;               ///< S^-1, S = H P H^T + R
+    double nis;  ///< nu^T S^-1 nu: chi-squared with 2 degrees of freedom if the model is right
   };
   Innovation innovation(const PlatePoint& position) const;
 
-  /// Takes the position of `innovation` in. The filter must not have changed since then.
+  /// Corrects the state by `innovation`. The filter must not have changed since innovation() returned it.
   void correct(const Innovation& innovation);
 
-  /// The finger is elsewhere: the tracker has jumped, or the finger was lifted and set down.
+  /// Sets the position: the tracker has jumped, or the finger was lifted and set down.
   void place_at(const PlatePoint& position);
 
-  /// The target moved within the motion: to `virtual_direction_deg`, over a path that goes `longer_mm` further than
-  /// before. `answered`: the person turns now, otherwise within answer_s.
+  /// Changes the target during the motion, to `virtual_direction_deg` and a path that is `longer_mm` longer.
+  /// `answered`: true if the person responds now; false if the response is still to come.
   void retarget(double virtual_direction_deg, double longer_mm, bool answered);
 
-  /// Adds an SD of `seconds` to the person's clock.
+  /// Increases the uncertainty of the phase u by an SD of `seconds`.
   void loosen_clock(double seconds);
 
   double mean(X::Index index) const { return mean_(index); }
@@ -87,37 +88,36 @@ class PersonFilter {
   const State& mean() const { return mean_; }
   const Covariance& covariance() const { return covariance_; }
   PlatePoint position() const { return {mean_(X::right), mean_(X::away)}; }
-  /// Variance of the position along a unit vector.
+  /// Variance of the position in the direction of the unit vector (`right`, `away`).
   double position_variance_mm2(double right, double away) const;
-  /// Variance, to first order, of the felt shift with these slopes and of the goal, which a degree of bias moves by
-  /// `by_bias`.
+  /// Variance, to first order, of the sum of the shift with these slopes and of `by_bias` times the bias.
   double shift_variance_deg2(const FeltShift& slopes, double by_bias) const;
 
   PersonNow now() const;
-  /// Illusion at a speed of the finger after `travelled_mm`.
+  /// Illusion at a speed after a travelled distance.
   Illusion illusion(double speed_mm_s, double travelled_mm) const;
-  /// At the mean speed of the reach, ridges having been crossed.
+  /// Illusion at the mean speed of the reach, after ridges have been crossed.
   Illusion mean_illusion() const { return illusion(mean_speed_mm_s(), path_mm_); }
-  /// r, one over the duration, 1/s.
+  /// r: one over the duration, 1/s.
   double rate() const { return rate_; }
   double mean_speed_mm_s() const { return path_mm_ * rate_; }
   double path_mm() const { return path_mm_; }
-  /// phi: direction of motion.
+  /// phi, the direction of motion.
   double direction_deg() const;
-  /// G, after `turn_kept` of the answer to a moved target that is still to come.
+  /// G while `turn_kept` (0 to 1) of the response to a moved target is still to come.
   double goal_deg(double turn_kept = 1.0) const {
     return virtual_direction_deg_ + mean_(X::bias) + turn_kept * unanswered_deg_;
   }
-  /// Fraction of the answer to a moved target that is still to come after `seconds`; 1 without such an answer.
+  /// Fraction of the response to a moved target that is still to come after `seconds`; 1 without such a response.
   double turn_kept(double seconds) const;
-  /// o at a fraction of the path, after `wander_kept` of the wander.
+  /// Direction o of the own path at a fraction of the path, if `wander_kept` (0 to 1) of the present wander remains.
   double own_deg(double path_fraction, double wander_kept) const;
-  /// Lateral distance, to the left, that the own path adds until arrival: it returns to the line.
+  /// Lateral distance, left positive, that the own path will add until arrival. It returns to the line.
   double own_to_come_mm() const;
-  /// The pace, at a phase.
+  /// Pace at a phase.
   Progress pace(double phase) const { return progress(mean_(X::evenness), phase, tuning_.pace_skew); }
 
-  /// Estimate of the person from this reach.
+  /// Posterior of the traits, from the samples processed so far.
   PersonBelief belief() const;
   const Tuning& tuning() const { return tuning_; }
 
@@ -132,7 +132,8 @@ class PersonFilter {
   Tuning tuning_;
   double virtual_direction_deg_;
   double unanswered_deg_ =
-      0.0;  // angle from V to the goal that the person does not answer yet, after the target has moved
+      // Former minus present virtual direction: the part of a target's move to which the person has not responded yet.
+      0.0;
   double path_mm_;
   TrackerNoise noise_;
   double wander_deg2_;  // variance of the wander

@@ -16,7 +16,7 @@ using X = PersonState;
 PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
   PersonBelief belief = steering_belief(config.person, config.tuning);
   if (reach.duration_s > 0.0)
-    know(belief, X::log_rate, -logarithm(reach.duration_s), config.tuning.given_duration_log_sd);
+    set_trait_prior(belief, X::log_rate, -logarithm(reach.duration_s), config.tuning.given_duration_log_sd);
   return belief;
 }
 
@@ -30,7 +30,7 @@ ReachGoal goal_of(const PersonReachConfig& config, const Reach& reach) {
           .frame_sd_deg = bearing_sd_deg(config.touched, config.frame, reach.start, target)};
 }
 
-// A plate that turns freely takes the short way round; between stops it keeps to one half turn.
+// A plate that turns freely uses the nearest orientation; a plate with stops stays within one half turn for the reach.
 PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, double plate_deg) {
   const PlateStops& stops = config.plate.stops;
   const double goal_deg = reach.virtual_direction_deg;
@@ -57,19 +57,19 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
     counts_.samples = handover->samples;
     counts_.dropped_samples = handover->dropped_samples;
   }
-  stand_ready();
+  prepare_plate();
   command_ = command_at({.finger = reach.start, .plate_deg = plate_.orientation_deg()}, estimator_.filter());
 }
 
-// Prepares the plate for the first moment of the motion.
-void PersonReach::stand_ready() {
+// Commands the orientation that the plan requires at the onset.
+void PersonReach::prepare_plate() {
   if (config_.plate_waits) return;
   const double ready_deg = ready_orientation_deg(config_.control, estimator_.filter(), aim());
   decision_.plate =
       limits_.limit({ready_deg + limits_.centre_deg() - goal_.reach.virtual_direction_deg, ActiveBound::none},
                     plate_.orientation_deg());
   plate_.command(decision_.plate.orientation_deg);
-  turned_ready_ = true;
+  prepared_ = true;
 }
 
 void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
@@ -77,7 +77,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   const double longer_mm = now.real_distance_mm - distance_mm(now.start, goal_.target);
   limits_.turn_goal(now.virtual_direction_deg - reach.virtual_direction_deg);
   reach.virtual_direction_deg = now.virtual_direction_deg;
-  // The shorter direction of rotation.
+  // Continuous with the former direction, to within half a turn.
   reach.real_direction_deg =
       now.real_direction_deg + wrap_deg(bearing_deg(reach.start, real) - now.real_direction_deg, 360.0);
   reach.real_distance_mm = distance_mm(reach.start, real);
@@ -86,13 +86,13 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   goal_.aimed_direction_deg = now.real_direction_deg;
   estimator_.retarget(seen_s_, now.virtual_direction_deg, longer_mm);
   if (!estimator_.begun()) {
-    stand_ready();
+    prepare_plate();
   } else {
     goal_.aimed_from = now.start;
   }
 }
 
-// If the start is felt, a finger that rests is at the start, wherever the tracker reports it.
+// Converts a tracked position. If the user feels the start, the tracked rest position is the start.
 PlatePoint PersonReach::on_plate(const PlatePoint& seen) const {
   return config_.start_is_felt ? seen - estimator_.origin() + goal_.reach.start : seen;
 }
@@ -129,7 +129,7 @@ const PlateCommand& PersonReach::update(const FingerSample& sample) {
   command_ = command_at({.now_s = now_s,
                          .finger = on_plate(estimator_.place()),
                          .plate_deg = plate_.orientation_deg(),
-                         .decided = std::exchange(turned_ready_, false) || decides,
+                         .decided = std::exchange(prepared_, false) || decides,
                          .predicted = sample.observation == Observation::none},
                         answered);
   count(command_, observed);
@@ -146,7 +146,7 @@ bool PersonReach::observe(const FingerSample& sample, double time_s) {
       estimator_.lift(time_s, trace_);
       return false;
     case Observation::position:
-      if (position_ns_ != sample.time_ns) {  // otherwise the tracker has sent it twice
+      if (position_ns_ != sample.time_ns) {  // otherwise the sample is a duplicate
         position_ns_ = sample.time_ns;
         if (estimator_.observe(time_s, sample.position, trace_)) return true;
       }
@@ -169,7 +169,7 @@ PlateDecision PersonReach::decide(const PersonFilter& filter, std::int64_t now_n
   const ActiveBound bound = !plan.at_bound               ? ActiveBound::none
                             : plan.plate_deg < later_deg ? ActiveBound::lower
                                                          : ActiveBound::upper;
-  // Fraction of a miss across the line from the position of the last aim that remains across the line from the start.
+  // Converts a miss across the line from the position of the last retarget to one across the line from the start.
   const double miss_fraction = cos_deg(goal_.aimed_direction_deg - reach.real_direction_deg);
   return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach.virtual_direction_deg, bound},
                                  plate_.orientation_deg()),
@@ -221,8 +221,8 @@ ReachSummary PersonReach::summary() const {
   summary.estimate.tracker_noise_mm = std::sqrt(estimator_.noise().variance_mm2());
   summary.person = {.curve = filter().mean(X::curve),
                     .curve_sd = filter().sd(X::curve),
-                    .gain_s = filter().mean(X::gain),
-                    .gain_sd_s = filter().sd(X::gain),
+                    .gain_per_s = filter().mean(X::gain),
+                    .gain_sd_per_s = filter().sd(X::gain),
                     .bias_deg = filter().mean(X::bias),
                     .bias_sd_deg = filter().sd(X::bias),
                     .duration_s = exponential(-filter().mean(X::log_rate))};

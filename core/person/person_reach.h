@@ -1,4 +1,4 @@
-// A reach under the controller for people. A sample passes through
+// A reach under the controller for people. Each sample passes through
 //   estimate (person_estimator), plan (reach_control), limit (plate_limits), command (reach_command).
 #pragma once
 
@@ -21,51 +21,50 @@ struct PersonReachConfig {
   PersonBelief person;  ///< is_valid(person)
   ReachControlConfig control;
   PlateDynamics plate;
-  std::optional<TrackerNoise> noise;    ///< noise of the tracker; none: learnt while the finger rests
+  std::optional<TrackerNoise> noise;    ///< noise of the tracker; nullopt: estimated while the finger rests
   std::int64_t tracker_latency_ns = 0;  ///< time from a motion to the time of its sample, 0 to 0.5 s
   double tracker_bearing_sd_deg = 0.0;  ///< SD of the tracked bearing of a reach, 0 to 45
   std::int64_t step_period_ns = 100'000'000;
-  bool plate_waits = false;                         ///< the plate does not turn until the finger moves
-  bool start_is_felt = false;                       ///< the position of a rest is the start
+  bool plate_waits = false;    ///< the plate does not turn before the motion
+  bool start_is_felt = false;  ///< the finger is at the start when it rests, for example in a dimple
   FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; is_frame_covariance()
-  TouchedFrame touched;                             ///< correction by contacts
+  TouchedFrame touched;                             ///< correction of the tracker's frame by contacts
   Tuning tuning;
 };
 
-/// Uses no heap, lock or exception. One thread at a time.
+/// Controller of one reach. Uses no heap, lock or exception. One thread at a time.
 class PersonReach {
  public:
-  /// `handover`: takes the place of another reach; none: the plate is at rest. Requires valid arguments.
+  /// `handover`: state of the reach that this one replaces; nullopt: the plate is at rest. Requires valid arguments.
   PersonReach(const PersonReachConfig& config, const Reach& reach,
               const std::optional<PlateHandover>& handover = std::nullopt);
 
-  /// Takes one sample in, not before the last one's, of any observation but a direction.
+  /// Processes a sample, not earlier than the previous one; its observation must not be a direction.
   const PlateCommand& update(const FingerSample& sample);
 
-  /// Changes the real target to `real`. Of `now`, the reach as seen from the finger, directions, distance and start are
-  /// used.
+  /// Changes the real target to `real`. `now`: the reach as seen from the finger.
   void retarget(const PlatePoint& real, const Reach& now);
 
-  /// The last command; the constructor's before the first sample.
+  /// The last command; before the first sample, that of the constructor.
   const PlateCommand& command() const { return command_; }
-  /// Position of the finger; none before it moves.
+  /// Position of the finger; nullopt before it moves.
   std::optional<PlatePoint> place() const;
-  /// Variance of a coordinate of it, the mean of both.
+  /// Variance of that position: mean over both coordinates.
   double place_variance_mm2() const;
-  /// Estimated speed of the finger; 0 before it moves, and in a pause.
+  /// Estimated speed of the finger; 0 before the motion and in a pause.
   double speed_mm_s() const;
-  /// True if a position was observed.
+  /// True if at least one position was observed.
   bool seen() const { return position_ns_.has_value(); }
   ReachSummary summary() const;
   PlateHandover handover() const;
   const PersonFilter& filter() const { return estimator_.filter(); }
   const FingerPhase& finger() const { return estimator_.finger(); }
 
-  /// Estimate of the person from this reach; none if the reach ended early or did not fit the model.
+  /// Posterior of the person; nullopt if the reach ended early or did not fit the model.
   std::optional<PersonBelief> learnt() const;
 
  private:
-  void stand_ready();
+  void prepare_plate();
   bool observe(const FingerSample& sample, double time_s);
   PlateDecision decide(const PersonFilter& filter, std::int64_t now_ns, double now_s) const;
   PlateCommand command_at(const ReachMoment& moment, const PersonFilter& answered) const;
@@ -82,8 +81,8 @@ class PersonReach {
   PlateDecision decision_;
   PlateCommand command_;
   ReachSummary counts_;
-  bool turned_ready_ = false;  // since the last sample
-  double seen_s_ = 0.0;        // time of the last sample
+  bool prepared_ = false;  // the plate was prepared since the last sample
+  double seen_s_ = 0.0;    // time of the last sample
   double square_felt_sum_deg2_ = 0.0;
   std::int64_t felt_samples_ = 0;
   std::int64_t counted_step_ = -1;

@@ -1,30 +1,31 @@
-// States of the person filter, one row each. The first ones are the traits of a person, which hold for every reach;
-// their indices in the C interface are HRT_PERSON_ and the name.
+// States of the person filter, one row each. The first `traits` states describe a person and keep their meaning in
+// every reach; their indices in the C interface are HRT_PERSON_ and the name.
 #pragma once
 
 namespace hrt {
 
 struct PersonState {
   enum Index {
-    weight,       ///< w of the illusion
-    curve,        ///< b of the illusion
-    gain,         ///< k: rate at which the perceived error is corrected
-    bias,         ///< B: goal minus virtual direction
-    habit,        ///< c: the goal turns from +c to -c along the path
-    evenness,     ///< a of the pace
-    log_rate,     ///< rho: natural logarithm of one over the duration in seconds
-    fading,       ///< f of the illusion
-    felt_traits,  ///< number of the above: those that move the finger; the next ones are parameters of the filter
+    weight,    ///< w of the illusion
+    curve,     ///< b of the illusion
+    gain,      ///< k: rate at which the perceived error is corrected
+    bias,      ///< B: goal minus virtual direction
+    habit,     ///< c: the own path curves, from +c at the start to -c at the end
+    evenness,  ///< a of the pace
+    log_rate,  ///< rho: natural logarithm of one over the duration in seconds
+    fading,    ///< f of the illusion
+    /// Number of the traits above, which enter the equations of motion. The next two are parameters of the filter.
+    felt_traits,
     scatter = felt_traits,  ///< SD of the bias from reach to reach
     log_wander,             ///< natural logarithm of the SD of the wander in degrees
-    traits,                 ///< number of the above
-    right = traits,         ///< position of the finger, relative to its rest
+    traits,                 ///< number of traits
+    right = traits,         ///< position of the finger relative to the rest position
     away,
-    steered,      ///< psi: direction of motion without the own path
+    steered,      ///< psi: direction that the person steers, without the own path
     phase,        ///< u: fraction of the duration
-    wander,       ///< dr: fast part of the own path
-    strayed,      ///< y: lateral distance from the line due to the wander, left positive
-    noise_right,  ///< the tracker's correlated noise
+    wander,       ///< dr: random part of the own path's direction
+    strayed,      ///< y: lateral displacement that the wander has caused, left positive
+    noise_right,  ///< correlated noise of the tracker
     noise_away,
     count
   };
@@ -34,7 +35,7 @@ struct StateVariable {
   PersonState::Index index;
   const char* name;
   const char* unit;
-  double min, max;  ///< an estimate is kept in this range; min = max: no range
+  double min, max;  ///< range of the estimate; equal: unlimited
 };
 
 inline constexpr StateVariable person_state[PersonState::count] = {

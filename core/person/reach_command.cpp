@@ -11,11 +11,11 @@ namespace {
 
 using X = PersonState;
 
-constexpr double max_ns = 9e18;  // within the range of std::int64_t
+constexpr double max_ns = 9e18;  // below the maximum of std::int64_t
 
-// Feasible if the largest gap minus the required one, to first order in w, b, f, B and the frame's error, exceeds a
-// margin. The margin lies some SDs below zero so that few feasible gaps are reported as infeasible (hrt-study
-// robustness counts both).
+// The gap is feasible if the largest shift minus the gap exceeds a margin. The margin is reduced by some SDs of that
+// difference, to first order in w, b, f, B and the error of the frame, so that few feasible gaps are reported as
+// infeasible (hrt-study robustness counts both errors).
 bool gap_is_feasible(const ReachControlConfig& config, const ReachGoal& goal, const PersonFilter& filter) {
   const MaxShift max = max_shift(filter.mean_illusion(), config.bound_deg);
   const double gap_deg = goal.reach.virtual_direction_deg + filter.mean(X::bias) - goal.aimed_direction_deg;
@@ -26,8 +26,7 @@ bool gap_is_feasible(const ReachControlConfig& config, const ReachGoal& goal, co
          tuning.min_margin_deg - tuning.margin_deviations * std::sqrt(std::max(0.0, variance_deg2));
 }
 
-// SD of the finger's position across the line to the target, as an angle: uncertainty of the filter, of
-// the frame and of the tracker's bearing.
+// SD of the finger's position across the line to the target, as an angle: filter, frame and tracked bearing.
 double bearing_error_sd_deg(const ReachGoal& goal, const PersonFilter& filter) {
   const SinCos ahead = sin_cos_deg(goal.reach.real_direction_deg);
   const double variance_mm2 = filter.position_variance_mm2(-ahead.cosine, -ahead.sine);
@@ -53,7 +52,7 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
       .plate_orientation_deg = decision.plate.orientation_deg,
       .finger_direction_deg = direction_deg,
       .perceived_direction_deg = felt_deg,
-      // At the target its direction is undefined.
+      // Close to the target, its direction from the finger is undefined.
       .aimed_direction_deg = to_go_mm > tuning.min_aim_fraction * goal.reach.real_distance_mm
                                  ? bearing_deg(moment.finger, goal.target)
                                  : goal.aimed_direction_deg,
@@ -75,7 +74,7 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
   const double time_left_s = (1.0 - answered.mean(X::phase)) / answered.rate();
   if (phase >= tuning.last_phase) {
     command.time_to_go_s = 0.0;
-  } else if (moving) {  // the filter may be at an earlier time
+  } else if (moving) {  // the filter's state may be older than the sample
     command.time_to_go_s = std::max(0.0, time_left_s - (moment.now_s - estimator.time_s()));
   }
   if (!moving || phase >= tuning.last_phase)

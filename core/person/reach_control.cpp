@@ -16,14 +16,15 @@ using X = PersonState;
 constexpr int dead_time_steps = 2;
 constexpr int arrival_nodes = 4;
 
-// The finger as a plan carries it forward.
+// Predicted state of the finger at the end of the dead time.
 struct Motion {
   double steered_deg;
   double own_deg;
   double phase;
-  double lateral_mm;  // from the line to the target once the own path has returned, left positive
-  double turn_kept;   // fraction of the answer to a moved target that is still to come
-  double shift_deg;   // felt at the end
+  // Lateral position relative to the line, left positive, including what the own path will still add.
+  double lateral_mm;
+  double turn_kept;  // fraction of the response to a moved target that is still to come
+  double shift_deg;  // shift at the end
 };
 
 Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double line_deg, const ReachAim& aim,
@@ -73,7 +74,7 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
   return motion;
 }
 
-// m and M: miss at arrival without a perceived shift, and its derivative by the shift.
+// m and M: miss at arrival for Gamma = 0, and its derivative by Gamma.
 struct Arrival {
   double miss_mm;
   double leverage_mm_deg;
@@ -87,7 +88,7 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
   const double step_turn_kept = filter.turn_kept(step_s);
   Arrival arrival{from.lateral_mm, 0.0};
   double steered_deg = from.steered_deg;
-  double unsteered = 1.0;  // fraction of Gamma that the person has not yet answered
+  double unsteered = 1.0;  // e^(-k t): fraction of Gamma to which the person has not responded
   double turn_kept = from.turn_kept;
   for (int i = 0; i < arrival_nodes; ++i) {
     const Progress p = filter.pace(from.phase + (i + 0.5) * rate * step_s);
@@ -115,28 +116,29 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   const Arrival arrival = arrive(filter, motion, line_deg);
 
   const double leverage = arrival.leverage_mm_deg;
-  const double hold_deg = motion.shift_deg;
-  double shift_deg = hold_deg - leverage * (arrival.miss_mm + leverage * hold_deg) /
-                                    (leverage * leverage + tuning.change_weight_mm_deg * tuning.change_weight_mm_deg);
+  const double present_shift_deg = motion.shift_deg;
+  double shift_deg =
+      present_shift_deg - leverage * (arrival.miss_mm + leverage * present_shift_deg) /
+                              (leverage * leverage + tuning.change_weight_mm_deg * tuning.change_weight_mm_deg);
   const Progress p = filter.pace(motion.phase);
   const double error_deg = motion.steered_deg - filter.goal_deg(motion.turn_kept);
-  // An error that the person would feel without the plate is theirs to correct; the plate must not add to it.
+  // A larger error that exists without the plate may remain; the plate must not increase it.
   const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
   shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
 
   Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm());
-  // Too little shift misses, too much is corrected: w is taken lower than its mean.
+  // Too large a shift is easier to correct than too small a one, so the plan uses a w below its mean.
   illusion.weight = std::max(tuning.min_plan_weight, illusion.weight - tuning.weight_caution * filter.sd(X::weight));
   const MaxShift max = max_shift(illusion, config.bound_deg);
-  const double given_deg = std::clamp(shift_deg, -max.felt.shift_deg, max.felt.shift_deg);
-  return {.plate_deg = motion.steered_deg + motion.own_deg + offset_for_shift(illusion, given_deg, max),
-          .felt_error_deg = error_deg + given_deg,
-          .miss_mm = arrival.miss_mm + leverage * given_deg,
-          .at_bound = given_deg != shift_deg};
+  const double feasible_shift_deg = std::clamp(shift_deg, -max.felt.shift_deg, max.felt.shift_deg);
+  return {.plate_deg = motion.steered_deg + motion.own_deg + offset_for_shift(illusion, feasible_shift_deg, max),
+          .felt_error_deg = error_deg + feasible_shift_deg,
+          .miss_mm = arrival.miss_mm + leverage * feasible_shift_deg,
+          .at_bound = feasible_shift_deg != shift_deg};
 }
 
 double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const ReachAim& aim) {
-  // Fixed point: the orientation that the plan requires if the plate is already there.
+  // Fixed-point iteration: the plan for a plate that already has the orientation of the previous plan.
   double ready_deg = 0.0;
   for (int i = 0; i < 3; ++i) {
     PlateTrace trace;

@@ -1,9 +1,6 @@
-// How a person answers what they feel, with t the offset of the ridges from the motion:
-//
-//   phi' = -k e,   e = phi + g(t) - G
-//
-// The filter and the plan's dead time step it; the plan's way to arrival, over which the felt shift is
-// constant, has it in closed form.
+// Steering law of a person: with the offset t of the ridge normal from the motion, and the goal G,
+//   d psi / dt = -k e,   e = psi + g(t) - G
+// The filter and the dead time of the plan integrate it in steps. Up to arrival the plan uses the closed form.
 #pragma once
 
 #include <algorithm>
@@ -15,22 +12,22 @@
 namespace hrt {
 
 struct SteeringStep {
-  double felt_error_deg;  ///< e at the step's start
-  double decay_s;         ///< rate at which e decays while the plate rests, 1/s: -d phi' / d phi
-  double turn_deg;        ///< change of phi within the step
+  double felt_error_deg;  ///< e at the start of the step
+  double decay_s;         ///< rate at which e decays with the plate at rest, 1/s: -d(dpsi/dt) / dpsi
+  double turn_deg;        ///< change of psi within the step
 };
 
-/// Step of `seconds` >= 0 of a person with gain k. The step is implicit in the effect of the turn on the perceived
-/// error: stable for any length, of second order in time. `max_slope` bounds |1 - g_t|: an illusion is steeper only
-/// over less than a degree, for example when touch fades as the motion approaches the direction of the ridges.
-inline SteeringStep steer(double gain_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
-                          double max_slope = Tuning{}.max_slope) {
+/// Integrates the steering law over `seconds` >= 0 for a gain k. The method is implicit in the effect of psi on e:
+/// stable for any step and of second order. `max_slope` bounds |1 - dg/dt|, since the slope of g may be steep over less
+/// than a degree, for example where the cue from touch decays along the ridges.
+inline SteeringStep steer(double gain_per_s, double direction_deg, const FeltShift& felt, double goal_deg,
+                          double seconds, double max_slope = Tuning{}.max_slope) {
   const double error_deg = direction_deg + felt.shift_deg - goal_deg;
-  const double decay_s = gain_s * std::clamp(1.0 - felt.by_offset, -max_slope, max_slope);
-  return {error_deg, decay_s, -gain_s * error_deg * seconds / (1.0 + 0.5 * seconds * std::max(0.0, decay_s))};
+  const double decay_s = gain_per_s * std::clamp(1.0 - felt.by_offset, -max_slope, max_slope);
+  return {error_deg, decay_s, -gain_per_s * error_deg * seconds / (1.0 + 0.5 * seconds * std::max(0.0, decay_s))};
 }
 
-/// The share of e that is left after `seconds` of a constant felt shift.
-inline double kept_error(double gain_s, double seconds) { return exponential(-gain_s * seconds); }
+/// Returns the fraction of e that remains after `seconds` with a constant shift.
+inline double kept_error(double gain_per_s, double seconds) { return exponential(-gain_per_s * seconds); }
 
 }  // namespace hrt

@@ -1,9 +1,9 @@
-// Every tuned number of the controller for people: value, unit, source, meaning. A variant is run by setting fields:
-// `hrt-study robustness --tune NAME=VALUE`, which reads the names and ranges of tuning_fields().
+// Every tuned number of the controller for people, with value, unit, source and meaning. `hrt-study robustness --tune
+// NAME=VALUE` runs a variant; tuning_fields() lists names and ranges.
 //
-// Sources: [s] chosen on the simulated people of hrt-study robustness; [m] the model, core/person/README.md; [p] a
-// bound on computing time; a publication is named. "Kept for" names the test of a fault that needs a number which gains
-// less than half a point in samples/study/RESULTS.md.
+// Sources: [s] chosen by search on the simulated people of hrt-study robustness; [m] from the model,
+// core/person/README.md; [p] bound on computing time. "Kept for" names the test that fails without a number whose
+// effect on the results in samples/study/RESULTS.md is below half a point.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace hrt {
 
-/// A trait of an unknown person. [s] all
+/// Prior of a trait of an unknown person; all values are [s].
 struct TraitTuning {
   double mean;    ///< mean of the prior
   double sd;      ///< SD of the prior
@@ -22,8 +22,8 @@ struct TraitTuning {
 };
 
 struct Tuning {
-  // Prior. The weight's and the curve's mean and SD are multiples of the SD of a linear illusion's weight, which the
-  // host gives; the weight's mean is relative to that weight. The bias's mean is the host's.
+  // Prior. Mean and SD of weight and curve are multiples of the SD of w_T that the host gives; the mean of the weight
+  // is relative to the given w_T. The host gives the mean of the bias.
   TraitTuning traits[PersonState::traits] = {
       {0.9, 1.7, 0.008},   // weight
       {1.1, 1.6, 0.03},    // curve
@@ -37,22 +37,22 @@ struct Tuning {
       {1.4, 1.2, 0.15},    // log_wander
   };
   double weight_curve_correlation = 0.85;  ///< [s] prior correlation of weight and curve
-  double steered_habit_sd_deg = 2.0;       ///< deg [s] SD of the habit that a reach begins with is at most this
-  double known_weight_sd = 0.001;          ///< [m] SDs of known_person()
+  double steered_habit_sd_deg = 2.0;       ///< deg [s] upper limit of the SD of the habit with which a reach begins
+  double known_weight_sd = 0.001;          ///< [m] this and the next three: SDs of known_person()
   double known_bias_sd_deg = 0.05;         ///< deg
   double known_fading_sd = 0.01;
   double known_scatter_sd_deg = 0.05;   ///< deg
-  double min_weight_sd = 0.01;          ///< [s] SDs of calibrated_person() are at least these: people change
-  double min_curve_sd = 0.015;          ///< [s] also the cost of a curve that is not a cubic
+  double min_weight_sd = 0.01;          ///< [s] lower bounds of the SDs of calibrated_person(): people change
+  double min_curve_sd = 0.015;          ///< [s] includes the misfit of curves that are not cubic
   double min_bias_sd_deg = 0.5;         ///< deg
   double min_habit_sd_deg = 0.4;        ///< deg
   double max_correlation = 0.95;        ///< largest correlation of weight and curve in calibrated_person()
   double given_duration_log_sd = 0.12;  ///< [s] SD of log_rate if the host gives the duration
 
   // Illusion.
-  double touch_memory_s = 0.3;  ///< s [m] a fading touch decays within this
-  double first_ridge = 1.2;     ///< [s] lost touch before the first ridge is crossed
-  double max_slope = 3.0;       ///< [m] bound on the decay of the felt error, in gains
+  double touch_memory_s = 0.3;  ///< s [m] time constant of the decay of the cue from touch
+  double first_ridge = 1.2;     ///< [s] A of a finger that has just travelled one ridge spacing
+  double max_slope = 3.0;       ///< [m] bound of |1 - dg/dt| in steering.h
 
   // Filter. Random walks are per second.
   double first_direction = 0.2;            ///< [s] h: initial direction as a fraction of the virtual direction
@@ -60,89 +60,97 @@ struct Tuning {
   double direction_density_deg2_s = 14.0;  ///< deg^2/s [s]
   double log_rate_density_s = 0.07;        ///< 1/s [s]
   double place_density_mm2_s = 0.018;      ///< mm^2/s [s]
-  /// s [s] noise along the motion, times the speed squared. Kept for RetargetTest.BringsAPersonToTheMovedTarget.
+  /// s [s] process noise along the motion, per squared speed. Kept for RetargetTest.BringsAPersonToTheMovedTarget.
   double speed_variance_s = 4e-4;
-  double resting_density_mm2_s = 0.5;  ///< mm^2/s [s] in a pause
-  double wander_s = 0.3;               ///< s [m] decay of the wander, the fast part of the own path
-  /// [s] SD of the habit from reach to reach, over the SD of the wander; recorded reaches have 9.1 over 3.8 degrees
+  double resting_density_mm2_s = 0.5;  ///< mm^2/s [s] process noise of the position in a pause
+  double wander_s = 0.3;               ///< s [m] time constant of the wander, the random part of the own path
+  /// [s] SD of the habit from reach to reach over the SD of the wander; recorded reaches have 9.1 over 3.8 degrees
   double habit_scatter = 1.0;
-  double min_return_fraction = 0.1;  ///< [m] of the path: the wander is not made good over less
+  double min_return_fraction = 0.1;  ///< [m] lower bound of 1 - s in the return to the line
   double pace_skew = 0.4;            ///< [m] skew of the pace; recorded reaches have 0.54 and 0.14, +-0.4
-  double answer_s = 0.3;             ///< s [m] decay of the former goal until a moved target is answered
-  double sensory_delay_s = 0.06;     ///< s [m] from plate to felt direction; half of the simulated 0.12
-  double turn_sd_fraction = 0.5;     ///< [s] of the turn of a moved target: its SD
-  double max_stretch = 1.5;          ///< [s] longest path of one motion after a moved target, over the path left
-  double new_motion_sd_s = 0.15;     ///< s [s] SD of the clock if another motion follows
+  double answer_s = 0.3;             ///< s [m] time constant of the response to a moved target
+  /// s [m] delay from the plate to the perceived direction; half of the largest simulated delay of 0.12
+  double sensory_delay_s = 0.06;
+  /// [s] SD of the response to a moved target, as a fraction of the change of direction
+  double turn_sd_fraction = 0.5;
+  /// [s] a moved target that lengthens the remaining path by more than this factor requires another motion
+  double max_stretch = 1.5;
+  double new_motion_sd_s = 0.15;  ///< s [s] SD of the phase if another motion follows
 
   // Onset.
-  double fit_spacing_s = 0.02;   ///< s [p] positions further apart than this are enough to distinguish paces
+  double fit_spacing_s = 0.02;   ///< s [p] spacing of the positions in the fit of the onset
   double rate_deviations = 0.4;  ///< [s] step of the grid of rates, in SDs
   double onset_sd_s = 0.02;      ///< s [s] SD of the onset
 
   // Gate and fit statistics.
-  double max_accepted_nis = 25.0;  ///< an innovation above this (5 SDs) is an outlier
-  /// [s] outliers in a row before a position is accepted as a jump. Kept for
-  /// PersonEstimatorTest.FollowsAJumpAndForgetsAnOutlier.
+  double max_accepted_nis = 25.0;  ///< a position with a NIS above this is an outlier
+  /// [s] successive outliers before a position is accepted as a jump. Kept for
+  /// PersonEstimatorTest.AnOutlierIsRejectedAndAJump_IsFollowed.
   double max_outliers = 4;
-  double fit_sample_weight = 0.05;  ///< [s] of one position in the running means
-  /// [s] one position, or outlier, counts no more. Kept for PersonTest.MotionThatIsNoReachIsAMisfitAndTeachesNothing.
+  double fit_sample_weight = 0.05;  ///< [s] weight of one position in the running means
+  /// [s] upper bound of the NIS of one position in the mean. Kept for
+  /// PersonTest.MotionThatIsNoReachIsAMisfitAndTeachesNothing.
   double max_counted_nis = 9.0;
   double misfit_nis = 6.0;           ///< [s] mean above which the model does not fit
   double misfit_correlation = 0.75;  ///< [s] correlation above which the model does not fit
-  /// [s] unless the mean NIS is below this. Kept for PersonReach.BringsPeopleToTheRealTarget, with a tracker without
-  /// noise.
+  /// [s] unless the mean NIS is below this. Kept for PersonReach.PeopleOfTheModel_ReachTheRealTarget, with a tracker
+  /// without noise.
   double min_correlated_nis = 1.0;
 
   // Rest and motion: core/tracker/finger_phase.h.
   PhaseTuning phase;
 
   // Pauses.
-  double min_pausing_nis = 6.0;          ///< [s] a pause surprises the filter by this
+  double min_pausing_nis = 6.0;          ///< [s] lower bound of the NIS of the first position of a pause
   double min_pausing_speed_mm_s = 25.0;  ///< mm/s [s] pauses of a slower finger are not detected
-  double pause_clock_sd_s = 0.07;        ///< s [s] SD of the clock, added on entry and on exit
-  double reaction_time_s = 0.2;          ///< s [m] from a moved target to the person's answer
+  double pause_clock_sd_s = 0.07;        ///< s [s] SD that the phase gains at the start and at the end of a pause
+  double reaction_time_s = 0.2;          ///< s [m] time from a target's move to the person's response
 
   // Plan.
-  double change_weight_mm_deg = 0.08;  ///< mm/deg [s] of miss that a degree of change of the felt shift is worth
-  double weight_caution = 0.2;         ///< [s] the plan's weight is lower by this many SDs
-  double min_plan_weight = 0.03;       ///< lower limit of the same
+  /// mm/deg [s] miss that is accepted to avoid a change of the shift by one degree
+  double change_weight_mm_deg = 0.08;
+  double weight_caution = 0.2;    ///< [s] SDs by which the plan's weight is below its mean
+  double min_plan_weight = 0.03;  ///< lower limit of the plan's weight
 
   // Flags.
-  double last_phase = 0.97;         ///< [m] fraction of the duration after which no plate is answered
+  double last_phase = 0.97;  ///< [m] fraction of the duration after which the person no longer responds to the plate
   double first_judged_phase = 0.5;  ///< [s] fraction before which OFF_TARGET is not raised
   double min_margin_deg = 0.3;      ///< deg [s] the gap is unreachable if the margin is below this
   double margin_deviations = 0.9;   ///< [s] SDs subtracted from min_margin_deg
   double min_aim_fraction =
-      0.1;  ///< fraction of the path left below which the bearing of the target is no longer updated
+      0.1;  ///< Fraction of the path; if less remains, the bearing of the target is no longer updated.
 
   // Tracker noise that the host knows.
-  double min_known_noise_mm = 0.02;         ///< mm [s] least of each part: without noise every trace is the person's
-  double white_noise_fraction = 0.66;       ///< [s] of a total noise; with the next one its squares add up to 1
+  /// mm [s] lower limit of each part; without noise, every deviation would be attributed to the person
+  double min_known_noise_mm = 0.02;
+  double white_noise_fraction = 0.66;       ///< [s] parts of a total noise; their squares add up to 1
   double correlated_noise_fraction = 0.75;  ///< [s]
-  double min_leg_mm = 10.0;  ///< mm [s] distance below which the tracker's noise dominates a bearing of a moved target
+  double min_leg_mm = 10.0;  ///< mm [s] smaller distances do not determine a bearing, because of tracker noise
 
   // Learning.
-  double wander_step = 0.5;        ///< [s] eps of motion_log.h
-  double wander_evidence = 0.8;    ///< [s] beta of motion_log.h
-  double max_wander_change = 1.0;  ///< [s] of log_wander in one reach: beyond it the likelihood is no parabola
-  /// [s] fraction of the duration below which a reach changes no estimate, as hrt_adaptation promises.
+  double wander_step = 0.5;      ///< [s] eps of motion_log.h
+  double wander_evidence = 0.8;  ///< [s] beta of motion_log.h
+  /// [s] limit of the change of log_wander in one reach: beyond it the quadratic approximation is invalid
+  double max_wander_change = 1.0;
+  /// [s] a reach that ends before this fraction of the duration changes no estimate, as hrt_adaptation promises.
   double min_taught_phase = 0.7;
-  /// [s] drop of the weight, in SDs, at which the illusion is reset. Kept for
-  /// SimulationPeople.ThoseWhoWeakenAreLedAnew.
+  /// [s] drop of the weight, in SDs, at which the illusion is reset to its prior. Kept for
+  /// SimulationPeople.AWeightThatDrops_IsEstimatedAgainWithinTwoReaches.
   double illusion_fall_deviations = 1.2;
-  double min_scatter_deg = 0.2;                     ///< deg [s] lower bound of the scatter
-  double min_carried_weight_sd = 0.01;              ///< [s] of the paper's estimator: people change
-  double min_carried_motor_variance_sd_deg2 = 0.1;  ///< deg^2 [s] of the paper's estimator
+  double min_scatter_deg = 0.2;  ///< deg [s] lower bound of the scatter
+  /// [s] lower bound of the SD of w_T after a reach with the paper's estimator: people change
+  double min_carried_weight_sd = 0.01;
+  double min_carried_motor_variance_sd_deg2 = 0.1;  ///< deg^2 [s] lower bound of the SD of sigma_u^2, likewise
 };
 
-/// A field of a Tuning by its name, and the range in which it may be set.
+/// A field of a Tuning: its name, its value, and the range in which it may be set.
 struct TuningField {
   std::string name;
   double* value;
   double min, max;
 };
 
-/// All fields of `tuning`. Allocates.
+/// Returns all fields of `tuning`. Allocates.
 std::vector<TuningField> tuning_fields(Tuning& tuning);
 
 }  // namespace hrt

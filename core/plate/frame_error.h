@@ -1,14 +1,13 @@
-// Effect of an uncertain pose of the plate on a reach. Nothing within a reach reveals it: the finger is steered to the
-// estimated position of the target.
+// Effect of an uncertain pose of the plate on a reach. Samples of a reach do not reveal it: the finger is steered to
+// the estimated position of the target.
 //
 // If the estimated frame is rotated by omega about the plate's centre and shifted by (dx, dz) from the true one, a
-// finger at (x, z), right and away, has the error
+// finger at (x, z), right and away, has the position error
 //
 //   E = omega (-z, x) + (dx, dz)
 //
-// A reach from s that ends at the estimated position of the target p misses it by E(p), and misses its bearing by the
-// component of E(p) across the line from s to p, divided by its length. 1 degree about the start costs 1.7 mm at 100
-// mm.
+// A reach from s to the estimated position p of the target misses it by E(p). Its bearing is wrong by the component of
+// E(p) across the line from s to p, divided by the length of the line. 1 degree about the start is 1.7 mm at 100 mm.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,18 +17,18 @@
 
 namespace hrt {
 
-/// Covariance of the plate's pose in its plane: rotation about the normal (radians, counter-clockwise) and position of
-/// the centre to the right and away (millimetres). Zero: the pose is exact.
+/// Covariance of the plate's pose in its plane: rotation about the normal (rad, counter-clockwise) and position of the
+/// centre to the right and away (mm). Zero: the pose is exact.
 using FrameCovariance = Eigen::Matrix3d;
 
-/// True if finite, symmetric and, within rounding, positive semidefinite.
+/// Returns true if the matrix is finite, symmetric and, within rounding, positive semidefinite.
 bool is_frame_covariance(const FrameCovariance& covariance);
 
-/// Covariance from an accepted registration, without the contribution of its scale.
+/// Returns the covariance from an accepted registration, without the contribution of its scale.
 FrameCovariance frame_covariance(const Registration& registration);
 
-/// SD, degrees, of the bearing from `start` of a finger whose estimated position is `target`; `start` is an estimated
-/// position too. At most 180; 180 if they coincide.
+/// Returns the SD, in degrees, of the bearing from `start` of a finger whose estimated position is `target`. `start` is
+/// an estimated position too. At most 180; 180 if both coincide.
 double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start, const PlatePoint& target);
 
 }  // namespace hrt

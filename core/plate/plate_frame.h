@@ -4,7 +4,7 @@
 
 namespace hrt {
 
-/// For the boundaries where metres are read or written: C structs, glTF, tables. Nothing else in core is in metres.
+/// For interfaces with metres: C structs, glTF, tables. All other lengths in core are in millimetres.
 inline constexpr double mm_per_m = 1000.0;
 
 /// A point in the plane of the plate: `right_mm` to the user's right, `away_mm` along the mid-line away from the
@@ -36,12 +36,12 @@ struct Timed {
 };
 using TimedPoint = Timed<PlatePoint>;
 
-/// Direction from `from` to `to`, in (-180, 180]; 0 if they coincide.
+/// Returns the direction from `from` to `to`, in (-180, 180]; 0 if they coincide.
 double bearing_deg(const PlatePoint& from, const PlatePoint& to);
 
 double distance_mm(const PlatePoint& from, const PlatePoint& to);
 
-/// The point `distance_mm` from `from` in `direction_deg`.
+/// Returns the point at `distance_mm` from `from` in `direction_deg`.
 PlatePoint point_ahead(const PlatePoint& from, double direction_deg, double distance_mm);
 
 }  // namespace hrt

@@ -6,11 +6,10 @@
 namespace hrt {
 namespace {
 
-// Towards the goal the controller's orientations mostly lie within this of the one that holds the real
-// direction.
+// Most planned orientations lie at most this far from holding_deg towards the goal.
 constexpr double play_deg = 30.0;
 
-// The first steps ask for more than the orientation that holds the real direction, away from the goal.
+// On the other side, the first steps may require orientations up to the bound.
 double half_turns_for_reach(const PlateStops& stops, double goal_deg, double bound_deg, double holding_deg,
                             double current_deg) {
   const double lowest_deg = holding_deg < goal_deg ? goal_deg - bound_deg : holding_deg - play_deg;

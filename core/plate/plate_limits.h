@@ -1,4 +1,4 @@
-// Limits of the plate orientation: its stops, the half turns by which ridges repeat, and the bound that holds a
+// Limits of the plate orientation: the stops, the half turns after which ridges repeat, and the bound that limits a
 // command. Degrees. Uses no heap, lock or exception.
 #pragma once
 
@@ -10,8 +10,7 @@
 
 namespace hrt {
 
-/// Between which orientations the plate turns, from the mid-line; infinite: it turns freely. At least 180
-/// apart, so that every direction of ridges can be had.
+/// Range of orientations; infinite: the plate turns freely. At least 180 wide, for every direction of ridges.
 struct PlateStops {
   double lower_deg = -std::numeric_limits<double>::infinity();
   double upper_deg = std::numeric_limits<double>::infinity();
@@ -20,63 +19,62 @@ struct PlateStops {
 /// True if every field is in its range.
 bool is_valid(const PlateStops& stops);
 
-/// Limits an orientation to the stops.
+/// Clamps an orientation to the stops.
 double clamped(double orientation_deg, const PlateStops& stops);
 
-/// The limit that holds an orientation: a bound about the virtual direction, a stop, or the rate bound.
+/// The limit of an orientation: a bound about the virtual direction, a stop (both `lower`, `upper`), or the rate bound.
 enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
 
-/// An orientation for the plate, and the limit that holds it.
+/// An orientation to command, and the limit that determined it.
 struct PlateOrientation {
   double orientation_deg = 0.0;
   ActiveBound active = ActiveBound::none;
-  bool optimal = true;  ///< false: the solver's work was cut short
+  bool optimal = true;  ///< false: the solver reached its iteration limit
 };
 
-/// Direction of the perceived ridge normal at `plate_orientation_deg`: of the normals that repeat every half turn, the
-/// one within 90 of the goal (paper section III).
+/// Returns the direction of the perceived ridge normal at `plate_orientation_deg`: of the normals, which repeat every
+/// half turn, the one within 90 degrees of the goal (paper section III).
 inline double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg) {
   const double offset_deg = plate_orientation_deg - goal_direction_deg;
-  // A command on a bound of 90 may be a rounding error beyond it; it must not turn into the other bound.
+  // A command at a bound of 90 may exceed it by rounding, and must not be folded to the opposite bound.
   if (std::abs(offset_deg) <= 90.0 + 1e-9) return plate_orientation_deg;
   return goal_direction_deg + wrap_deg(offset_deg, 180.0);
 }
 
-/// The orientation nearest to `current_deg` of those within the stops that have the same ridges as `orientation_deg`.
+/// Returns the orientation nearest to `current_deg` within the stops that has the same ridges as `orientation_deg`.
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops);
 
-/// `orientation_deg` as an encoder counts it that may be any number of half turns off, if the plate turns
-/// freely: the one nearest to `expected_deg`. Between stops the encoder is right.
+/// Interprets a reported orientation. If the plate turns freely, its encoder may differ by any number of half turns:
+/// returns the equivalent nearest to `expected_deg`. With stops, returns `orientation_deg`.
 double reported_orientation_deg(double orientation_deg, double expected_deg, const PlateStops& stops);
 
-/// Half turns to add so that the range from `lowest_deg` to `highest_deg` fits between the stops, or is cut
-/// the least, without a swing of half a turn within it. Of equal ones those nearest to `current_deg`. A whole
-/// number.
+/// Returns the integer number of half turns that must be added to the range from `lowest_deg` to `highest_deg` so that
+/// it fits between the stops or is cut least. Of equal ones, the nearest to `current_deg`.
 double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg, const PlateStops& stops);
 
-/// The limits of one reach.
+/// Limits of one reach.
 class PlateLimits {
  public:
-  /// Limits of a plate without a bound on its speed: each command is the nearest orientation with the same ridges.
+  /// For a plate without a limit of speed: each command is the nearest orientation with the same ridges.
   PlateLimits(const PlateStops& stops, double goal_direction_deg);
 
-  /// A plate that takes time to turn keeps to one half turn for the reach, so that no swing is felt on the
-  /// way: the one in which the stops leave most of the orientations from 30 short of `holding_deg`, which
-  /// holds the real direction, to `bound_deg` from the goal beyond it. Of several, the nearest to
-  /// `current_deg`.
+  /// For a plate with a limit of speed: it stays within one half turn during the reach, so that the person does not
+  /// feel a rotation by half a turn. Chooses the half turn in which the stops cut least off the expected range: from 30
+  /// degrees before `holding_deg`, the orientation that sustains the gap, to `bound_deg` from the goal beyond it. Of
+  /// several, the nearest to `current_deg`.
   PlateLimits(const PlateStops& stops, double goal_direction_deg, double bound_deg, double holding_deg,
               double current_deg);
 
-  /// The goal in the half turn that the plate keeps to: orientations are planned about it.
+  /// The goal direction plus the chosen half turns; plans are relative to it.
   double centre_deg() const { return centre_deg_; }
 
-  /// The goal turns within the reach; the half turn stays.
+  /// Rotates the goal during the reach; the half turn is kept.
   void turn_goal(double by_deg) { centre_deg_ += by_deg; }
 
-  /// `planned` held at a stop, if the plate keeps to one half turn.
+  /// Clamps `planned` to the stops, if the plate stays within one half turn.
   PlateOrientation at_stops(const PlateOrientation& planned) const;
 
-  /// at_stops(), or else the equivalent of `planned` that is nearest to `current_deg`.
+  /// Returns at_stops(), or for a plate without a limit of speed the equivalent of `planned` nearest to `current_deg`.
   PlateOrientation limit(const PlateOrientation& planned, double current_deg) const;
 
  private:

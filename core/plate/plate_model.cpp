@@ -8,7 +8,7 @@
 namespace hrt {
 namespace {
 
-// Motion with an acceleration limit is integrated in steps of tick_ns, over a long gap in at most max_ticks.
+// With an acceleration limit, motion is integrated in steps of tick_ns, or in max_ticks steps over a long gap.
 constexpr std::int64_t tick_ns = 4'000'000;
 constexpr std::uint64_t max_ticks = 500;
 
@@ -27,7 +27,7 @@ void PlateModel::advance_turning(std::int64_t time_ns) {
   if (!timed_) {
     timed_ = true;
     motion_.now_ns = time_ns;
-    // A command from before the clock was known.
+    // A command given before the first time.
     if (pending_count_ > 0) pending_[0].effective_ns = later_ns(time_ns, dynamics_.latency_ns);
   }
   if (time_ns <= motion_.now_ns) return;
@@ -37,7 +37,7 @@ void PlateModel::advance_turning(std::int64_t time_ns) {
   pending_count_ -= due;
 }
 
-// Advances to `time_ns`, and returns the number of commands that took effect.
+// Advances `motion` to `time_ns`, and returns the number of commands that took effect.
 int PlateModel::turn_until(std::int64_t time_ns, Motion& motion) const {
   const std::int64_t step_ns =
       std::max(tick_ns, static_cast<std::int64_t>(elapsed_ns(motion.now_ns, time_ns) / max_ticks));
@@ -70,7 +70,7 @@ void PlateModel::command(double orientation_deg) {
   if (orientation_deg == (pending_count_ > 0 ? pending_[pending_count_ - 1].orientation_deg : motion_.target_deg))
     return;
   const std::int64_t effective_ns = later_ns(motion_.now_ns, dynamics_.latency_ns);
-  // As many as are kept, further apart than this, span more than the latency.
+  // With at least this spacing, the array of pending commands spans the latency.
   const auto apart_ns =
       static_cast<std::uint64_t>(dynamics_.latency_ns) / static_cast<std::uint64_t>(pending_.size() - 1);
   if (pending_count_ > 0 && elapsed_ns(pending_[pending_count_ - 1].effective_ns, effective_ns) <= apart_ns) {
@@ -90,7 +90,7 @@ double PlateModel::turning_at_deg(std::int64_t time_ns) const {
   return ahead.orientation_deg;
 }
 
-// Half the time speeding up and half slowing down, or with a stretch at full speed between.
+// Accelerates for half of the time and brakes for the other half, or has full speed in between.
 double PlateModel::reach_deg(double seconds) const {
   if (seconds <= 0.0) return 0.0;
   const double acceleration = dynamics_.max_acceleration_deg_s2;
@@ -100,7 +100,7 @@ double PlateModel::reach_deg(double seconds) const {
   return speed * (seconds - speed / acceleration);
 }
 
-// Turns at the highest speed from which the plate can still brake before the target.
+// Rotates at the highest speed from which the plate can still stop at the target.
 void PlateModel::turn(double seconds, Motion& motion) const {
   const double to_go_deg = motion.target_deg - motion.orientation_deg;
   const double acceleration = dynamics_.max_acceleration_deg_s2;

@@ -1,4 +1,4 @@
-// Model of the plate's servo: its orientation now and in the future.
+// Model of the servo: predicts the plate orientation from commands and reports.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Dynamics of the servo. By default, a plate that follows immediately and turns freely.
+/// Dynamics of the servo. Default: a plate that follows immediately and turns freely.
 struct PlateDynamics {
   double max_speed_deg_s = std::numeric_limits<double>::infinity();          ///< > 0
   double max_acceleration_deg_s2 = std::numeric_limits<double>::infinity();  ///< > 0
@@ -21,25 +21,25 @@ struct PlateDynamics {
 /// True if every field is in its range.
 bool is_valid(const PlateDynamics& dynamics);
 
-/// Follows a plate through its commands and reports. Uses no heap, lock or exception. One thread at a time.
+/// Model of a plate. Uses no heap, lock or exception. One thread at a time.
 class PlateModel {
  public:
-  /// A plate at rest at `orientation_deg`. Requires is_valid(dynamics).
+  /// Begins at rest at `orientation_deg`. Requires is_valid(dynamics).
   PlateModel(const PlateDynamics& dynamics, double orientation_deg);
 
-  /// Lets time pass until `time_ns`; earlier than now does nothing. The motion within a gap of more than two
-  /// seconds is integrated more coarsely.
+  /// Advances to `time_ns`; an earlier time has no effect. With an acceleration limit, gaps of more than two seconds
+  /// are integrated more coarsely.
   void advance(std::int64_t time_ns) {
-    if (timed_ && stands())
+    if (timed_ && at_rest())
       motion_.now_ns = std::max(motion_.now_ns, time_ns);
     else
       advance_turning(time_ns);
   }
 
-  /// Commands an orientation as of now.
+  /// Commands an orientation at the present time.
   void command(double orientation_deg);
 
-  /// Takes over the orientation that the device reports; see reported_orientation_deg().
+  /// Sets the orientation to that reported by the device; see reported_orientation_deg().
   void report(double orientation_deg);
 
   /// Sets the orientation without a motion.
@@ -48,12 +48,12 @@ class PlateModel {
   /// Present plate orientation.
   double orientation_deg() const { return motion_.orientation_deg; }
 
-  /// Plate orientation at `time_ns`, which is not in the past, under the commands already given.
+  /// Returns the plate orientation at `time_ns`, not in the past, under the commands already given.
   double orientation_at_deg(std::int64_t time_ns) const {
-    return stands() ? motion_.orientation_deg : turning_at_deg(time_ns);
+    return at_rest() ? motion_.orientation_deg : turning_at_deg(time_ns);
   }
 
-  /// Largest turn of the plate in `seconds`, from rest to rest.
+  /// Returns the largest rotation in `seconds`, from rest to rest.
   double reach_deg(double seconds) const;
 
  private:
@@ -67,7 +67,7 @@ class PlateModel {
     double target_deg = 0.0;
     std::int64_t now_ns = 0;
   };
-  bool stands() const { return pending_count_ == 0 && motion_.orientation_deg == motion_.target_deg; }
+  bool at_rest() const { return pending_count_ == 0 && motion_.orientation_deg == motion_.target_deg; }
   void advance_turning(std::int64_t time_ns);
   double turning_at_deg(std::int64_t time_ns) const;
   int turn_until(std::int64_t time_ns, Motion& motion) const;
@@ -76,22 +76,22 @@ class PlateModel {
   PlateDynamics dynamics_;
   Motion motion_;
   bool timed_ = false;
-  // Commands under way, oldest first. Of those that follow each other within 1/63 of the latency only the
-  // last is kept, early by no more than that.
+  // Commands that have not taken effect, oldest first. Commands within 1/63 of the latency replace each other, and take
+  // effect early by at most that time.
   std::array<Command, 64> pending_{};
   int pending_count_ = 0;
 };
 
-/// Plate orientations of the last second: the finger feels them with a delay, and the tracker reports the motion later
-/// still. Uses no heap, lock or exception. One thread at a time.
+/// Plate orientations of the last second, which are needed because perception and tracking are delayed. Uses no heap,
+/// lock or exception. One thread at a time.
 class PlateTrace {
  public:
   void clear() { count_ = 0; }
 
-  /// Adds an orientation at `time_s`, not before the last entry.
+  /// Adds an orientation at `time_s`, not earlier than the last entry.
   void add(double time_s, double orientation_deg);
 
-  /// Orientation at a time: linear between entries, constant beyond. Requires one add().
+  /// Returns the orientation at a time: linear between entries, constant before and after them. Requires an entry.
   double at(double time_s) const;
 
  private:
@@ -102,7 +102,7 @@ class PlateTrace {
   const Entry& entry(int i) const { return entries_[static_cast<unsigned>(first_ + i) % capacity]; }
 
   static constexpr int capacity = 128;
-  // Spacing of every other entry: together they span a second.
+  // Minimum spacing of every other entry, so that all entries span a second.
   static constexpr double min_spacing_s = 0.016;
   std::array<Entry, capacity> entries_{};
   int first_ = 0;

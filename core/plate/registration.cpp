@@ -12,23 +12,23 @@ using Jacobian = Eigen::Matrix<double, 3, 7>;
 using Information = Eigen::Matrix<double, 7, 7>;
 
 constexpr double min_spread_mm = 10.0;
-// Weight of the assumed SD of a touch, in squared residuals.
+// Weight of the assumed SD of a touch, as a number of squared residuals.
 constexpr double assumed_squares = 6.0;
 constexpr double max_offset_sd_mm = 5.0;
-// The least eigenvalue of the offset's information, at most 2 a touch: below this the joint was not turned.
+// Lower limit of the smallest eigenvalue of the information matrix; it is at most 2 per touch.
 constexpr double min_turned = 1e-6;
 constexpr double min_cosine_up = 0.5;
-// Limit of the error of a tracker's unit of length.
+// Limits of the scale.
 constexpr double min_scale = 0.5;
 constexpr double max_scale = 2.0;
 constexpr int touches_to_leave_one_out = 5;
 // Standard normal quantile of 99.9 %.
-constexpr double sure = 3.0902;
+constexpr double normal_999 = 3.0902;
 
 // The 99.9 % quantile of chi-squared (Wilson and Hilferty, 1931).
 double chi_squared_limit(double freedom) {
   const double ninth = 2.0 / (9.0 * freedom);
-  const double root = 1.0 - ninth + sure * std::sqrt(ninth);
+  const double root = 1.0 - ninth + normal_999 * std::sqrt(ninth);
   return freedom * root * root * root;
 }
 
@@ -36,7 +36,7 @@ double variance_of(double assumed_sd_mm, double square_sum_mm2, double freedom) 
   return (assumed_squares * assumed_sd_mm * assumed_sd_mm + square_sum_mm2) / (assumed_squares + freedom);
 }
 
-// Touches with at most one of them left out.
+// Touches, of which one may be excluded.
 class Touches {
  public:
   explicit Touches(std::span<const MarkTouch> all) : all_(all) {}
@@ -58,7 +58,7 @@ class Touches {
   std::size_t left_out_ = SIZE_MAX;
 };
 
-// Means, and sums of products of the deviations from them.
+// Means, and sums of products of deviations from the means.
 struct Moments {
   Eigen::Vector3d mark_mm = Eigen::Vector3d::Zero();
   Eigen::Vector3d touched_mm = Eigen::Vector3d::Zero();
@@ -80,7 +80,7 @@ Moments moments_of(const Touches& touches) {
   return result;
 }
 
-// The second largest deviation of the marks from their mean: 0 on a line.
+// True if the second largest spread of the marks is small, as for marks on a line.
 bool is_degenerate(const Touches& touches) {
   const double spread_mm2 = singular_values(moments_of(touches).marks_mm2).values(1);
   return !(std::sqrt(spread_mm2 / touches.count()) >= min_spread_mm);
@@ -131,7 +131,7 @@ bool is_consistent(const RegistrationConfig& config, const Fit& fit) {
 
 Registration finished(const RegistrationConfig& config, const Fit& fit, const Touches& touches) {
   Registration result = fit.registration;
-  result.verdict = RegistrationVerdict::holds;
+  result.verdict = RegistrationVerdict::accepted;
   const double variance_mm2 = variance_of(config.touch_sd_mm, fit.square_sum_mm2, fit.freedom);
   Information information = Information::Zero();
   touches.for_each([&](const MarkTouch& touch) {
@@ -161,7 +161,7 @@ Registration fit_any(const RegistrationConfig& config, std::span<const MarkTouch
   const Fit all = fit(config, touches);
   if (is_consistent(config, all)) return finished(config, all, touches);
 
-  // One bad touch spoils the fit of all, and of every four-fifths that contain it.
+  // One wrong touch makes the fit to all touches inconsistent, and every fit that includes it.
   refused = finished(config, all, touches);
   refused.verdict = RegistrationVerdict::inconsistent;
   if (given.size() < touches_to_leave_one_out) return refused;
@@ -183,7 +183,7 @@ Registration fit_any(const RegistrationConfig& config, std::span<const MarkTouch
 
 Registration fit_registration(const RegistrationConfig& config, std::span<const MarkTouch> touches) {
   Registration found = fit_any(config, touches);
-  if (found.verdict == RegistrationVerdict::holds && is_upside_down(config, found))
+  if (found.verdict == RegistrationVerdict::accepted && is_upside_down(config, found))
     found.verdict = RegistrationVerdict::upside_down;
   return found;
 }
@@ -200,7 +200,7 @@ RegistrationCheck check_registration(const Registration& registration, const Mar
   const double deviation = std::sqrt(off_mm.dot(solve_symmetric(covariance, off_mm)));
   const double limit = std::sqrt(chi_squared_limit(3.0));
   const double distance_mm = off_mm.norm();
-  // In the direction of the touch; of a touch on the mark, on average.
+  // SD in the direction of the deviation; without a deviation, the mean over all directions.
   const double sd_mm = deviation > 0.0 ? distance_mm / deviation : std::sqrt(covariance.trace() / 3.0);
   return {.distance_mm = distance_mm, .allowed_mm = limit * sd_mm, .holds = deviation <= limit};
 }

@@ -21,7 +21,7 @@ Eigen::Vector2d from_home(const TouchedFrame& frame, const PlatePoint& place) {
   return {place.right_mm - frame.home.right_mm, place.away_mm - frame.home.away_mm};
 }
 
-// D r as a function of D's entries.
+// Derivative of D r by the entries of D.
 Matrix24 by_entries(const Eigen::Vector2d& r) {
   Matrix24 by = Matrix24::Zero();
   by.block<1, 2>(0, 0) = r.transpose();
@@ -36,7 +36,7 @@ Eigen::Matrix2d prior_mm2(const FrameCovariance& registered, const PlatePoint& p
   return by * registered * by.transpose() + prior_sd * prior_sd * square_mm2 * Eigen::Matrix2d::Identity();
 }
 
-// Kronecker's product with the identity: D r has then prior_mm2().
+// Kronecker product with the identity, so that D r has the covariance prior_mm2().
 Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place, double square_mm2) {
   const Eigen::Matrix2d entries = prior_mm2(registered, place, square_mm2) / square_mm2;
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
@@ -48,7 +48,7 @@ Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place
 
 Eigen::Matrix2d matrix(const TouchedFrame& frame) { return Eigen::Matrix2d::Identity() + frame.stretch; }
 
-// Expected entries of the frame before a contact, and expected position.
+// Prior of a contact: covariance of D, derivatives, innovation.
 struct Expectation {
   Eigen::Matrix4d entries;
   Matrix24 by;
@@ -105,7 +105,7 @@ TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& re
   after.stretch.row(0) += change.head<2>().transpose();
   after.stretch.row(1) += change.tail<2>().transpose();
   after.stretch = after.stretch.cwiseMax(-max_entry).cwiseMin(max_entry).eval();
-  // Joseph's form, which stays positive definite.
+  // Joseph form, which keeps the matrix positive definite.
   const Eigen::Matrix4d kept = Eigen::Matrix4d::Identity() - gain * by;
   covariance = (kept * entries * kept.transpose() + contact.variance_mm2 * gain * gain.transpose()).eval();
   covariance = (0.5 * (covariance + covariance.transpose())).eval();

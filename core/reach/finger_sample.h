@@ -8,26 +8,26 @@
 
 namespace hrt {
 
-/// The observation in a sample.
+/// Kind of observation in a sample.
 enum class Observation {
   none,       ///< tracking is lost
-  lifted,     ///< the finger is lifted from the plate and feels nothing
+  lifted,     ///< the finger is lifted from the plate
   direction,  ///< FingerSample::direction_deg
   position,   ///< FingerSample::position
 };
 
-/// Fields that its observation does not name are not read.
+/// A sample; only the field that its observation names is read.
 struct FingerSample {
-  std::int64_t time_ns = 0;  ///< the caller's monotonic clock; not before the last sample's
+  std::int64_t time_ns = 0;  ///< monotonic clock of the caller; not earlier than in the previous sample
   Observation observation = Observation::none;
   double direction_deg = 0.0;  ///< finite
   PlatePoint position;         ///< finite
-  bool off_plate = false;      ///< the position is beyond the plate's rim
+  bool off_plate = false;      ///< the position lies beyond the plate's rim
   /// Plate orientation, if the device reports it.
   std::optional<double> plate_orientation_deg;
 };
 
-/// Longest prediction without a sample: after it the place is unknown anyway.
+/// Longest prediction without a sample; later, the position is unknown.
 inline constexpr double max_gap_s = 2.0;
 
 }  // namespace hrt

@@ -1,25 +1,24 @@
-// Pace of a reach: the path covered as a function of time.
+// Pace of a reach: the fraction s of the path as a function of the fraction u of the time,
 //
-//   s(u) = (1 - a) (10 w^3 - 15 w^4 + 6 w^5) + a u,   w = u + q u (1 - u),   u' = r
+//   s(u) = (1 - a) (10 eta^3 - 15 eta^4 + 6 eta^5) + a u,   eta = u + kappa u (1 - u)
 //
-// with u the fraction of the time, s the fraction of the path, a the evenness of the pace (0: the bell-shaped speed
-// of a minimum-jerk motion, 1: even), q its skew (0: symmetric; 0.5: the peak is at 0.38 of the time) and r one over
-// the duration.
+// where a is the evenness (0: the bell-shaped speed of a minimum-jerk motion, 1: constant speed) and kappa the skew (0:
+// symmetric; 0.5: the speed peaks at 0.38 of the time).
 #pragma once
 
 #include <algorithm>
 
 namespace hrt {
 
-/// s and its derivatives by u.
+/// s and its derivatives by u and a.
 struct Progress {
   double share;         ///< s
-  double rate;          ///< s'
-  double acceleration;  ///< s''
-  double by_evenness;   ///< d s' / d a
+  double rate;          ///< ds/du, first derivative
+  double acceleration;  ///< second derivative
+  double by_evenness;   ///< d(ds/du) / da
 };
 
-/// At `phase` u, clamped to [0, 1]; `evenness` in [0, 1]; `skew` in [-1, 1].
+/// Returns s at `phase` u, clamped to [0, 1]. `evenness` in [0, 1], `skew` in [-1, 1].
 inline Progress progress(double evenness, double phase, double skew = 0.0) {
   const double u = std::clamp(phase, 0.0, 1.0);
   const double w = u * (1.0 + skew * (1.0 - u));
@@ -33,7 +32,7 @@ inline Progress progress(double evenness, double phase, double skew = 0.0) {
           .by_evenness = 1.0 - bell * w_by_u};
 }
 
-/// u where `share` of the path lies behind, and 1 beyond its end; within 1e-5.
+/// Inverse of progress(): returns u for a fraction of the path, with an error of at most 1e-5; 1 for fractions above 1.
 inline double phase_at(double evenness, double share, double skew = 0.0) {
   double low = 0.0;
   double high = 1.0;

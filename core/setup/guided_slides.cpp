@@ -10,20 +10,19 @@ namespace {
 
 constexpr double guide_rest_s = 1.4;
 constexpr double guide_stop_s = 2.0;
-// A rest is at an end of a guide within this share of the guide's length, and within this.
+// Largest distance of a rest from the end of its guide, as a fraction of the guide's length, and in mm.
 constexpr double near_share = 0.3;
 constexpr double max_near_mm = 30.0;
 constexpr double max_unseen_s = 0.5;
 constexpr double max_raised_s = 0.1;
-// Largest distance of one slide's end from the mean of the others; beyond it, the finger was not at the end of the
-// guide.
+// Largest deviation of one slide from the mean of its object: beyond it, the finger was not at the end of the guide.
 constexpr double max_deviation_mm = 4.8;
-// Prior SD of the scatter of a coordinate, and the number of observations that it is worth.
+// Prior SD of a coordinate of a slide, and the number of observations that the prior counts as.
 constexpr double expected_sd_mm = 1.0;
 constexpr double expected_count = 6.0;
-// SD of the difference of the tracker's error between a resting and a moving finger, and of the end of a slide.
+// SD of the end of a slide, and of the difference in the tracker's error between a resting and a moving finger.
 constexpr double hold_sd_mm = 0.8;
-// Prior SD of an entry of the frame's stretch.
+// Prior SD of an entry of the frame's matrix D.
 constexpr double stretch_sd = 0.05;
 
 }  // namespace
@@ -53,7 +52,7 @@ void GuidedSlides::observe(const SetupSample& sample) {
   if (observation != Observation::position || sample.off_plate) {
     const bool lost = observation == Observation::none;
     if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_unseen_s : max_raised_s)) return;
-    // A finger that goes before it has slid is no failure: it may come again.
+    // A finger that leaves before the first rest has not failed.
     if (rests_ > 0) again(lost ? SetupProblem::lost : SetupProblem::left_plate);
     finger_.lift();
     return;
@@ -79,7 +78,7 @@ void GuidedSlides::come_to_rest(const PlatePoint& place, bool long_since) {
   ++object_;
 }
 
-std::optional<GuidedSlides::Seen> GuidedSlides::seen(const Rests& rests) const {
+std::optional<GuidedSlides::MeasuredObject> GuidedSlides::measured(const Rests& rests) const {
   constexpr int count = slides_an_object / 2;
   Eigen::Matrix<double, 2, count> to_mm;
   for (int i = 0; i < count; ++i) {
@@ -91,7 +90,7 @@ std::optional<GuidedSlides::Seen> GuidedSlides::seen(const Rests& rests) const {
   const Eigen::Vector2d mean_mm = to_mm.rowwise().mean();
   to_mm.colwise() -= mean_mm;
   if (to_mm.colwise().norm().maxCoeff() > max_deviation_mm) return std::nullopt;
-  return Seen{mean_mm, to_mm.squaredNorm()};
+  return MeasuredObject{mean_mm, to_mm.squaredNorm()};
 }
 
 std::optional<TouchedFrame> GuidedSlides::fit() const {
@@ -100,7 +99,7 @@ std::optional<TouchedFrame> GuidedSlides::fit() const {
   double square_mm2 = expected_count * expected_sd_mm * expected_sd_mm;
   double freedom = expected_count;
   for (int i = 0; i < count_; ++i) {
-    const std::optional<Seen> object = seen(seen_[static_cast<std::size_t>(i)]);
+    const std::optional<MeasuredObject> object = measured(seen_[static_cast<std::size_t>(i)]);
     if (!object) return std::nullopt;
     from_start_mm[static_cast<std::size_t>(i)] = object->from_start_mm;
     square_mm2 += object->square_mm2;

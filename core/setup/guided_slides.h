@@ -1,5 +1,5 @@
-// Slides back and forth along guides, from the start to each object, without lifting. The vector from the start to an
-// object does not depend on the point of contact on the skin, or on a shift of the tracker's frame.
+// Slides back and forth along guides, from the start to each object, without lifting. They measure the vector from the
+// start to an object, which is independent of the point of contact on the skin and of a shift of the tracker's frame.
 #pragma once
 
 #include <algorithm>
@@ -11,43 +11,43 @@
 
 namespace hrt {
 
-/// Uses no heap, lock or exception.
+/// Detects the slides and fits the tracker's frame. Uses no heap, lock or exception.
 class GuidedSlides {
  public:
   static constexpr int max_objects = 8;
   static constexpr int slides_an_object = 6;  ///< alternately to the object and back
 
-  /// Awaits slides between `start` and each of the places where guides end, min_guide_mm away at least.
+  /// Waits for slides between `start` and the end of each guide, at least min_guide_mm away.
   GuidedSlides(const PlatePoint& start, const std::array<PlatePoint, max_objects>& ends, int count);
 
   static constexpr double min_guide_mm = 40.0;
 
   void observe(const SetupSample& sample);
-  /// Forgets all slides.
+  /// Discards all slides.
   void restart();
 
   bool complete() const { return object_ == count_; }
   int done() const { return object_ * slides_an_object + std::max(0, rests_ - 1); }
   int of() const { return count_ * slides_an_object; }
   int object() const { return object_; }
-  /// Slides to the object that did not count.
+  /// Number of rejected slides to the present object.
   int failed() const { return failed_; }
   bool has_begun() const { return rests_ > 0; }
-  /// Position at which the finger is to rest next.
+  /// Position of the next rest.
   const PlatePoint& next() const;
   SetupProblem problem() const { return problem_; }
 
-  /// The tracker's frame about the start. None: slides that do not fit each other. Requires complete().
+  /// Returns the tracker's frame about the start; nullopt if the slides are inconsistent. Requires complete().
   std::optional<TouchedFrame> fit() const;
 
  private:
   static constexpr int rests_an_object = slides_an_object + 1;  // alternately at the start and at the object
   using Rests = std::array<PlatePoint, rests_an_object>;
-  struct Seen {
+  struct MeasuredObject {
     Eigen::Vector2d from_start_mm;
-    double square_mm2;  // mean square of the deviations of one coordinate from their mean
+    double square_mm2;  // sum of squared deviations of the slides from their mean
   };
-  std::optional<Seen> seen(const Rests& rests) const;
+  std::optional<MeasuredObject> measured(const Rests& rests) const;
   void again(SetupProblem problem);
   void come_to_rest(const PlatePoint& place, bool long_since);
 
@@ -56,7 +56,7 @@ class GuidedSlides {
   int count_;
   std::array<Rests, max_objects> seen_{};
   int object_ = 0;
-  int rests_ = 0;  // rests of this object
+  int rests_ = 0;  // number of rests for this object
   int failed_ = 0;
   SetupProblem problem_ = SetupProblem::none;
   FingerPhase finger_;

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double touch_s = 0.7;
 constexpr double holding_s = 0.2;
-// Until then the finger may rest where it was when it was asked for.
+// Distance from the position at the request at which the finger counts as moved.
 constexpr double min_moved_mm = 15.0;
 
 }  // namespace
@@ -24,7 +24,7 @@ void MarkTouches::observe(const SetupSample& sample) {
   if (complete()) return;
   if (!sample.tracked_mm) {
     lost_ = lost_ || holding();
-    moved_ = moved_ || from_mm_;  // the finger may come down at any position
+    moved_ = moved_ || from_mm_;  // the next position may be that of another mark
     finger_.lift();
     return;
   }
@@ -32,7 +32,7 @@ void MarkTouches::observe(const SetupSample& sample) {
   finger_.observe(sample.time_ns, *sample.tracked_mm);
   if (!moved_ && (finger_.smoothed() - *from_mm_).norm() > min_moved_mm) {
     moved_ = true;
-    finger_.lift();  // if it comes back soon, the rest before does not continue
+    finger_.lift();  // a rest before the motion must not continue after it
   }
   if (!moved_ || finger_.rest_s() < touch_s) return;
   touches_[static_cast<std::size_t>(count_++)] = {sample.time_ns, finger_.rest_place(),

@@ -1,4 +1,4 @@
-// Touches of marks, one after another.
+// Detects successive touches of marks.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ struct SetupTouch {
   Eigen::Matrix3d joint_rotation;
 };
 
-/// A touch is a rest of 0.7 s of a finger that has moved since the last one. Uses no heap, lock or exception.
+/// A touch is a rest of 0.7 s after a motion. Uses no heap, lock or exception.
 class MarkTouches {
  public:
   static constexpr int max_touches = 40;
 
-  /// Discards the touches so far and waits for `wanted` touches, from 1 to max_touches.
+  /// Discards all touches, and waits for `wanted` touches, 1 to max_touches.
   void begin(int wanted);
   void observe(const SetupSample& sample);
 
@@ -27,9 +27,9 @@ class MarkTouches {
   int count() const { return count_; }
   int wanted() const { return wanted_; }
   const SetupTouch& operator[](int i) const { return touches_[static_cast<std::size_t>(i)]; }
-  /// The finger has begun to rest.
+  /// True if the finger has begun to rest on a mark.
   bool holding() const;
-  /// The tracker lost the finger while it was on the mark.
+  /// True if the tracker lost the finger while it was on the mark.
   bool lost() const { return lost_; }
 
  private:

@@ -8,18 +8,18 @@ namespace {
 constexpr std::uint32_t slide_parts_of_setup = setup_calibration | setup_retest;
 constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | setup_check;
 constexpr std::uint32_t need_plate = setup_guides | slide_parts_of_setup;
-// Four seconds at 250 Hz, on average.
+// Capacity per slide: 4 s at 250 Hz on average.
 constexpr std::size_t samples_a_slide = 1000;
-// Beyond 0.8 a person with a usual weight moves along the ridges in the end.
-constexpr std::array<double, first_slides> shares{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
-                                                  0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
+// Plate angles of the slides, at most 0.8: beyond it, a person with a usual weight ends along the ridges.
+constexpr std::array<double, first_slides> fractions{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
+                                                     0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
 
 Eigen::Vector3d place_of(const PlatePoint& point) { return {point.right_mm, 0.0, -point.away_mm}; }
 
 }  // namespace
 
 double planned_share(int i) {
-  const double share = shares[static_cast<std::size_t>(i % first_slides)];
+  const double share = fractions[static_cast<std::size_t>(i % first_slides)];
   return i / first_slides % 2 == 0 ? share : -share;
 }
 
@@ -42,7 +42,7 @@ void Setup::begin_part() {
   if (has_part(slide_parts_of_setup)) {
     if (slides_->count() < wanted_slides_) next_slide();
   } else if (has_part(touch_parts | setup_guides)) {
-    plate_orientation_deg_ = 0.0;  // a mark on the plate is where it is at this orientation only
+    plate_orientation_deg_ = 0.0;  // marks are defined at this plate orientation
   }
 }
 
@@ -75,7 +75,7 @@ void Setup::close() {
 void Setup::drop(SetupProblem problem, std::string_view reason) {
   last_drop_ = {.part = part(), .problem = problem, .observed = observed(), .reason = {}};
   last_drop_.reason.set(reason);
-  // Slides and guides on a plate at an unknown position show nothing.
+  // Slides and guides require the plate's pose.
   std::uint32_t need_it = 0;
   if (has_part(setup_registration)) need_it = need_plate;
   if (has_part(setup_check)) need_it = setup_guides;

@@ -1,5 +1,5 @@
-// Set-up in one loop: requests touches, rests and slides from the person, detects their completion, and stores the data
-// for the fits. The fits take time and are separate: setup_fit.h.
+// Set-up in one loop: requests touches, rests and slides from the user, detects their completion, and stores the data
+// for the fits. setup_fit.h has the fits, which take more time.
 #pragma once
 
 #include <array>
@@ -16,62 +16,62 @@ namespace hrt {
 struct SetupConfig {
   static constexpr int max_marks = 8;
 
-  std::uint32_t parts = 0;  ///< SetupPart
-  /// Parts that the samples cannot show are left out.
+  std::uint32_t parts = 0;  ///< SetupPart flags of the parts to do
+  /// True: skips parts whose fields the samples do not have.
   bool only_possible = false;
-  /// Marks in plate coordinates. The fingertip is measured at the first one.
+  /// Marks in plate coordinates. The first one is also touched to determine the fingertip's offset.
   std::array<Eigen::Vector3d, max_marks> marks_mm;
   int mark_count = 0;  ///< 3 to max_marks
   int touches_per_mark = 1;
   int check_mark = 0;
   RegistrationConfig registration;
   PlatePoint start;
-  std::array<PlatePoint, GuidedSlides::max_objects> guides;  ///< ends of the guides
+  std::array<PlatePoint, GuidedSlides::max_objects> guides;  ///< ends of the guides, at the objects
   int guide_count = 0;
-  double slide_distance_mm = 100.0;  ///< straight ahead
+  double slide_distance_mm = 100.0;  ///< length of a slide straight ahead
   double lower_plate_deg = -75.0;
   double upper_plate_deg = 75.0;
-  double enough_weight_width = 0.04;  ///< width of the 95 % interval of w_T
+  double enough_weight_width = 0.04;  ///< a calibration is complete if the 95 % interval of w_T is not wider
   int max_slides = 40;                ///< at least `first_slides`
   double plate_orientation_deg = 0.0;
 };
 
-/// Slides before the first fit, and between two.
+/// Slides before the first fit, and further slides before each later one.
 inline constexpr int first_slides = 16;
 inline constexpr int more_slides = 8;
 
-/// A part is dropped after this number of rejected fits, or of slides in a row that do not count.
+/// A part is dropped after this number of rejected fits, or of successive rejected slides.
 inline constexpr int max_rejected_fits = 3;
 inline constexpr int max_failed_slides = 6;
 
-/// Its memory is taken at construction; update() takes none, and is bounded in time.
+/// A set-up. Allocates at construction only; the time of update() is bounded.
 class Setup {
  public:
   explicit Setup(const SetupConfig& config);
 
-  /// Samples in the order of their times.
+  /// Processes a sample; times must not decrease.
   void update(const SetupSample& sample);
   SetupStep step() const;
 
   const SetupConfig& config() const { return config_; }
-  /// The parts (SetupPart) that remain to be done; the first one is in progress.
+  /// SetupPart flags of the pending parts; the lowest one is in progress.
   std::uint32_t left() const { return left_; }
   SetupPart part() const;
-  /// True if the present part has all its data, or no part is left.
+  /// True if the current part has all its data, or no part is pending.
   bool finish_is_due() const;
-  /// True if the sample has the fields that the present part requires.
+  /// True if the sample has the fields that the current part requires.
   bool can_show(const SetupSample& sample) const;
 
-  /// After the fit of the current part: the set-up continues with the next one.
+  /// Ends the current part with a result, and begins the next one.
   void close();
-  /// Closes the present part without a result, and the parts that need its result.
+  /// Ends the current part without a result, and drops the parts that need its result.
   void drop(SetupProblem problem, std::string_view reason);
-  /// Repeats the current part, or asks for more slides; drops it if this is the last of max_rejected_fits.
+  /// Repeats the current part, or requests more slides. Drops it after max_rejected_fits rejected fits.
   void repeat(SetupProblem problem, std::string_view reason);
   std::uint32_t dropped() const { return dropped_; }
-  /// The last one. Requires dropped().
+  /// The last dropped part. Requires dropped() != 0.
   SetupDrop last_drop() const;
-  /// No more slides can be asked for.
+  /// True if no more slides can be requested.
   bool slides_are_full() const;
 
   const MarkTouches& touches() const { return touches_; }
@@ -79,7 +79,7 @@ class Setup {
   const SlideStore& slides() const { return *slides_; }
 
  private:
-  /// A text of fixed capacity without allocation; longer texts are truncated.
+  /// A text of fixed capacity; longer texts are truncated.
   class Reason {
    public:
     void set(std::string_view text) { size_ = text.copy(text_.data(), text_.size()); }
@@ -107,7 +107,7 @@ class Setup {
   SlideWatch watch_;
   std::optional<SlideStore> slides_;
   SetupProgress progress_;
-  int rejected_ = 0;  // fits of the current part
+  int rejected_ = 0;  // rejected fits of the current part
   Reason reason_;     // reason of the last rejected fit
   std::uint32_t dropped_ = 0;
   struct Dropped {
@@ -121,11 +121,11 @@ class Setup {
   double plate_orientation_deg_;
 };
 
-/// The plate's angle for slide `i`, as a share of half the range about its middle: sides alternate, and no
-/// angle comes twice in the first `first_slides`.
+/// Returns the plate angle for slide `i` as a fraction of half of the configured range, about its middle. Sides
+/// alternate; the first `first_slides` angles are different.
 double planned_share(int i);
 
-/// Ways to hold the finger on one mark, so that the joint turns about two axes.
+/// Number of touches of one mark, each with another orientation of the finger, about two axes.
 inline constexpr int finger_attitudes = 6;
 
 }  // namespace hrt

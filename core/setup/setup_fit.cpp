@@ -10,7 +10,7 @@
 namespace hrt {
 namespace {
 
-// Touches are further apart than marks by less than this, or nearer: beyond, the unit of length is another one.
+// Limit of the ratio of distances between touches and between marks; beyond it, positions are in another unit.
 constexpr double max_unit_ratio = 3.0;
 
 void reject(SetupProblem problem, std::string reason, SetupFit* fit) {
@@ -18,7 +18,7 @@ void reject(SetupProblem problem, std::string reason, SetupFit* fit) {
   fit->reason = std::move(reason);
 }
 
-// Touches of marks that were completed in their order.
+// Pairs the touches with their marks.
 std::vector<MarkTouch> mark_touches(const Setup& setup) {
   std::vector<MarkTouch> touches;
   for (int i = 0; i < setup.touches().count(); ++i)
@@ -36,8 +36,9 @@ void fit_fingertip_of(const Setup& setup, SetupFit* fit) {
     fit->fingertip = found;
   else
     reject(SetupProblem::undetermined,
-           "the finger was held too much alike: its offset is known to " + decimal(found.sd_mm.maxCoeff(), 0) +
-               " mm, less than 5 is needed",
+           "the orientation of the finger differed too little: the SD of its offset is " +
+               decimal(found.sd_mm.maxCoeff(), 0) +
+               " mm; it must be below 5. Touch again, and tilt the finger differently each time",
            fit);
 }
 
@@ -54,14 +55,14 @@ void fit_registration_of(const Setup& setup, SetupFit* fit) {
   std::vector<MarkTouch> touches = mark_touches(setup);
   const RegistrationConfig& config = setup.config().registration;
   const Registration found = fit_registration(config, touches);
-  if (found.verdict == RegistrationVerdict::holds) {
+  if (found.verdict == RegistrationVerdict::accepted) {
     fit->registration = found;
     return;
   }
   const double scale = spread_mm(touches, &MarkTouch::touched_mm) / spread_mm(touches, &MarkTouch::mark_mm);
   for (MarkTouch& touch : touches) touch.touched_mm.x() = -touch.touched_mm.x();
   const RegistrationVerdict mirrored = fit_registration(config, touches).verdict;
-  if (found.verdict == RegistrationVerdict::upside_down || mirrored == RegistrationVerdict::holds ||
+  if (found.verdict == RegistrationVerdict::upside_down || mirrored == RegistrationVerdict::accepted ||
       mirrored == RegistrationVerdict::upside_down)
     reject(SetupProblem::upside_down,
            "marks were confused, or an axis is mirrored: x is to the right, y up and z towards the user", fit);
@@ -73,7 +74,7 @@ void fit_registration_of(const Setup& setup, SetupFit* fit) {
            "the touches are " + decimal(found.residual_mm, 0) + " mm from their marks (root mean square)", fit);
 }
 
-// One touch that disagrees may be a bad one: the second decides.
+// A single touch that disagrees may be wrong: the check fails if the second one disagrees, too.
 void check_of(const Setup& setup, const Registration& registered, SetupFit* fit) {
   const SetupConfig& config = setup.config();
   const RegistrationCheck found = check_registration(
@@ -127,7 +128,7 @@ bool PartFit::step() {
       return true;
     case setup_guides:
       fit_.guided = setup_.guided().fit();
-      if (!fit_.guided) reject(SetupProblem::disagrees, "slides along a guide end at different places", &fit_);
+      if (!fit_.guided) reject(SetupProblem::disagrees, "slides along a guide end at different positions", &fit_);
       return true;
     case setup_calibration:
     case setup_retest:

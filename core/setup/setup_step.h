@@ -1,4 +1,4 @@
-// Input and output of a set-up: samples of the finger, and instructions to the person and the plate.
+// Input and output of a set-up: samples of the finger, and instructions to the user and the plate.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,23 +10,23 @@
 
 namespace hrt {
 
-/// The parts of a set-up, as bits. They are done in this order: each uses the results of those before it.
+/// Parts of a set-up, as flags, in the order in which they are done: each uses the results of those before it.
 enum SetupPart : std::uint32_t {
   setup_fingertip = 1,     ///< offset of the skin from the tracked joint
   setup_registration = 2,  ///< the plate's pose, from touches of marks
-  setup_check = 4,         ///< check of that pose
-  setup_guides = 8,        ///< the tracker's frame about the start, from slides along guides
-  setup_calibration = 16,  ///< the person, from slides
-  setup_retest = 32,       ///< as calibration, compared with the former values
+  setup_check = 4,         ///< check of that pose by one touch
+  setup_guides = 8,        ///< frame error of the tracker about the start, from slides along guides
+  setup_calibration = 16,  ///< parameters of the user, from slides
+  setup_retest = 32,       ///< as calibration; compared with the former values
 };
 
 enum class Instruction : std::uint32_t {
-  wait,           ///< the plate turns: lift the finger
+  wait,           ///< the plate rotates: lift the finger
   touch_mark,     ///< lift, and touch the mark `SetupStep::number`
   hold_still,     ///< hold the finger still on the mark
   rest_at_start,  ///< move to the start and rest
   slide,          ///< slide to `SetupStep::place_mm`, and rest there
-  finish,         ///< no instruction: the fit is due
+  finish,         ///< no instruction: the data are complete, and the fit is due
 };
 
 /// Problem of the last attempt.
@@ -34,39 +34,39 @@ enum class SetupProblem : std::uint32_t {
   none,
   too_fast,      ///< the slide took less than 0.4 s or so
   too_slow,      ///< the slide took more than 8 s
-  stopped,       ///< the finger rested before it was half way, or elsewhere
+  stopped,       ///< the finger stopped before half of the distance, or away from the line
   left_plate,    ///< the finger was lifted, or moved over the rim
-  lost,          ///< the tracker lost it
-  moved,         ///< the plate turned within the slide
-  plate,         ///< the plate has not turned to where it was asked within 5 s
-  disagrees,     ///< touches do not fit their marks, or slides each other
+  lost,          ///< the tracker lost the finger
+  moved,         ///< the plate rotated during the slide
+  plate,         ///< the plate did not reach the commanded orientation within 5 s
+  disagrees,     ///< touches do not fit their marks, or slides are inconsistent
   upside_down,   ///< the touches fit a plate that is upside down or mirrored
-  undetermined,  ///< the fit does not know enough: more is needed
+  undetermined,  ///< the data do not determine the result: more are needed
 };
 
 struct SetupSample {
-  std::int64_t time_ns = 0;  ///< not before the last one's
-  /// The finger in the tracker's frame; none: lost.
+  std::int64_t time_ns = 0;  ///< not earlier than in the previous sample
+  /// Position of the finger in the tracker's frame; nullopt: tracking is lost.
   std::optional<Eigen::Vector3d> tracked_mm;
-  /// That frame is the plate's: its pose is not needed.
+  /// True: that frame is the plate's, so no registration is needed.
   bool in_plate = false;
   std::optional<Eigen::Matrix3d> joint_rotation;
-  FingerSample on_plate;  ///< sample located by the pose of the plate that is known so far
+  FingerSample on_plate;  ///< the sample in plate coordinates, by the registration so far
   bool off_plate = false;
 };
 
-/// The diagnosis of a set-up that does not progress.
+/// Diagnosis of a set-up that does not progress.
 struct Observed {
   enum class Kind : std::uint32_t {
     none,
     no_finger,
     lifted,     ///< the finger is lifted in every sample
-    time,       ///< advances by `first` ns per sample
-    far_away,   ///< the finger is `first` mm from the place to go to: hardly in metres
-    plate,      ///< reports `first` degrees although `second` were commanded
-    elsewhere,  ///< the finger is `first` mm from the place to go to
-    wrong_way,  ///< the finger slid towards `first` degrees, where 0 is straight ahead
-    no_rest,    ///< the finger has not come and rested
+    time,       ///< sample times advance by only `first` ns per sample
+    far_away,   ///< the finger is `first` mm from the requested position: the unit is probably wrong
+    plate,      ///< the plate reports `first` degrees, but `second` degrees were commanded
+    elsewhere,  ///< the finger is `first` mm from the requested position
+    wrong_way,  ///< the finger slid towards `first` degrees; 0 is straight ahead
+    no_rest,    ///< the finger did not rest at the requested position
   };
   Kind kind = Kind::none;
   double first = 0.0, second = 0.0;
@@ -76,12 +76,12 @@ struct SetupStep {
   SetupPart part;
   Instruction instruction;
   SetupProblem problem;
-  int number;  ///< index of the mark, or of the attitude of the finger, from 0
-  int done;    ///< touches or slides
+  int number;  ///< index of the mark, or of the orientation of the finger, from 0
+  int done;    ///< completed touches or slides
   int of;
-  Eigen::Vector3d place_mm;  ///< position to which the finger is to move, in plate coordinates
+  Eigen::Vector3d place_mm;  ///< requested position of the finger in plate coordinates
   double plate_orientation_deg;
-  Observed observed;        ///< none within 20 s
+  Observed observed;        ///< Kind::none in the first 20 s
   std::string_view reason;  ///< reason of a rejected fit; valid until the set-up changes
 };
 

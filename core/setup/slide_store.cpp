@@ -29,7 +29,7 @@ bool SlideStore::add(const FingerSample& sample) {
   const double time_s = elapsed_s(*first_ns_, sample.time_ns);
   if (any && time_s - samples_.back().time_s < min_stored_spacing_s) return true;
   if (full()) return false;
-  // Ridges are the same after half a turn, and a plate does not jump.
+  // Reports of orientations with the same ridges are unwrapped, since a plate does not jump by half a turn.
   if (sample.plate_orientation_deg) now_plate_deg_ += wrap_deg(*sample.plate_orientation_deg - now_plate_deg_, 180.0);
   samples_.push_back({time_s, sample.position});
   plate_deg_.push_back(now_plate_deg_);

@@ -1,4 +1,4 @@
-// The slides of a calibration as they are made.
+// Stores the slides of a calibration.
 #pragma once
 
 #include <cstdint>
@@ -10,26 +10,25 @@
 
 namespace hrt {
 
-/// Takes its memory at construction; add(), drop() and begin() take none. Keeps at most 250 positions a
-/// second.
+/// Allocates at construction; add(), drop() and begin() do not. Stores at most 250 positions per second.
 class SlideStore {
  public:
   SlideStore(int max_slides, std::size_t max_samples);
 
-  /// Begins a slide over a plate at `plate_orientation_deg`.
+  /// Begins a slide at `plate_orientation_deg`.
   void begin(double plate_orientation_deg);
-  /// False if the store is full.
+  /// Adds a sample. Returns false if the store is full.
   bool add(const FingerSample& sample);
-  /// Forgets the samples of the slide under way.
+  /// Discards the samples of the current slide.
   void drop();
-  /// Forgets all but the last second of a long rest before the slide under way.
+  /// Discards all but the last second of a long rest before the current slide.
   void shorten_rest();
   void end() { under_way_ = false; }
 
-  /// Number of slides that have ended.
+  /// Number of completed slides.
   int count() const { return static_cast<int>(slides_.size()) - (under_way_ ? 1 : 0); }
   bool full() const { return samples_.size() == samples_.capacity(); }
-  /// Slides that have ended. Allocates.
+  /// Returns the completed slides. Allocates.
   std::vector<CalibrationTrial> trials() const;
 
  private:

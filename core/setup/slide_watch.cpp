@@ -11,7 +11,7 @@ constexpr double rest_s = 0.5;
 constexpr double arrival_s = 0.5;
 constexpr double stop_s = 1.5;
 constexpr double start_radius_mm = 15.0;
-constexpr double near_start_mm = 25.0;  // limit for a single position, including the tracker's noise
+constexpr double near_start_mm = 25.0;  // limit for a single position, which has tracker noise
 constexpr double leaving_mm = 10.0;     // distance from the rest at which a slide has begun
 constexpr double max_bearing_deg = 60.0;
 constexpr double behind_deg = 90.0;
@@ -107,7 +107,7 @@ bool SlideWatch::follow(const SetupSample& sample) {
   } else if (!seen) {
     const bool lost = sample.on_plate.observation == Observation::none;
     if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_lost_s : max_lifted_s)) return false;
-    // A finger that goes before it has slid is no failure: it may come again.
+    // A finger that leaves before the slide has not failed.
     if (left_ns_)
       fail(lost ? SetupProblem::lost : SetupProblem::left_plate);
     else

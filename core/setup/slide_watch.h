@@ -1,5 +1,4 @@
-// One slide: the plate turns, the finger rests at the start, leaves it, and rests further on; or what went
-// wrong.
+// Detects one slide: the plate rotates, the finger rests at the start, leaves it, and rests ahead; or what went wrong.
 #pragma once
 
 #include "core/setup/setup_step.h"
@@ -7,26 +6,26 @@
 
 namespace hrt {
 
-/// Uses no heap, lock or exception.
+/// State machine of a slide. Uses no heap, lock or exception.
 class SlideWatch {
  public:
   enum class Phase : std::uint8_t { plate_turns, rest_at_start, slide, done };
 
-  /// Asks for a slide straight ahead.
+  /// Waits for a slide straight ahead.
   void begin(const PlatePoint& start, double distance_mm, double plate_orientation_deg);
-  /// True if the sample is of the rest before the slide, or of the slide. If it is the first one, those
-  /// before it are not.
+  /// Returns true if the sample belongs to the rest before the slide or to the slide. If is_first(), earlier ones do
+  /// not.
   bool observe(const SetupSample& sample);
 
   Phase phase() const { return phase_; }
   bool is_first() const { return first_; }
   bool has_left() const { return left_ns_.has_value(); }
   SetupProblem problem() const { return problem_; }
-  /// Slides since begin() that did not count.
+  /// Number of rejected slides since begin().
   int failed() const { return failed_; }
-  /// Bearing of the last slide, if it did not count since it was more than 90 degrees from straight ahead.
+  /// Bearing of the last slide if it was rejected because it was more than 90 degrees from straight ahead.
   const std::optional<double>& wrong_way_deg() const { return wrong_way_deg_; }
-  /// The plate reports for a minute that it is elsewhere.
+  /// True if the plate has reported another orientation than the commanded one for a minute.
   bool plate_is_stuck() const { return plate_is_stuck_; }
 
  private:
@@ -47,7 +46,7 @@ class SlideWatch {
   std::optional<double> wrong_way_deg_;
   bool plate_is_stuck_ = false;
   bool first_ = false;
-  bool resting_ = false;  // within reach of the start: its samples are kept
+  bool resting_ = false;  // the finger is near the start: its samples are stored
   FingerPhase finger_;
   PlatePoint rest_;  // position of the rest at the start
   std::optional<std::int64_t> asked_ns_;

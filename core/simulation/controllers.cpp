@@ -8,7 +8,7 @@
 namespace hrt {
 namespace {
 
-// Invented people stray by their motor noise: 8 deg^2/s over the 0.3 s within which a wander decays.
+// Wander of people without an own path, due to motor noise: 8 deg^2/s over 0.3 s, its time constant.
 constexpr double steady_wander_deg = 1.1;
 
 }  // namespace
@@ -38,9 +38,9 @@ RetargeterConfig informed_controller(const PersonCondition& condition, std::span
   config.tracker_bearing_sd_deg = condition.tracker.declared_bearing_sd_deg;
   const Person& person = condition.person;
   const auto know_if = [&](T::Index trait, double mean, double sd) {
-    if (std::find(traits.begin(), traits.end(), trait) != traits.end()) know(config.person, trait, mean, sd);
+    if (std::find(traits.begin(), traits.end(), trait) != traits.end()) set_trait_prior(config.person, trait, mean, sd);
   };
-  // The cubic that has the person's shift at 35 and at 70 degrees, to the side of the gap.
+  // The cubic that equals the person's illusion at 35 and at 70 degrees, on the side of the gap.
   const double side = condition.virtual_direction_deg > condition.real_direction_deg ? 1.0 : -1.0;
   const double near_slope = side * felt_shift_deg(person.illusion, side * 35.0) / 35.0;
   const double far_slope = side * felt_shift_deg(person.illusion, side * 70.0) / 70.0;

@@ -1,4 +1,4 @@
-// Controllers as people meet them: without knowledge of the person, with some of it, and the paper's.
+// Configurations of controllers for simulated reaches: uninformed, informed, and the paper's.
 #pragma once
 
 #include <span>
@@ -8,25 +8,24 @@
 
 namespace hrt {
 
-/// A controller for people that knows what the usual plate and tracker can do, and nothing of the person.
+/// Returns a controller for people with the dynamics of a usual plate and the prior of an unknown person.
 RetargeterConfig people_controller(const Tuning& tuning = {});
 
-/// The same, with the tracker's declared latency.
+/// Returns the same with the declared latency and accuracy of the condition's tracker.
 RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning = {});
 
-/// Traits that an informed controller is given. The gain and the fading of touch are parameters of the
-/// model: using those of a simulated person costs more reaches than it gains.
-inline constexpr PersonState::Index telling_traits[] = {
+/// Traits that an informed controller is given. Without gain and fading, with which fewer reaches end on target.
+inline constexpr PersonState::Index informed_traits[] = {
     PersonState::weight,  PersonState::curve,      PersonState::bias,    PersonState::habit,
     PersonState::scatter, PersonState::log_wander, PersonState::log_rate};
 
-/// A controller for people with plate and tracker known, and these traits of the person as far as its model
-/// describes them.
+/// Returns an informed controller: it is given the true dynamics of plate and tracker, and the true values of `traits`
+/// as far as its model can describe them. It shows how many misses are due to unknown traits.
 RetargeterConfig informed_controller(const PersonCondition& condition,
-                                     std::span<const PersonState::Index> traits = telling_traits,
+                                     std::span<const PersonState::Index> traits = informed_traits,
                                      const Tuning& tuning = {});
 
-/// The paper's, with w_T assumed 0.15.
+/// Returns the paper's controller, with an assumed w_T of 0.15.
 RetargeterConfig paper_controller();
 
 }  // namespace hrt

@@ -13,7 +13,7 @@ namespace {
 constexpr int reaction_ms = 300;
 constexpr int guide_ms = 900;
 constexpr double lift_mm = 50.0;
-constexpr double start_sd_deg = 2.0;  // SD of the first direction of a slide
+constexpr double start_sd_deg = 2.0;  // SD of the initial direction of a slide
 
 Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
   Eigen::Quaterniond q;
@@ -22,7 +22,7 @@ Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
   return q;
 }
 
-// The ways to hold the finger that a set-up asks for, in its order.
+// Orientations of the finger that a set-up asks for, in its order.
 Eigen::Quaterniond attitude_of(int number) {
   struct Way {
     double turned_deg, leant_deg, steep_deg;

@@ -1,4 +1,4 @@
-// A simulated person who does what a set-up asks for: touches marks, rests, slides straight ahead and along guides.
+// A simulated person who follows the instructions of a set-up: touches marks, rests, and slides.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,19 +12,19 @@ namespace hrt {
 
 class GuidedHand {
  public:
-  /// `touch_sd_mm`: of a coordinate of each touch and rest.
+  /// `touch_sd_mm`: SD of each coordinate of a touch or rest position.
   GuidedHand(Person person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index);
 
-  /// Slides from now on are this person's.
+  /// Sets the person who makes the following slides.
   void set_person(const Person& person) { person_ = person; }
-  /// Makes the person follow an instruction. Repeating the last instruction has no effect.
+  /// Gives an instruction. Repeating the last one has no effect.
   void ask(const SetupStep& step);
-  /// One millisecond, with the plate at `plate_orientation_deg` at its end.
+  /// Advances by one millisecond. `plate_orientation_deg`: plate orientation at its end.
   void advance(double plate_orientation_deg);
 
-  /// The skin, in plate coordinates.
+  /// Position of the skin in plate coordinates.
   const Eigen::Vector3d& skin_mm() const { return skin_mm_; }
-  /// The tracked joint, in the plate's axes.
+  /// Rotation of the tracked joint relative to the plate's axes.
   const Eigen::Quaterniond& attitude() const { return attitude_; }
 
  private:

@@ -1,12 +1,12 @@
-// The pace of simulated motions. Independent of the controller's core/reach/pace.h.
+// Minimum-jerk pace of simulated motions. Independent of the controller's core/reach/pace.h.
 #pragma once
 
 #include <algorithm>
 
 namespace hrt {
 
-/// Fraction of the path after a fraction of the duration, clamped to [0, 1], of a minimum-jerk motion: Flash and Hogan,
-/// J. Neurosci. 5, 1985.
+/// Returns the fraction of the path of a minimum-jerk motion (Flash and Hogan, J. Neurosci. 5, 1985) after a fraction
+/// of the duration, clamped to [0, 1].
 inline double minimum_jerk(double fraction) {
   const double u = std::clamp(fraction, 0.0, 1.0);
   return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));

@@ -1,10 +1,9 @@
-// The path that a person takes of their own accord, with statistics of recorded reaches. It is the direction of motion
-// less the direction of the target, over the fraction s of the path, in degrees,
+// The own path of a simulated person: how the direction of the hand differs from that of the target, with the
+// statistics of recorded reaches. In degrees, as a function of the fraction s of the path,
 //
 //   o(s) = a0 (1 - 2 s) + a1 (6 s^2 - 6 s + 1) + a2 ((1 - s)^8 - 1/9) + a3 (s^8 - 1/9)
 //
-// The mean of each shape over the path is 0, so the path returns to the line to the target. core/simulation/README.md
-// has the sources.
+// The mean of each term over the path is 0, so the path returns to the line to the target. Sources: README.md.
 #pragma once
 
 #include <algorithm>
@@ -16,35 +15,35 @@
 
 namespace hrt {
 
-/// a0 to a3, deg.
+/// Coefficients a0 to a3, deg.
 using PathShape = std::array<double, 4>;
 
 /// A recorded reach, from start to stop.
 struct RecordedReach {
-  std::array<double, 21> direction_deg{};   ///< direction of motion minus that of the chord, at equal steps of the path
+  std::array<double, 21> direction_deg{};   ///< direction of motion minus that of the chord at equal steps of the path
   std::array<double, 101> path_fraction{};  ///< fraction of the path at equal steps of the time
 };
 
 struct OwnPath {
-  PathShape mean_deg{};          ///< mean for this person and target
-  PathShape sd_deg{};            ///< SDs from reach to reach, independent of one another
-  bool returns = true;           ///< false: o(s) fades to 0 before half of the path, and the deflection stays
-  bool lags = false;             ///< false: the hand follows o(s) without lag; true: o(s) is part of the goal
-  double log_duration_sd = 0.0;  ///< log SD of the duration of a reach
-  /// Each reach takes the path and the pace of one of these; null: none. The means and SDs above then say what an
-  /// informed controller knows.
+  PathShape mean_deg{};  ///< mean for this person and target
+  PathShape sd_deg{};    ///< SDs from reach to reach, independent of one another
+  bool returns = true;   ///< false: o(s) is reduced to 0 between 0.4 and 0.5 of the path, so the deflection stays
+  bool lags = false;     ///< false: the hand follows o(s) without delay; true: o(s) is added to the goal of steering
+  double log_duration_sd = 0.0;  ///< SD of the log of the duration from reach to reach
+  /// Recordings: each reach uses path and pace of one of them; null: none. mean_deg and sd_deg then have their
+  /// statistics, for an informed controller.
   std::shared_ptr<const std::vector<RecordedReach>> recorded;
 
   bool any() const { return recorded || mean_deg != PathShape{} || sd_deg != PathShape{}; }
 };
 
-/// The own path of a person and target as recorded, with all angles times `size`.
+/// Draws an own path from the statistics of the recorded people; all angles are multiplied by `size`.
 OwnPath draw_own_path(double size, Draws& draws);
 
-/// The own path of a person and target of whom these reaches were recorded; at least one.
+/// Returns an own path that replays these recordings, at least one, of one person and target.
 OwnPath own_path_of(std::vector<RecordedReach> reaches);
 
-/// The value at `fraction`, clamped to [0, 1], between values at equal steps.
+/// Interpolates linearly at `fraction`, clamped to [0, 1], between values at equal steps.
 template <std::size_t size>
 double interpolated(const std::array<double, size>& values, double fraction) {
   const double at = std::clamp(fraction, 0.0, 1.0) * (size - 1);
@@ -53,33 +52,34 @@ double interpolated(const std::array<double, size>& values, double fraction) {
   return (1.0 - share) * values[before] + share * values[before + 1];
 }
 
-/// Habit of the mean path: its part along 1 - 2 s, by least squares over the path.
+/// Returns the habit of the mean path: its component along 1 - 2 s, by least squares over the path.
 double mean_habit_deg(const OwnPath& path);
 
-/// SD of o(s) from reach to reach, root mean square over the path.
+/// Returns the SD of o(s) from reach to reach, as root mean square over the path.
 double wander_sd_deg(const OwnPath& path);
 
-/// The shape of one reach.
+/// Draws the coefficients of one reach.
 PathShape draw_shape(const OwnPath& path, Draws& draws);
 
-/// o(s), for s clamped to [0, 1].
+/// Returns o(s), for s clamped to [0, 1].
 double own_direction_deg(const OwnPath& path, const PathShape& shape, double path_fraction);
 
-/// The pace of one recorded reach: the speed is u^2 (1 - u)^b over the fraction u of the time, with the peak at
-/// 2 / (2 + b); in a share of reaches another submovement follows, or the finger stops.
+/// Pace of one reach with the statistics of recorded reaches. The speed is proportional to u^2 (1 - u)^b over the
+/// fraction u of the time, with its maximum at 2 / (2 + b). Some reaches have a second submovement, or a stop.
 struct RecordedPace {
   double late_power = 3.6;  ///< b
   double first_part = 1.0;  ///< fraction of the path in the first submovement
-  double stop_at = 2.0;     ///< fraction of the time in motion; above 1: it does not stop
-  double time_scale = 1.0;  ///< duration of this reach over the person's
+  /// fraction of the time in motion after which the finger stops once; above 1: it does not stop
+  double stop_at = 2.0;
+  double time_scale = 1.0;  ///< duration of this reach over the mean of the person
 
-  /// s after `fraction` of the duration.
+  /// Returns the fraction of the path after `fraction` of the duration.
   double path_fraction(double fraction) const;
 };
 RecordedPace draw_pace(double log_duration_sd, Draws& draws);
 
-/// Time from start to end over the time between the points of 5 % of the peak speed, relative to a minimum-jerk
-/// motion: recorded motions have longer tails.
+/// Factor of the duration of a recorded pace, so that the time between the points of 5 % of the peak speed equals that
+/// of a minimum-jerk motion: recorded motions end more slowly.
 inline constexpr double recorded_tail_scale = 1.13;
 
 }  // namespace hrt

@@ -27,7 +27,7 @@ void headset(PersonCondition& condition, Draws& draws) {
   TrackerModel& tracker = condition.tracker;
   tracker.rate_hz = 72.0;
   tracker.latency_s = 0.045;
-  // Direction of the error of the target's position: uniform.
+  // Uniform direction of the error of the target's position.
   const double towards_deg = 360.0 * draws.uniform();
   const double along = 1.0 + 11.0 / condition.distance_mm * cos_deg(towards_deg);
   const double across = 11.0 / condition.distance_mm * sin_deg(towards_deg);
@@ -43,10 +43,10 @@ void arm(PersonCondition& condition, Steering steering, double mass_kg, double m
   person.muscle_s = muscle_s;
 }
 
-void wild(PersonCondition& condition, Draws& draws, double from_s, double to_s) {
-  condition.tracker.wild_samples = draws.uniform() < 0.5 ? 1 : 2;
-  condition.tracker.wild_mm = 10.0 + 290.0 * draws.uniform();
-  condition.tracker.wild_at_s = from_s + (to_s - from_s) * draws.uniform();
+void outlier_burst(PersonCondition& condition, Draws& draws, double from_s, double to_s) {
+  condition.tracker.burst_samples = draws.uniform() < 0.5 ? 1 : 2;
+  condition.tracker.burst_mm = 10.0 + 290.0 * draws.uniform();
+  condition.tracker.burst_at_s = from_s + (to_s - from_s) * draws.uniform();
 }
 
 void turned_and_touched(PersonCondition& condition, Draws& draws, double contact_sd_mm) {
@@ -58,7 +58,7 @@ void recorded(PersonCondition& condition, Draws& draws, double size) {
   move_as_recorded(condition, draw_own_path(size, draws));
 }
 
-// An infrared touch frame: 0.5 mm at 100 Hz, 15 ms late.
+// An infrared touch frame: 0.5 mm at 100 Hz, latency 15 ms.
 void on_touch_frame(PersonCondition& condition) {
   TrackerModel& tracker = condition.tracker;
   tracker.white_mm = 0.5;
@@ -66,9 +66,8 @@ void on_touch_frame(PersonCondition& condition) {
   tracker.bearing_sd_deg = tracker.declared_bearing_sd_deg = 0.2;
 }
 
-// A headset of 2021, as measured against a marker on the fingertip: smooth noise whose size differs threefold, a
-// bearing that is off by 5 mm over the path in each reach, a frame that is turned, creep after the stop, losses near
-// the end.
+// A headset of 2021, as measured against a marker on the fingertip: correlated noise whose size varies threefold, an
+// error of 5 mm across the path in each reach, a rotated frame, creep after a stop, lost tracking near the end.
 void by_headset(PersonCondition& condition, Draws& draws) {
   TrackerModel& tracker = condition.tracker;
   tracker.rate_hz = 71.0;
@@ -101,39 +100,37 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::saturating>(c, 60.0); }},
     {"clip-45", "illusion saturates at 45°", false,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::saturating>(c, 45.0); }},
-    {"tanh-60", "illusion 60° tanh(t / 60°)", true,
+    {"tanh-60", "illusion w 60° tanh(t / 60°)", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::tanh>(c, 60.0); }},
-    {"sine-45", "illusion 45° sin 2t", true,
+    {"sine-45", "illusion w 45° sin 2t", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::sine>(c, 45.0); }},
-    {"dead-band", "nothing felt within 10°", true,
+    {"dead-band", "no shift within 10°", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::dead_band>(c, 10.0); }},
     {"unequal", "half the illusion to the right", false,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::unequal>(c, 45.0); }},
-    {"bias-3", "bias of vision ±3°", true,
-     [](PersonCondition& c, Draws& d) { c.person.bias_deg = either_side(3.0, d); }},
-    {"bias-6", "bias of vision ±6°", true,
-     [](PersonCondition& c, Draws& d) { c.person.bias_deg = either_side(6.0, d); }},
+    {"bias-3", "visual bias ±3°", true, [](PersonCondition& c, Draws& d) { c.person.bias_deg = either_side(3.0, d); }},
+    {"bias-6", "visual bias ±6°", true, [](PersonCondition& c, Draws& d) { c.person.bias_deg = either_side(6.0, d); }},
     {"own-3", "bias of the felt own direction ±3°", true,
      [](PersonCondition& c, Draws& d) { c.person.own_bias_deg = either_side(3.0, d); }},
     {"habit-5", "habit of curving by ±5°", true,
      [](PersonCondition& c, Draws& d) { c.person.habit_deg = either_side(5.0, d); }},
     {"habit-10", "habit of curving by ±10°", false,
      [](PersonCondition& c, Draws& d) { c.person.habit_deg = either_side(10.0, d); }},
-    {"place", "seek the virtual target's place", false,
+    {"place", "steer towards the virtual target's position", false,
      [](PersonCondition& c, Draws&) { c.person.steering = Steering::place; }},
     {"heavy-arm", "a mass of 1 kg, muscles of 40 ms, feedback after 80 ms", false,
      [](PersonCondition& c, Draws&) { arm(c, Steering::heavy_arm, 1.0, 0.04); }},
-    {"slow-arm", "a mass of 2 kg, muscles of 60 ms, feedback after 80 ms, answers at 0.6 of the rate", true,
+    {"slow-arm", "a mass of 2 kg, muscles of 60 ms, feedback after 80 ms, gain times 0.6", true,
      [](PersonCondition& c, Draws&) {
        arm(c, Steering::heavy_arm, 2.0, 0.06);
        c.person.gain_per_s *= 0.6;
      }},
-    {"placing-arm", "heavy-arm that seeks the virtual target's place, at 0.6 of the rate", true,
+    {"placing-arm", "heavy-arm, steers towards the virtual target's position, gain times 0.6", true,
      [](PersonCondition& c, Draws&) {
        arm(c, Steering::placing_arm, 1.0, 0.04);
        c.person.gain_per_s *= 0.6;
      }},
-    {"slow-touch", "what is felt follows within 150 ms", true,
+    {"slow-touch", "perceived shift follows with a time constant of 150 ms", true,
      [](PersonCondition& c, Draws&) { c.person.touch_s = 0.15; }},
     {"corrections", "correct every 250 ms", true,
      [](PersonCondition& c, Draws&) { c.person.steering = Steering::corrections; }},
@@ -147,7 +144,7 @@ constexpr PeopleFamily all_families[] = {
     {"pause", "a rest of 0.6 s", false, [](PersonCondition& c, Draws&) { c.person.pace = Pace::pause; }},
     {"two-parts", "two motions, one after the other", false,
      [](PersonCondition& c, Draws&) { c.person.pace = Pace::two_parts; }},
-    {"submovements", "three motions, otherwise in each reach", true,
+    {"submovements", "three submovements, drawn in each reach", true,
      [](PersonCondition& c, Draws&) { c.person.pace = Pace::submovements; }},
     {"scatter-2", "bias scatters by 2° from reach to reach", true,
      [](PersonCondition& c, Draws&) { c.person.scatter_deg = 2.0; }},
@@ -172,9 +169,9 @@ constexpr PeopleFamily all_families[] = {
      }},
     {"noise-3", "tracker noise of 3 mm", true, [](PersonCondition& c, Draws&) { c.tracker.white_mm = 3.0; }},
     {"wild-rest", "one or two positions off by 10 to 300 mm while the finger rests", true,
-     [](PersonCondition& c, Draws& d) { wild(c, d, 0.1, 0.4); }},
+     [](PersonCondition& c, Draws& d) { outlier_burst(c, d, 0.1, 0.4); }},
     {"wild-moving", "the same in motion", false,
-     [](PersonCondition& c, Draws& d) { wild(c, d, 0.8, 0.5 + c.person.duration_s); }},
+     [](PersonCondition& c, Draws& d) { outlier_burst(c, d, 0.8, 0.5 + c.person.duration_s); }},
     {"outliers", "3 % of positions off by 30 mm", false,
      [](PersonCondition& c, Draws&) { c.tracker.outlier_share = 0.03; }},
     {"dropouts", "tracking lost for 0.1 s, every third of a second", false,
@@ -184,9 +181,9 @@ constexpr PeopleFamily all_families[] = {
        c.tracker.rate_hz = 30.0;
        c.tracker.jitter_share = 0.5;
      }},
-    {"slow-plate", "plate at 250°/s, believed 400", false,
+    {"slow-plate", "plate at 250°/s, assumed 400", false,
      [](PersonCondition& c, Draws&) { c.plate.max_speed_deg_s = 250.0; }},
-    {"late-plate", "plate 30 ms later than believed", false,
+    {"late-plate", "plate latency 30 ms longer than assumed", false,
      [](PersonCondition& c, Draws&) { c.plate.latency_ns = 60'000'000; }},
     {"late-samples", "samples up to 8 ms late, each independently", false,
      [](PersonCondition& c, Draws&) { c.tracker.late_s = 0.008; }},
@@ -229,7 +226,7 @@ constexpr PeopleFamily all_families[] = {
        c.person.own_path.returns = false;
      },
      FamilyKind::recorded},
-    {"recorded-felt", "recorded-stay, and seek the target from where they feel the finger", false,
+    {"recorded-felt", "recorded-stay, steered from the perceived position to the target", false,
      [](PersonCondition& c, Draws& d) {
        recorded(c, d, 1.0);
        c.person.own_path.mean_deg = {};
@@ -265,7 +262,7 @@ constexpr PeopleFamily all_families[] = {
      },
      FamilyKind::misplaced},
     {"linear-quest", "linear by the same headset", false, by_headset, FamilyKind::misplaced},
-    {"marks", "turned by 1.2° (SD), as six touches of 3 mm leave a frame", false,
+    {"marks", "turned by 1.2° (SD), as after a registration by six touches of 3 mm", false,
      [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = 1.2 * d.normal(); }, FamilyKind::misplaced},
     {"marks-touch3", "marks, and a contact known to 3 mm after each reach", false,
      [](PersonCondition& c, Draws& d) {
@@ -283,15 +280,15 @@ constexpr PeopleFamily all_families[] = {
        c.contact_sd_mm = 1.0;
      },
      FamilyKind::misplaced},
-    {"placed-touch3", "a frame that holds, and a contact known to 3 mm: what contacts cost", false,
+    {"placed-touch3", "correct frame, and a contact known to 3 mm: cost of contacts", false,
      [](PersonCondition& c, Draws&) { c.contact_sd_mm = 3.0; }, FamilyKind::misplaced},
-    {"plate-off-5", "ridges ±5° from where the plate is believed to stand", false,
+    {"plate-off-5", "ridges ±5° off the reported plate orientation", false,
      [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, FamilyKind::misplaced},
 };
 
 }  // namespace
 
-// Motor noise is part of the recorded paths.
+// Motor noise is 0, since the recorded paths include it.
 void move_as_recorded(PersonCondition& condition, OwnPath path) {
   condition.tracker.rate_hz = 100.0;
   condition.tracker.white_mm = 0.2;
@@ -333,7 +330,7 @@ PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::
   return condition;
 }
 
-bool can_hold(const PersonCondition& condition) {
+bool gap_is_feasible(const PersonCondition& condition) {
   const Person& person = condition.person;
   const double gap_deg =
       condition.virtual_direction_deg + person.bias_deg - person.own_bias_deg - condition.real_direction_deg;

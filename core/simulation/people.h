@@ -1,4 +1,5 @@
-// Families of simulated people, trackers and plates, with which the controllers are evaluated.
+// Families of simulated people, trackers and plates, with which controllers are evaluated. A family is a distribution
+// from which people are drawn; most families change one thing about the base model.
 #pragma once
 
 #include <cstdint>
@@ -13,66 +14,67 @@ namespace hrt {
 
 /// A move of both targets during a reach.
 struct TargetMove {
-  double at_share = 1.0;  ///< fraction of the distance to the real target at which this happens
+  double at_share = 1.0;  ///< fraction of the distance to the real target at which the targets move
   PlatePoint by;
 };
 
-/// A person with an apparatus.
+/// A person with a tracker, a plate and targets.
 struct PersonCondition {
   Person person;
   TrackerModel tracker;
-  PlateDynamics plate{.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};  ///< true dynamics
+  PlateDynamics plate{.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};  ///< true dynamics of the plate
   double plate_offset_deg = 0.0;  ///< rotation of the ridges from the orientation that the controller assumes
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
   double distance_mm = 100.0;
-  std::optional<TargetMove> move;  ///< within each reach
-  /// After each reach the finger meets an object, and its place is known to this (SD); 0: none.
+  std::optional<TargetMove> move;  ///< move of the targets in each reach
+  /// SD of the known position of a contact with an object after each reach; 0: no contacts.
   double contact_sd_mm = 0.0;
-  bool random_side = false;  ///< each reach has its real target to a side of the virtual one that is drawn
-  bool faulty = false;       ///< each reach has a fault of tracker or plate, see draw_fault()
+  bool random_side = false;  ///< the real target of each reach is on a random side of the virtual one
+  bool faulty = false;       ///< each reach has a random fault of tracker or plate: draw_fault()
 };
 
 enum class FamilyKind {
-  invented,   ///< traits are guesses about people and apparatus
-  recorded,   ///< path and pace have the statistics of recorded reaches; the answer to touch is invented
-  misplaced,  ///< the tracker's frame or the plate's zero is wrong, which a reach does not show
+  invented,   ///< traits are guesses
+  recorded,   ///< path and pace have the statistics of recorded reaches; the response to touch is a guess
+  misplaced,  ///< the tracker's frame or the plate's zero is wrong, which a reach cannot reveal
 };
 
-/// A kind of people or apparatus.
+/// A family of people.
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): in the order in which the table reads best
 struct PeopleFamily {
   const char* name;
-  const char* says;  ///< description for tables
-  bool tuned;        ///< the controller's numbers were searched with it; with others only its last settings were
-                     ///< compared
+  const char* description;  ///< description for tables
+  /// true: the controller's parameters were searched with this family; false: it was held out, and only the last few
+  /// candidates were compared on it
+  bool tuned;
   void (*set)(PersonCondition& condition, Draws& draws);
   FamilyKind kind = FamilyKind::invented;
 };
 
-/// All families; the first is people whose illusion is linear.
+/// Returns all families; the first is the base model.
 std::span<const PeopleFamily> people_families();
 
 /// Returns the family with that name, or null.
 const PeopleFamily* people_family(const char* name);
 
-/// Person `index` of a family, who moves for `duration_s`: w_T in 0.12 to 0.30, gain 5 to 12 /s, delay up to
-/// 120 ms, a first direction between the mid-line and the virtual target; gap 10 degrees to either side.
+/// Draws person `index` of a family, who moves for `duration_s`: w_T in 0.12 to 0.30, gain 5 to 12 /s, delay up to 120
+/// ms, an initial direction between the mid-line and the virtual target, a gap of 10 degrees to either side.
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index);
 
-/// The person moves along `path`, at the pace of recorded reaches, tracked by a marker system of 0.2 mm at 100 Hz.
+/// Sets the own path, the pace of recorded reaches, and a marker-based tracker: 0.2 mm, 100 Hz.
 void move_as_recorded(PersonCondition& condition, OwnPath path);
 
-/// Gives tracker or plate what one of the families of such faults has, or nothing: each as likely.
+/// Applies one of the families of faults, or no fault, with equal probabilities.
 void draw_fault(PersonCondition& condition, Draws& draws);
 
-/// Streams of Draws for person `index`.
+/// Random streams of a person: argument `stream` of Draws.
 namespace PersonStream {
 enum : std::uint32_t { drawn, steering, tracking, touching, faults };
 }
 
-/// True if a plate within 75 degrees of the motion can hold the gap for this person: their largest felt shift
-/// exceeds the gap and their bias.
-bool can_hold(const PersonCondition& condition);
+/// Returns true if the gap is feasible for this person with a plate within 75 degrees of the motion: the largest shift
+/// exceeds the gap, which includes the biases.
+bool gap_is_feasible(const PersonCondition& condition);
 
 }  // namespace hrt

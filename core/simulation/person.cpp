@@ -15,8 +15,8 @@ constexpr double tick_s = 0.001;
 constexpr double min_felt_speed_mm_s = 0.5;
 constexpr int correction_ms = 250;
 
-// Clock of a person who stops it for `rest_s` at `at_s`.
-double with_rest(double time_s, double at_s, double rest_s) {
+// Movement time at `time_s` for a movement that pauses at `at_s` for `rest_s`.
+double time_without_rest(double time_s, double at_s, double rest_s) {
   return time_s <= at_s ? time_s : std::max(at_s, time_s - rest_s);
 }
 
@@ -60,7 +60,7 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg) {
   const double shift_deg = felt_shift_deg(person.illusion, offset_deg);
   if (person.steering != Steering::crossings) return shift_deg;
-  // Touch is renewed at each ridge and fades until the next one.
+  // The cue is renewed at each ridge and decays until the next one.
   const double between_s = ridge_spacing_mm / (speed_mm_s * std::max(std::abs(cos_deg(offset_deg)), 1e-6));
   return shift_deg * touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
 }
@@ -97,7 +97,7 @@ SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, doub
   draw_reach();
 }
 
-// Draws the parameters that differ from reach to reach.
+// Draws the parameters of this reach.
 void SlidingPerson::draw_reach() {
   if (person_.scatter_deg > 0.0) {
     person_.bias_deg += person_.scatter_deg * draws_.normal();
@@ -141,9 +141,9 @@ double SlidingPerson::progress(double time_s) const {
       return minimum_jerk(u * (1.0 + 0.4 * (1.0 - u)));
     }
     case Pace::stop_and_go:
-      return minimum_jerk(with_rest(with_rest(time_s, 0.35 * d, 0.3), 0.7 * d, 0.3) / d);
+      return minimum_jerk(time_without_rest(time_without_rest(time_s, 0.35 * d, 0.3), 0.7 * d, 0.3) / d);
     case Pace::pause:
-      return minimum_jerk(with_rest(time_s, 0.5 * d, 0.6) / d);
+      return minimum_jerk(time_without_rest(time_s, 0.5 * d, 0.6) / d);
     case Pace::two_parts:
       return 0.6 * minimum_jerk(time_s / (0.55 * d)) + 0.4 * minimum_jerk((time_s - 0.55 * d) / (0.45 * d));
     case Pace::submovements: {
@@ -173,11 +173,11 @@ void SlidingPerson::answer() {
   const double turn_deg = bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   virtual_direction_deg_ += wrap_deg(turn_deg, 360.0);
   const double left_mm = person_.path_scale * hrt::distance_mm(felt_position_, virtual_place_);
-  const double left = 1.0 - share_;
+  const double left = 1.0 - path_fraction_;
   distance_mm_ = left > 0.1 ? left_mm / left : left_mm;
   if (left > 0.1) return;
   millisecond_ = rested_ms_ = 0;
-  time_s_ = share_ = 0.0;
+  time_s_ = path_fraction_ = 0.0;
   done_ = false;
 }
 
@@ -186,8 +186,8 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   if (done_) return;
   time_s_ = ++millisecond_ / 1000.0;
   const double s = progress(time_s_);
-  const double travel_mm = distance_mm_ * (s - share_);
-  share_ = s;
+  const double travel_mm = distance_mm_ * (s - path_fraction_);
+  path_fraction_ = s;
   speed_mm_s_ = travel_mm / tick_s;
   const double own_deg = own_direction_deg(s);
   if (!person_.own_path.lags) direction_deg_ += own_deg - own_deg_;
@@ -208,7 +208,7 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   done_ = time_s_ >= total_s_ + (is_arm() ? 0.25 : 0.0);
 }
 
-// Along the present direction; a heavy arm is pulled that way. Returns the direction of the motion.
+// Moves the finger along the present direction, or pulls an arm in that direction. Returns the direction of the motion.
 double SlidingPerson::move(double travel_mm) {
   const auto [sine, cosine] = sin_cos_deg(direction_deg_);
   if (!is_arm()) {
@@ -249,11 +249,11 @@ double SlidingPerson::felt_shift_deg(double offset_deg, double travel_mm) {
 void SlidingPerson::steer(double motion_deg) {
   const double noise_deg = noise_sd_deg_ * draws_.normal();
   const bool predicts = person_.steering == Steering::predictive;
-  // Error of touch and bias without the direction itself, for a person who knows the own motion without delay. Motion
-  // that the hand follows without lag contributes to neither error nor answer.
+  // A predictive person knows the own direction without delay, so that only the shift and the bias are delayed. An own
+  // path that the hand follows without delay causes neither an error nor a correction.
   const double followed_deg = person_.own_path.lags ? 0.0 : own_deg_;
   const double answered_deg = (predicts ? felt_deg_ - motion_deg : felt_deg_) - followed_deg;
-  // A finger at rest feels no motion to steer.
+  // At rest, no direction of motion is perceived, and the person does not steer.
   if (std::abs(speed_mm_s_) < min_felt_speed_mm_s) {
     rested_ms_ = millisecond_;
     felt_at_rest_deg_ = answered_deg;

@@ -11,10 +11,10 @@ namespace hrt {
 namespace {
 
 constexpr std::int64_t tick_ns = 1'000'000;
-constexpr double reach_tail_s = 0.3;  // tracked at rest after the motion
+constexpr double reach_tail_s = 0.3;  // time of tracking at rest after the motion
 constexpr PlatePoint start{0.0, 0.0};
 
-// The targets of a reach, which may move within it.
+// Targets of a reach, which may move once.
 class Targets {
  public:
   explicit Targets(const PersonCondition& condition)
@@ -22,7 +22,7 @@ class Targets {
         real_(point_ahead(start, condition.real_direction_deg, condition.distance_mm)),
         moves_(condition.move.has_value()) {}
 
-  // Moves them once the finger is far enough.
+  // Moves the targets when the finger has covered the configured fraction of the path.
   void follow(SlidingPerson& person, Retargeter* controller) {
     if (!moves_ || distance_mm(start, person.position()) < condition_.move->at_share * condition_.distance_mm) return;
     moves_ = false;
@@ -79,7 +79,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
         (!controller || now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s))
       break;
     if (!controller) continue;
-    tracker.look(now_s, person.position());
+    tracker.sample_if_due(now_s, person.position());
     while (auto sample = tracker.arrived(now_ns)) {
       sample->position = corrected(frame, sample->position);
       const PlateCommand command = controller->update(*sample);
@@ -98,10 +98,10 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
           .learnt = std::nullopt};
 }
 
-// The object shows where the finger is, wherever it has ended.
+// Simulates a contact with an object at the final position of the finger.
 void touch(const PersonOutcome& outcome, const Retargeter& retargeter, double sd_mm, Draws& draws,
            RetargeterConfig& config) {
-  const std::optional<SeenFinger> seen = retargeter.finger();
+  const std::optional<FingerPosition> seen = retargeter.finger();
   if (!seen) return;
   Contact contact{.finger = seen->place, .place = outcome.finger, .variance_mm2 = sd_mm * sd_mm + seen->variance_mm2};
   contact.place.right_mm += sd_mm * draws.normal();

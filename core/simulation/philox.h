@@ -9,7 +9,7 @@ namespace hrt {
 
 using PhiloxBlock = std::array<std::uint32_t, 4>;
 
-/// Returns the four random words of a counter. The seed is the key of the generator.
+/// Returns the four random words for `counter`. The seed is the key of the generator.
 constexpr PhiloxBlock philox(const PhiloxBlock& counter, std::uint64_t seed) {
   PhiloxBlock x = counter;
   auto key0 = static_cast<std::uint32_t>(seed);

@@ -65,8 +65,7 @@ std::uint64_t half_of(const PhiloxBlock& block, std::size_t half) {
 std::array<double, 2> normal_pair(std::uint64_t bits) {
   // The middle of one of 2^40 equal cells of (0, 1).
   const double radius = std::sqrt(minus_two_logarithm((static_cast<double>(bits >> 24U) + 0.5) * 0x1p-40));
-  // The angle: 22 bits within +-1/2 of a quarter turn; one bit that adds half a turn and one that swaps sine and cosine
-  // make the four quarters of the circle.
+  // The angle: 22 bits within +-1/2 of a quarter turn. Two bits negate the cosine and swap sine and cosine.
   const double quarters = (static_cast<double>(bits & 0x3fffffU) + 0.5) * 0x1p-22 - 0.5;
   double sine = quarters * polynomial(quarters * quarters, sine_series);
   double cosine = polynomial(quarters * quarters, cosine_series);

@@ -1,5 +1,5 @@
-// The random numbers of simulations: counter-based, so that each is a pure function of its counter and results do not
-// depend on threads, order or how a batch is split.
+// Random numbers of simulations. They are counter-based: each is a function of its counter, so that results do not
+// depend on threads, order or the split of a batch.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace hrt {
 
-/// Two independent draws from N(0, 1) from 64 random bits, by the formula of Box and Muller: 40 bits for the radius, so
-/// that the tails are exact to 7.5 SDs, and 24 for the angle. Uses only the four operations and the
-/// square root: the same bits on every compiler that keeps IEEE arithmetic, with any mathematics library.
+/// Returns two independent draws from N(0, 1) from 64 random bits, by the Box-Muller transform: 40 bits for the radius
+/// (exact tails to 7.5 SDs) and 24 for the angle. Uses only the four operations and the square root, so that all IEEE
+/// compilers compute the same bits.
 std::array<double, 2> normal_pair(std::uint64_t bits);
 
-/// Draws from N(0, 1) for the steps of one trial. Philox of the counter {step / 4, trial, condition, 0} gives the
-/// numbers of four steps; the last block is kept. One thread at a time.
+/// Draws from N(0, 1) for the steps of one trial. The counter {step / 4, trial, condition, 0} gives the numbers of four
+/// steps; the last block is cached. One thread at a time.
 class NormalDraws {
  public:
   NormalDraws(std::uint64_t seed, std::uint32_t condition, std::uint32_t trial)
@@ -27,7 +27,7 @@ class NormalDraws {
   std::uint64_t seed_;
   std::uint32_t condition_;
   std::uint32_t trial_;
-  std::uint32_t block_ = ~std::uint32_t{0};  // index of the last block; initially none
+  std::uint32_t block_ = ~std::uint32_t{0};  // index of the cached block; initially none
   std::array<double, 4> draws_{};
 };
 
@@ -44,8 +44,8 @@ inline double standard_normal(const RandomCounter& counter) {
   return NormalDraws(counter.seed, counter.condition, counter.trial)(counter.step);
 }
 
-/// The draws of one reach of a simulated person, normal and uniform, in the order in which they are requested. Counter
-/// word 3 is `stream` + 1, so that no block is one of a trial's. One thread at a time.
+/// Sequence of normal and uniform draws for one reach of a simulated person. Word 3 of the counter is `stream` + 1, so
+/// that it differs from that of NormalDraws. One thread at a time.
 class Draws {
  public:
   Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach)

@@ -39,7 +39,7 @@ void SimulatedHand::begin_setup() {
   restart();
 }
 
-// Advances the time in milliseconds; advance() returns false when the motion is over.
+// Advances in milliseconds to `time_ns`; advance() returns true when the motion is over.
 template <class Advance>
 void SimulatedHand::pass(std::int64_t time_ns, double plate_orientation_deg, const Advance& advance) {
   if (!moved_) {
@@ -74,7 +74,7 @@ Eigen::Vector3d SimulatedHand::follow(std::int64_t time_ns, double plate_orienta
                                       const std::optional<SetupStep>& step) {
   if (step) guided_->ask(*step);
   pass(time_ns, plate_orientation_deg, [&] {
-    // After a pause of the host the person has long done what was asked for.
+    // After a long pause of the host, only the last milliseconds are simulated.
     ticks_ = std::max(ticks_ + 1, (time_ns - began_ns_) / hand_tick_ns - max_guided_ticks);
     plate_.advance(began_ns_ + ticks_ * hand_tick_ns);
     guided_->advance(plate_.orientation_deg());

@@ -1,4 +1,4 @@
-// A simulated person at a plate with a servo and a tracker, in the time of a host that calls at any rate.
+// A simulated person at a plate with a servo and a tracker. The host may call at any rate.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,28 @@ namespace hrt {
 
 class SimulatedHand {
  public:
-  /// A person of the first family, drawn for a motion of `duration_s`.
+  /// Draws a person of the first family for a motion of `duration_s`.
   SimulatedHand(double duration_s, std::uint64_t seed);
 
-  /// Person, tracker and plate as drawn, to be changed before begin().
+  /// Person, tracker and plate as drawn; may be changed before begin().
   PersonCondition& condition() { return condition_; }
 
-  /// At rest at `start`; will go `distance_mm` to the virtual target.
+  /// Begins a reach at rest at `start`, over `distance_mm` towards the virtual target.
   void begin(const PlatePoint& start, double virtual_direction_deg, double distance_mm);
   bool has_begun() const { return finger_.has_value(); }
-  /// True if `time_ns` is before the last move() of this reach.
+  /// True if `time_ns` is earlier than the last move() of this reach.
   bool is_past(std::int64_t time_ns) const { return moved_ && time_ns < now_ns_; }
 
-  /// Rests, and will do what the steps of a set-up ask for.
+  /// Begins a set-up: the person rests until the first instruction.
   void begin_setup();
-  /// As move(), with the position of the skin in plate coordinates. Without a position the person does not move.
-  /// Requires is_guided().
+  /// As move(), but follows `step`, if any, and returns the skin's position on the plate. Requires is_guided().
   Eigen::Vector3d follow(std::int64_t time_ns, double plate_orientation_deg, const std::optional<SetupStep>& step);
   bool is_guided() const { return guided_.has_value(); }
-  /// Rotation of the tracked joint in the plate's axes. Requires is_guided().
+  /// Rotation of the tracked joint relative to the plate's axes. Requires is_guided().
   const Eigen::Quaterniond& attitude() const { return guided_->attitude(); }
 
-  /// Commands the plate and advances the time; the first call of a reach places the plate at the orientation. Returns
-  /// the tracked position of the finger. Requires has_begun().
+  /// Commands the plate and advances to `time_ns`. The first call of a reach sets the plate orientation. Returns the
+  /// tracked position of the finger. Requires has_begun().
   PlatePoint move(std::int64_t time_ns, double plate_orientation_deg);
 
   const SlidingPerson& finger() const { return *finger_; }
@@ -53,7 +52,7 @@ class SimulatedHand {
   std::optional<GuidedHand> guided_;
   std::optional<Draws> tracking_;
   PlateModel plate_{PlateDynamics{}, 0.0};
-  double commanded_deg_ = 0.0;  // of the orientations with the same ridges, the nearest to the last one
+  double commanded_deg_ = 0.0;  // continuous: of the orientations with the same ridges, the nearest to the last one
   std::int64_t began_ns_ = 0;
   std::int64_t now_ns_ = 0;
   std::int64_t ticks_ = 0;  // milliseconds of this reach

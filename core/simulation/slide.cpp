@@ -7,11 +7,11 @@
 namespace hrt {
 namespace {
 
-// Streams of Draws, apart from those of people.cpp.
+// Random streams that people.h does not use.
 constexpr std::uint32_t tracking_stream = 16;
 constexpr std::uint32_t steering_stream = 17;
 constexpr double start_deviation_deg = 2.0;
-constexpr double slide_tail_s = 0.1;  // tracked at rest after the motion
+constexpr double slide_tail_s = 0.1;  // time of tracking at rest after the motion
 
 }  // namespace
 
@@ -31,7 +31,7 @@ CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_o
     if (now_s > rest_s && !finger.done()) finger.advance(plate_orientation_deg);
     if (finger.done() && ended_s < 0.0) ended_s = now_s;
     if (ended_s >= 0.0 && now_s > ended_s + slide_tail_s + condition.tracker.latency_s) break;
-    tracker.look(now_s, finger.position());
+    tracker.sample_if_due(now_s, finger.position());
     while (const auto sample = tracker.arrived(now_ns))
       if (sample->observation == Observation::position)
         trial.samples.push_back({1e-9 * static_cast<double>(sample->time_ns), sample->position});

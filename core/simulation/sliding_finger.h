@@ -1,4 +1,4 @@
-// A finger that slides along a path of given length and time, wherever the person steers it.
+// A finger that slides over a path of given length and duration in directions that the caller chooses.
 #pragma once
 
 #include "core/plate/plate_frame.h"
@@ -8,17 +8,17 @@ namespace hrt {
 
 enum class SpeedProfile {
   constant,
-  minimum_jerk,  ///< 10 s^3 - 15 s^4 + 6 s^5 of the path at the share s of the time
+  minimum_jerk,  ///< 10 u^3 - 15 u^4 + 6 u^5 at the fraction u of the time
 };
 
 class SlidingFinger {
  public:
-  /// Rests at `start` until time 0, and again after `duration_s` > 0 and `distance_mm` of path.
+  /// Rests at `start` until time 0, and again after `duration_s` > 0 and a path of `distance_mm`.
   SlidingFinger(const PlatePoint& start, double distance_mm, double duration_s,
                 SpeedProfile profile = SpeedProfile::constant)
       : place_(start), distance_mm_(distance_mm), duration_s_(duration_s), profile_(profile) {}
 
-  /// Slides along `direction_deg` from where the last call left the finger until `time_s`, not before it.
+  /// Slides along `direction_deg` until `time_s`, not earlier than in the last call.
   void slide(double time_s, double direction_deg) {
     const double travelled = profile_ == SpeedProfile::constant ? std::clamp(time_s / duration_s_, 0.0, 1.0)
                                                                 : minimum_jerk(time_s / duration_s_);
@@ -33,7 +33,7 @@ class SlidingFinger {
   double distance_mm_;
   double duration_s_;
   SpeedProfile profile_;
-  double travelled_ = 0.0;  // share of the path
+  double travelled_ = 0.0;  // fraction of the path
 };
 
 }  // namespace hrt

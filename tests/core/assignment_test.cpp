@@ -34,19 +34,19 @@ Quality quality(const std::vector<double>& costs, std::size_t columns, const std
   return found;
 }
 
-// By trying every column, and none, for every row.
+// Brute-force reference: tries each free column and none for every row (most rows first, then the smallest maximum).
 void try_all(const std::vector<double>& costs, std::size_t columns, std::size_t row, std::vector<bool>& taken,
-             const Quality& handover, Quality& best) {
+             const Quality& so_far, Quality& best) {
   if (row * columns == costs.size()) {
-    if (handover.served > best.served || (handover.served == best.served && handover.max < best.max)) best = handover;
+    if (so_far.served > best.served || (so_far.served == best.served && so_far.max < best.max)) best = so_far;
     return;
   }
-  try_all(costs, columns, row + 1, taken, handover, best);
+  try_all(costs, columns, row + 1, taken, so_far, best);
   for (std::size_t column = 0; column < columns; ++column) {
     const double cost = costs[row * columns + column];
     if (taken[column] || cost == never) continue;
     taken[column] = true;
-    try_all(costs, columns, row + 1, taken, {handover.served + 1, std::max(handover.max, cost)}, best);
+    try_all(costs, columns, row + 1, taken, {so_far.served + 1, std::max(so_far.max, cost)}, best);
     taken[column] = false;
   }
 }
@@ -58,21 +58,21 @@ Quality best_of_all(const std::vector<double>& costs, std::size_t columns) {
   return best;
 }
 
-// The cheapest pair, 1, forces a pair of 9; without it the dearest is 4.
-TEST(Assignment, AvoidsTheDearestPair) {
+// The cheapest pair (1) would force a pair of 9; without it, the maximum is 4.
+TEST(Assignment, CostsWithADearPair_GiveTheSmallestMaximum) {
   EXPECT_EQ(assign_exclusively(std::vector<double>{1.0, 3.0, 4.0, 9.0}, 2), (std::vector<std::size_t>{1, 0}));
 }
 
-TEST(Assignment, ServesAsManyAsCanBe) {
+TEST(Assignment, AForbiddenPair_DoesNotReduceTheNumberOfAssignedRows) {
   EXPECT_EQ(assign_exclusively(std::vector<double>{1.0, 100.0, 2.0, never}, 2), (std::vector<std::size_t>{1, 0}));
 }
 
-TEST(Assignment, NothingCanBeServed) {
+TEST(Assignment, OnlyForbiddenPairs_GiveNoAssignment) {
   EXPECT_EQ(assign_exclusively(std::vector<double>{never, never}, 1), (std::vector<std::size_t>{unserved, unserved}));
   EXPECT_TRUE(assign_exclusively({}, 3).empty());
 }
 
-TEST(Assignment, IsAsGoodAsTheBestOfAll) {
+TEST(Assignment, RandomCosts_GiveTheResultOfAnExhaustiveSearch) {
   Draws draws(1, 0, 0, 0);
   const auto up_to = [&](int max) { return 1 + static_cast<std::size_t>(draws.uniform() * max); };
   for (int i = 0; i < 3000; ++i) {
@@ -92,9 +92,8 @@ TEST(Assignment, IsAsGoodAsTheBestOfAll) {
   }
 }
 
-// A chain in which each row but the last prefers the next row's column: the augmenting path is as long as
-// all.
-TEST(Assignment, LongPathsAreFollowed) {
+// A chain in which each row has its own column and the next one: the augmenting path contains all rows.
+TEST(Assignment, AChainOf1000Rows_IsAssignedCompletely) {
   constexpr std::size_t size = 1000;
   std::vector<double> costs(size * size, never);
   for (std::size_t row = 0; row < size; ++row) {

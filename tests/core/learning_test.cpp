@@ -7,7 +7,7 @@
 namespace hrt {
 namespace {
 
-TEST(Learning, WhatIsCarriedIsNeverTooSure) {
+TEST(Learning, ATinySd_IsRaisedToItsLowerBound) {
   const RetargeterConfig next = carried(
       {},
       {.tactile_weight = 0.2, .tactile_weight_sd = 1e-6, .motor_variance_deg2 = 0.5, .motor_variance_sd_deg2 = 1e-6});
@@ -21,7 +21,7 @@ PersonBelief scaled_person(double scale) {
   return belief;
 }
 
-TEST(Learning, APersonIsCarriedWiderThanLearntAndNeverWiderThanUnknown) {
+TEST(Learning, APosterior_IsWidenedUpToTheUnknownPrior) {
   const PersonBelief unknown = unknown_person();
   for (const double scale : {1e-3, 0.1, 0.9, 1.0, 30.0}) {
     const PersonBelief learnt = scaled_person(scale);
@@ -36,16 +36,16 @@ TEST(Learning, APersonIsCarriedWiderThanLearntAndNeverWiderThanUnknown) {
   }
 }
 
-TEST(Learning, WhatRoundingLeftUnequalIsCarriedSymmetric) {
+TEST(Learning, ACovarianceWithRoundingError_BecomesSymmetric) {
   PersonBelief learnt = scaled_person(0.5);
   learnt.covariance(PersonState::weight, PersonState::curve) *= 1.0 + 1e-13;
   EXPECT_FALSE(is_valid(learnt));
   EXPECT_TRUE(is_valid(carried(unknown_person(), learnt, true, unknown_person())));
 }
 
-// An illusion of 0.28 +- 0.02 that a miss shows to be 0.18 has fallen by 5 deviations: nothing is known of
-// it, and what else is known stays. A hit forgets nothing, nor does a fall within 1.2 deviations.
-TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
+// A weight of 0.28 +- 0.02 drops to 0.18, by 5 SDs, in a reach that missed: the illusion is reset, the other traits are
+// kept. Nothing is reset after a hit, or after a drop below 1.2 SDs.
+TEST(Learning, ADropOfTheWeightAfterAMiss_ResetsTheIllusion) {
   const PersonBelief unknown = unknown_person();
   PersonBelief before = unknown;
   before.mean(PersonState::weight) = 0.28;
@@ -66,39 +66,39 @@ TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
   EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonState::weight), 0.18);
 }
 
-// With a bias of 0 +- 4 and a scatter of 1.2, a reach that showed 3 +- 0.71 adds 3 (16 / 17.44) to the bias, and has a
-// deviation whose square is expected to be 0.248^2 + 1.3245. A scatter of 1.2 +- 0.8 takes 8 / 17 of that in.
-TEST(Learning, AReachsDeviationIsNotTheirBias) {
+// Prior bias 0 +- 4, scatter 1.2 +- 0.8, and a reach with a bias of 3 +- 0.71. The person's bias becomes 3 (16 /
+// 17.44); the expected square of the reach's deviation is 0.248^2 + 1.3245, of which 8 / 17 enter the scatter.
+TEST(Learning, ADeviationOfOneReach_IsDividedBetweenBiasAndScatter) {
   const PersonBelief unknown = unknown_person();
   PersonBelief learnt = unknown;
-  know(learnt, PersonState::bias, 3.0, std::sqrt(0.5));
+  set_trait_prior(learnt, PersonState::bias, 3.0, std::sqrt(0.5));
   const PersonBelief next = carried(unknown, learnt, false, unknown);
   EXPECT_NEAR(next.mean(PersonState::bias), 2.7523, 1e-4);
   EXPECT_NEAR(next.covariance(PersonState::bias, PersonState::bias), 1.7419 + 0.25, 1e-4);
   EXPECT_NEAR(next.mean(PersonState::scatter), 1.1893, 1e-4);
   EXPECT_NEAR(next.covariance(PersonState::scatter, PersonState::scatter), 0.3388 + 0.01, 1e-4);
   PersonBelief steady = unknown;
-  know(steady, PersonState::scatter, 0.0, 0.1);
-  know(learnt, PersonState::scatter, 0.0, 0.1);
+  set_trait_prior(steady, PersonState::scatter, 0.0, 0.1);
+  set_trait_prior(learnt, PersonState::scatter, 0.0, 0.1);
   EXPECT_NEAR(carried(steady, learnt, false, unknown).mean(PersonState::bias), 3.0 * 16.0 / 16.04, 1e-4);
 }
 
 // A reach that began with a habit of 0 +- 2, and a scatter of e^1.4, showed 3 +- 1.41: a variance of 3.294 is left, so
 // 0.8235 of the former error of +- 9 remains. Its square is 54.93; what the reach showed adds 0.1765 x 3.294.
-TEST(Learning, TheHabitsErrorIsStatedAndNotSteeredBy) {
+TEST(Learning, AHabitOfAReach_GivesTheSdOfItsErrorAndASmallerOneForSteering) {
   const PersonBelief unknown = unknown_person();
   PersonBelief learnt = steering_belief(unknown, {});
   EXPECT_EQ(learnt.covariance(PersonState::habit, PersonState::habit), 4.0);
-  know(learnt, PersonState::habit, 3.0, std::sqrt(2.0));
+  set_trait_prior(learnt, PersonState::habit, 3.0, std::sqrt(2.0));
   const PersonBelief next = carried(unknown, learnt, false, unknown);
   EXPECT_NEAR(next.covariance(PersonState::habit, PersonState::habit), 55.51 + 0.16, 0.01);
   EXPECT_EQ(trait_sd(steering_belief(next, {}), PersonState::habit), 2.0);
   EXPECT_EQ(steering_belief(next, {}).mean, next.mean);
 }
 
-// 2 mm of prior and of the contact: half of 4 mm at 100 mm, 1.146 degrees to the right, is the frame's, and
-// the person's bias has that much less of it. A bias that no reach has taught stays.
-TEST(Learning, AContactTakesTheFramesPartOfTheBias) {
+// SDs of 2 mm of prior and of contact: half of 4 mm at 100 mm, 1.146 degrees to the right, is attributed to the frame
+// and removed from the bias. A bias that was not estimated in reaches is unchanged.
+TEST(Learning, AContact_MovesPartOfTheBiasToTheFrame) {
   RetargeterConfig config;
   config.person.mean(PersonState::bias) = 2.0;
   const Contact contact{{0.0, 100.0}, {4.0, 100.0}, 4.0};

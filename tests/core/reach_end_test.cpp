@@ -34,7 +34,7 @@ class ObservedReach {
   ReachEnd end_;
 };
 
-// Observes a finger at `place` from `from_ms` to `to_ms`. Returns when the reach was over, or -1.
+// Observes a finger at `place` from `from_ms` to `to_ms`. Returns the time at which the reach was over, or -1.
 int rest(ObservedReach& end, const PlatePoint& place, int from_ms, int to_ms) {
   for (int t = from_ms; t < to_ms; t += 10) {
     end.observe(position_at(t * ms, place));
@@ -45,12 +45,12 @@ int rest(ObservedReach& end, const PlatePoint& place, int from_ms, int to_ms) {
 
 struct Rest {
   PlatePoint place;
-  int over_ms;  // after the finger came there; -1: never
+  int over_ms;  // time from the arrival at the position; -1: never
   bool off_target;
 };
 
-// A finger that rests at the start, jumps to a place and stays there.
-TEST(ReachEnd, HasItsTwoRestsByHand) {
+// The finger rests at the start, jumps to a position and stays there.
+TEST(ReachEnd, RestsAtPositions_EndTheReachAfterTheDocumentedTimes) {
   for (const Rest& expected :
        {Rest{{0.0, 91.0}, 400, false}, Rest{{0.0, 89.0}, 2000, false}, Rest{{20.0, 98.0}, 400, false},
         Rest{{0.0, 31.0}, 2000, true}, Rest{{0.0, 29.0}, -1, false}, Rest{{0.0, 130.0}, 2000, true},
@@ -65,8 +65,8 @@ TEST(ReachEnd, HasItsTwoRestsByHand) {
   }
 }
 
-// A finger that rests elsewhere from the beginning has not arrived, not even at the target.
-TEST(ReachEnd, WaitsForAFingerThatRestsElsewhere) {
+// A finger that rests elsewhere from the beginning has not arrived, even at the target.
+TEST(ReachEnd, ARestAwayFromTheStart_DoesNotBeginTheReach) {
   for (const PlatePoint& place : {target, PlatePoint{0.0, 500.0}, PlatePoint{200.0, 0.0}, PlatePoint{0.0, -100.0}}) {
     ObservedReach end;
     EXPECT_EQ(rest(end, place, 0, 4000), -1);
@@ -74,7 +74,7 @@ TEST(ReachEnd, WaitsForAFingerThatRestsElsewhere) {
   }
 }
 
-TEST(ReachEnd, BeginsWhenTheFingerComesToTheStart) {
+TEST(ReachEnd, AFingerThatComesToTheStart_BeginsTheReach) {
   ObservedReach end;
   EXPECT_EQ(rest(end, {0.0, -100.0}, 0, 1000), -1);
   bool came = false;
@@ -86,8 +86,8 @@ TEST(ReachEnd, BeginsWhenTheFingerComesToTheStart) {
   EXPECT_FALSE(end.progress().not_at_start);
 }
 
-// The finger feels the start, 30 mm from where the tracker sees it.
-TEST(ReachEnd, AFeltStartIsWhereTheFingerRests) {
+// The tracked position is 30 mm from the start, which the finger feels.
+TEST(ReachEnd, AFeltStart_IsTheRestPosition) {
   ObservedReach end(true);
   EXPECT_EQ(rest(end, {30.0, 0.0}, 0, 500), -1);
   EXPECT_FALSE(end.progress().not_at_start);
@@ -95,8 +95,8 @@ TEST(ReachEnd, AFeltStartIsWhereTheFingerRests) {
   EXPECT_NEAR(rest(end, {30.0, 98.0}, 1000, 3000), 1400, 100);
 }
 
-// A target that moves a little in each call keeps the time of the rest; a jump restarts it, and the finger must follow.
-TEST(ReachEnd, KeepsItsRestUnlessTheTargetJumps) {
+// A target that moves by small steps does not restart the time of the rest; a jump does, and the finger must follow.
+TEST(ReachEnd, ASmallRetarget_KeepsTheRestAndAJumpRestartsIt) {
   ObservedReach end;
   rest(end, start, 0, 500);
   for (int t = 500; t < 900; t += 10) {
@@ -109,7 +109,7 @@ TEST(ReachEnd, KeepsItsRestUnlessTheTargetJumps) {
   EXPECT_NEAR(rest(end, {39.0, 100.0}, 6000, 9000), 6400, 30);
 }
 
-TEST(ReachEnd, AFingerThatCreepsRestsAndOneThatSlidesDoesNot) {
+TEST(ReachEnd, ACreepingFinger_RestsAndASlidingOneDoesNot) {
   for (const double speed_mm_s : {2.0, 40.0}) {
     ObservedReach end;
     rest(end, start, 0, 500);
@@ -118,7 +118,7 @@ TEST(ReachEnd, AFingerThatCreepsRestsAndOneThatSlidesDoesNot) {
   }
 }
 
-TEST(ReachEnd, LiftsAndGapsAreNoRest) {
+TEST(ReachEnd, LiftsAndGaps_AreNoRest) {
   for (const bool lifted : {true, false}) {
     ObservedReach end;
     rest(end, start, 0, 500);
@@ -131,8 +131,8 @@ TEST(ReachEnd, LiftsAndGapsAreNoRest) {
   }
 }
 
-// Minimum jerk, with a pause of 0.3 s at seven tenths of the time. At 0.8 and 0.9 of it 94 and 99 % are done.
-TEST(ReachEnd, IsFoundSoonAfterTheMotionAndNotWithinIt) {
+// Minimum jerk, with a pause of 0.3 s at 70 % of the duration. At 80 and 90 % of it, 94 and 99 % of the path are done.
+TEST(ReachEnd, AMotion_EndsSoonAfterItsStopAndNotBefore) {
   int early = 0;
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 1.2, 3.0}) {
@@ -144,7 +144,7 @@ TEST(ReachEnd, IsFoundSoonAfterTheMotionAndNotWithinIt) {
           for (int t = 0; t < 1000.0 * duration_s + 1600.0; ++t) {
             const double moved_s = 1e-3 * (t - 300);
             const double clock_s = moved_s < pause_s ? moved_s : std::max(pause_s, moved_s - 0.3);
-            tracker.look(1e-3 * t, {0.0, 100.0 * progress(0.0, clock_s / duration_s).share});
+            tracker.sample_if_due(1e-3 * t, {0.0, 100.0 * progress(0.0, clock_s / duration_s).share});
             while (const auto sample = tracker.arrived(t * ms)) end.observe(*sample);
             early += clock_s < 0.8 * duration_s && end.progress().arrived;
           }

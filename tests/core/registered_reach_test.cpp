@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rad_per_deg = 0.017453292519943295;
 
-// About the plate's centre, which is the start of simulated people.
+// Rotation about the plate's centre, which is the start of simulated people.
 FrameCovariance turn_of(double sd_deg) {
   FrameCovariance covariance = FrameCovariance::Zero();
   covariance(0, 0) = std::pow(sd_deg * rad_per_deg, 2);
@@ -27,13 +27,13 @@ RetargeterConfig registered(double turn_sd_deg) {
   return config;
 }
 
-// The margin is 0.3 degrees less 0.9 deviations: the frame's variance adds to that of the person.
-TEST(RegisteredReach, AnUncertainGapIsCalledOutOfReachLater) {
+// The margin is 0.3 degrees minus 0.9 SDs, and the variance of the frame adds to that of the person.
+TEST(RegisteredReach, AnUncertainFrame_ReportsFewerUnreachableGaps) {
   const PeopleFamily& linear = *people_family("linear");
   int exact_flags = 0, uncertain_flags = 0;
   for (std::uint32_t i = 0; i < 60; ++i) {
     PersonCondition condition = draw_person(linear, 2.0, 5, i);
-    condition.person.illusion.tactile_weight = 0.11;  // of 9.3 degrees at most
+    condition.person.illusion.tactile_weight = 0.11;  // feasible gap of at most 8.3 degrees
     const RetargeterConfig exact = registered(0.0);
     const RetargeterConfig uncertain = registered(4.0);
     exact_flags += simulate_person(condition, &exact, 1, 5, i).front().summary.unreachable;
@@ -43,10 +43,9 @@ TEST(RegisteredReach, AnUncertainGapIsCalledOutOfReachLater) {
   EXPECT_GT(exact_flags, 5);
 }
 
-// The deviation of the bearing covers the truth: of people seen in frames that are turned by as much as
-// registrations are off. Binomial bounds of four deviations about 95 %, and the filter's own part is
-// cautious.
-TEST(RegisteredReach, BearingIsCovered) {
+// The reported SD of the bearing covers the truth if tracker frames are rotated by as much as registrations err:
+// binomial bounds of four SDs about 95 %, with some margin, since the filter's own SD is cautious.
+TEST(RegisteredReach, AnUncertainFrame_IsCoveredByTheBearingSd) {
   for (const double frame_sd_deg : {1.0, 2.0}) {
     int covered = 0;
     constexpr int people = 300;

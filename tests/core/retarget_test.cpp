@@ -1,4 +1,4 @@
-// Targets that move within a reach, over simulated people.
+// Targets that move during a reach, with simulated people.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ FingerSample seen(std::int64_t time_ns, const PlatePoint& place) {
   return {.time_ns = time_ns, .observation = Observation::position, .position = place};
 }
 
-// A finger that rests for 0.3 s and then slides along the mid-line, 10 cm in 1.5 s.
+// A finger that rests for 0.3 s and then moves along the mid-line, 100 mm in 1.5 s.
 PlatePoint slid(std::int64_t time_ns) {
   const double u = std::clamp((1e-9 * static_cast<double>(time_ns) - 0.3) / 1.5, 0.0, 1.0);
   return {0.0, 100.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
@@ -49,8 +49,8 @@ Retargeter slid_until(ControlMode mode, std::int64_t until_ns) {
 
 constexpr ControlMode both_modes[] = {ControlMode::mpc, ControlMode::reach};
 
-// Seen from the start, until the finger moves.
-TEST(Retarget, BeforeTheMotionIsAnotherBeginning) {
+// Before the motion, directions are seen from the start.
+TEST(Retarget, ARetargetBeforeTheMotion_IsANewReach) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter(config_of(mode));
     retargeter.begin(gap_of_ten);
@@ -68,14 +68,14 @@ TEST(Retarget, BeforeTheMotionIsAnotherBeginning) {
   }
 }
 
-// The finger has gone 5 cm along the mid-line and is felt to have gone as far at 5 degrees.
-TEST(Retarget, DirectionsAreSeenFromTheFingerAndFromWhereItIsFelt) {
+// The finger has moved 50 mm along the mid-line; the person perceives 50 mm at 5 degrees.
+TEST(Retarget, ARetarget_IsSeenFromTheTrackedAndThePerceivedPosition) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter = slid_until(mode, 1050 * ms);
     const Reach aimed = retargeter.retarget(moved(real_place, -30.0, 0.0), moved(virtual_place, -30.0, 0.0));
     EXPECT_NEAR(aimed.start.away_mm, 50.0, 2.0);
     EXPECT_NEAR(aimed.real_direction_deg, bearing_deg({0.0, 50.0}, moved(real_place, -30.0, 0.0)), 1.5);
-    // A person answers 0.2 s later.
+    // The person responds 0.2 s later.
     const PlatePoint felt = point_ahead({}, 5.0, slid(mode == ControlMode::reach ? 1250 * ms : 1050 * ms).away_mm);
     EXPECT_NEAR(aimed.virtual_direction_deg, bearing_deg(felt, moved(virtual_place, -30.0, 0.0)), 5.0);
     const PlateCommand command = retargeter.update(seen(1060 * ms, slid(1060 * ms)));
@@ -83,8 +83,8 @@ TEST(Retarget, DirectionsAreSeenFromTheFingerAndFromWhereItIsFelt) {
   }
 }
 
-// A gap that no one can hold is UNREACHABLE from the next command on.
-TEST(Retarget, AGapThatGrowsTooLargeIsUnreachable) {
+// If a move of the target makes the gap infeasible, every command from the next one on has `unreachable`.
+TEST(Retarget, AGapThatGrowsTooLarge_IsReportedUnreachable) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter = slid_until(mode, 700 * ms);
     EXPECT_FALSE(retargeter.command().unreachable);
@@ -93,8 +93,8 @@ TEST(Retarget, AGapThatGrowsTooLargeIsUnreachable) {
   }
 }
 
-// Whatever is asked of a reach at any moment, commands are numbers.
-TEST(Retarget, AnyTargetAtAnyMomentGivesNumbers) {
+// Random targets at every sample.
+TEST(Retarget, AnyTargets_GiveFiniteCommands) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter(config_of(mode));
     retargeter.begin(gap_of_ten);

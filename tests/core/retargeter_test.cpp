@@ -13,23 +13,23 @@ FingerSample direction(int i) {
   return {.time_ns = i * 100 * ms, .observation = Observation::direction, .direction_deg = 0.5 * i};
 }
 
-// A person with a bias of 3 who sees the target at -1 goes for 2.
-TEST(Retargeter, TargetsMustBeWithinNinetyDegreesOfTheGoal) {
+// A person with a bias of 3 aims at 2 for a target at -1.
+TEST(Retargeter, TargetsMoreThan90DegreesFromTheGoal_AreInvalid) {
   const Reach wide{.real_direction_deg = 90, .virtual_direction_deg = -1};
   EXPECT_FALSE(is_valid(wide, goal_direction_deg(Participant{}, -1)));
   EXPECT_TRUE(is_valid(wide, goal_direction_deg(Participant{.bias_deg = 3.0}, -1)));
 }
 
-// Until a position has been seen, directions are led by the paper's controller.
-TEST(Retargeter, TheFirstObservationChoosesTheController) {
+// If directions come before the first position, the paper's controller is used.
+TEST(Retargeter, TheFirstObservation_ChoosesTheController) {
   Retargeter retargeter({.mode = ControlMode::reach, .plate = {.max_speed_deg_s = 100.0, .latency_ns = 30 * ms}});
   retargeter.begin(reach);
-  EXPECT_TRUE(retargeter.leads_person());
+  EXPECT_TRUE(retargeter.has_person_controller());
   EXPECT_NE(retargeter.command().plate_orientation_deg, 20.0);
   for (const int early : {200, 100, 50}) retargeter.update({.time_ns = -early * ms});
   for (int i = 0; i < 10; ++i) {
     EXPECT_EQ(retargeter.update(direction(i)).finger_direction_deg, 0.5 * i);
-    EXPECT_FALSE(retargeter.leads_person());
+    EXPECT_FALSE(retargeter.has_person_controller());
   }
   EXPECT_EQ(retargeter.summary().final_direction_deg, 4.5);
   EXPECT_EQ(retargeter.summary().samples, 13);
@@ -38,11 +38,11 @@ TEST(Retargeter, TheFirstObservationChoosesTheController) {
   retargeter.begin(reach);
   retargeter.update({.time_ns = 0, .observation = Observation::position, .position = {0, 0}});
   retargeter.update(direction(20));
-  EXPECT_TRUE(retargeter.leads_person());
+  EXPECT_TRUE(retargeter.has_person_controller());
 }
 
-// The finger is seen elsewhere than the reach was to start: the plate runs on.
-TEST(Retargeter, AReachThatStartsElsewhereKeepsThePlateUnderWay) {
+// The finger is away from the expected start: the reach is replaced while the plate moves.
+TEST(Retargeter, AReachThatReplacesAnother_KeepsTheMovingPlate) {
   for (const ControlMode mode : {ControlMode::reach, ControlMode::mpc}) {
     Retargeter retargeter({.mode = mode, .plate = {.max_speed_deg_s = 100.0}});
     retargeter.begin(reach);
@@ -52,11 +52,11 @@ TEST(Retargeter, AReachThatStartsElsewhereKeepsThePlateUnderWay) {
     for (int i = 0; i < 3; ++i) retargeter.update({.time_ns = i * 50 * ms});
     Reach elsewhere = reach;
     elsewhere.start = {10.0, 0.0};
-    elsewhere.plate_orientation_deg = ready_deg;  // commanded, and not yet there
+    elsewhere.plate_orientation_deg = ready_deg;  // commanded, but not reached yet
     retargeter.begin_here(elsewhere);
     EXPECT_EQ(retargeter.summary().samples, 0);
     EXPECT_EQ(retargeter.summary().dropped_samples, 0);
-    // A model that took the plate for there would not feel it turn.
+    // A model that assumed the commanded orientation would predict another perceived direction.
     const double felt_deg = retargeter.update({.time_ns = 100 * ms}).perceived_direction_deg;
     Retargeter there({.mode = mode, .plate = {.max_speed_deg_s = 100.0}});
     there.begin(elsewhere);

@@ -20,7 +20,7 @@ constexpr double max_sds = 3.0;
 }  // namespace
 
 hrt_result check_contact(const SessionModel& model, const ContactReport& report, const PlatePoint& start,
-                         const TargetPlace& real, const SeenFinger& finger, Contact* out) {
+                         const TargetPlace& real, const FingerPosition& finger, Contact* out) {
   const TargetView seen = view_from(start, model.mount, report.place.value_or(real));
   const double radius_mm = mm_per_m * real.radius_m;
   const PlatePoint place =

@@ -16,7 +16,7 @@ struct ContactReport {
 /// Computes the contact of a reach from `start` to `real` whose finger was tracked at `finger`. Fails if the position
 /// is too near to the start, or too far from the tracked finger.
 hrt_result check_contact(const SessionModel& model, const ContactReport& report, const PlatePoint& start,
-                         const TargetPlace& real, const SeenFinger& finger, Contact* out);
+                         const TargetPlace& real, const FingerPosition& finger, Contact* out);
 
 /// Updates the correction of the registration from a contact. Discards the contact if the new model is not valid.
 void learn_contact(const Contact& contact, SessionModel* model);

@@ -12,9 +12,9 @@
 namespace hrt::plugin {
 namespace {
 
-double needed_share(const Authority& authority) {
-  if (!authority.reachable) return std::numeric_limits<double>::infinity();
-  return authority.gap_deg == 0.0 ? 0.0 : std::abs(authority.gap_deg) / authority.max_gap_deg;
+double needed_share(const GapFeasibility& feasibility) {
+  if (!feasibility.reachable) return std::numeric_limits<double>::infinity();
+  return feasibility.gap_deg == 0.0 ? 0.0 : std::abs(feasibility.gap_deg) / feasibility.max_gap_deg;
 }
 
 }  // namespace
@@ -36,11 +36,11 @@ double Gaps::goal_deg(const TargetPlace& virtual_place) const {
 Gap Gaps::gap(const Real& real, double goal_deg) const {
   const RetargeterConfig& control = model_.control;
   const double real_deg = goal_deg - wrap_deg(goal_deg - real.direction_deg, 360.0);
-  const Authority paper =
-      steering_authority(real_deg, goal_deg, control.participant.tactile_weight, control.mpc.plate_bound_deg);
-  return {.authority = control.mode == ControlMode::reach
-                           ? authority_about_motion(real_deg, goal_deg, real.illusion, control.reach.bound_deg)
-                           : paper,
+  const GapFeasibility paper =
+      paper_gap_feasibility(real_deg, goal_deg, control.participant.tactile_weight, control.mpc.plate_bound_deg);
+  return {.feasibility = control.mode == ControlMode::reach
+                             ? gap_feasibility(real_deg, goal_deg, real.illusion, control.reach.bound_deg)
+                             : paper,
           .paper_max_gap_deg = paper.max_gap_deg,
           .bearing_sd_deg = real.bearing_sd_deg};
 }
@@ -58,10 +58,10 @@ std::vector<Assigned> assign(const SessionModel& model, std::span<const Target* 
     nearest.push_back(0);
     serves.push_back(unserved);
     for (std::size_t j = 0; j < seen.size(); ++j) {
-      const Authority authority = gaps.gap(seen[j], goal_deg).authority;
-      const double share = shares.emplace_back(needed_share(authority));
+      const GapFeasibility feasibility = gaps.gap(seen[j], goal_deg).feasibility;
+      const double share = shares.emplace_back(needed_share(feasibility));
       if (share < min_share) min_share = share, serves.back() = j;
-      if (std::abs(authority.gap_deg) < min_gap_deg) min_gap_deg = std::abs(authority.gap_deg), nearest.back() = j;
+      if (std::abs(feasibility.gap_deg) < min_gap_deg) min_gap_deg = std::abs(feasibility.gap_deg), nearest.back() = j;
     }
   }
   if (exclusive) serves = assign_exclusively(shares, reals.size());

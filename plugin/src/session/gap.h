@@ -9,7 +9,7 @@
 namespace hrt::plugin {
 
 struct Gap {
-  Authority authority;
+  GapFeasibility feasibility;
   double paper_max_gap_deg;  ///< largest gap in the paper's model
   double bearing_sd_deg;     ///< SD of the bearing at which reaches end, due to registration and tracker alone
 };

@@ -231,7 +231,7 @@ hrt_result Session::end(ReachSummary* out) {
 // Updates the model by the estimates of a reach. Discards estimates that are not valid, as from impossible motions.
 void Session::learn(const Retargeter& retargeter, const ReachSummary& summary) {
   SessionModel next = model_;
-  if (!retargeter.leads_person()) {
+  if (!retargeter.has_person_controller()) {
     next.control = carried(model_.control, summary.estimate);
     if (!next.knows_person) forget_person(&next);
   } else if (const auto learnt = retargeter.learnt()) {

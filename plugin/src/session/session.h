@@ -97,7 +97,7 @@ class Session {
   struct EndedReach {
     PlatePoint start;
     TargetPlace real;
-    std::optional<SeenFinger> finger;
+    std::optional<FingerPosition> finger;
     bool was_touched = false;
   };
   struct Idle {

@@ -103,7 +103,7 @@ void apply_check(const RegistrationCheck& check, std::int64_t time_ns, SessionMo
 Registration registration_of(const SessionModel& model, double touch_sd_mm) {
   const Quaternion& q = model.mount.pose.orientation;
   const Vec3& position_m = model.mount.pose.position_m;
-  Registration registration{.verdict = RegistrationVerdict::holds,
+  Registration registration{.verdict = RegistrationVerdict::accepted,
                             .rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix(),
                             .position_mm = mm_per_m * Eigen::Vector3d(position_m.x, position_m.y, position_m.z),
                             .scale = model.mount.scale,

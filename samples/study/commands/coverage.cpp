@@ -26,7 +26,7 @@ namespace {
 // session.
 struct CoverageKind {
   const char* name;
-  const char* says;
+  const char* description;
   const char* family;
   double weight_trend = 0.0;    // w changes by this, to either side, from the first slide to the last
   double outlying_share = 0.0;  // of slides that go 15 to 40 degrees off
@@ -250,7 +250,7 @@ std::string text(const CoverageStudy& study) {
   for (const KindRow& row : study.rows) {
     const Coverage& of = row.coverage;
     page += left(row.kind->name, 14) + cell(of.angle.percent(), 0, 6) + cell(of.order.percent(), 0, 6) +
-            cell(of.path.percent(), 0, 6) + cell(of.refused.percent(), 0, 6) + "   " + row.kind->says + '\n';
+            cell(of.path.percent(), 0, 6) + cell(of.refused.percent(), 0, 6) + "   " + row.kind->description + '\n';
   }
   return page;
 }
@@ -264,8 +264,8 @@ Results results(const CoverageStudy& study) {
                 .rows = {}};
   for (const KindRow& kind : study.rows) {
     const Coverage& coverage = kind.coverage;
-    Row row{{"kind", kind.kind->name},      {"description", kind.kind->says}, {"refused", coverage.refused.hits},
-            {"angle", coverage.angle.hits}, {"order", coverage.order.hits},   {"path", coverage.path.hits}};
+    Row row{{"kind", kind.kind->name},      {"description", kind.kind->description}, {"refused", coverage.refused.hits},
+            {"angle", coverage.angle.hits}, {"order", coverage.order.hits},          {"path", coverage.path.hits}};
     for (std::size_t i = 0; i < quantities; ++i) {
       const Tally& tally = coverage.of[i];
       const std::string name = quantity_name[i];

@@ -64,7 +64,7 @@ SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
     person.person.duration_s = duration_s;
     return person;
   };
-  SimulatedPeople people{.name = table_name(options.person), .says = "as --person says", .draw = draw};
+  SimulatedPeople people{.name = table_name(options.person), .description = "as --person says", .draw = draw};
   if (people_family(people.name.c_str())) people.name += '_';
   return people;
 }
@@ -94,7 +94,7 @@ void run(const Options& options) {
 std::string family_list() {
   std::string list;
   for (const PeopleFamily& family : people_families())
-    list += "  " + left(label(people_of(family)), 16) + family.says + '\n';
+    list += "  " + left(label(people_of(family)), 16) + family.description + '\n';
   return list;
 }
 

@@ -28,11 +28,11 @@ const SceneTarget& real_of(const Scene& scene, const SceneTarget& virtual_target
 }
 
 // The gap is the shorter way round, so that a pair about the direction of 180 degrees is not 360 apart.
-Authority authority_over(const Scene& scene, const SceneTarget& virtual_target, double tactile_weight,
-                         double plate_bound_deg) {
+GapFeasibility gap_feasibility_of(const Scene& scene, const SceneTarget& virtual_target, double tactile_weight,
+                                  double plate_bound_deg) {
   const double virtual_deg = virtual_target.direction_deg;
   const double gap_deg = wrap_deg(virtual_deg - real_of(scene, virtual_target).direction_deg, 360.0);
-  return steering_authority(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
+  return paper_gap_feasibility(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
 }
 
 // A value that rounds to zero is written without a sign.
@@ -69,11 +69,11 @@ std::string text(const Scene& scene, const SceneOptions& options) {
   for (const SceneTarget& target : scene.targets) {
     if (!target.served_by) continue;
     const double first_weight = options.tactile_weights.front();
-    const double gap_deg = authority_over(scene, target, first_weight, options.plate_bound_deg).gap_deg;
+    const double gap_deg = gap_feasibility_of(scene, target, first_weight, options.plate_bound_deg).gap_deg;
     page += left(target.name, widest) + "  " + left(real_of(scene, target).name, widest) + right(degrees(gap_deg), 8);
     for (const double tactile_weight : options.tactile_weights) {
-      const Authority authority = authority_over(scene, target, tactile_weight, options.plate_bound_deg);
-      page += right(authority.reachable ? fixed(authority.plate_orientation_deg, 1) : "-", 8);
+      const GapFeasibility feasibility = gap_feasibility_of(scene, target, tactile_weight, options.plate_bound_deg);
+      page += right(feasibility.reachable ? fixed(feasibility.plate_orientation_deg, 1) : "-", 8);
     }
     page += '\n';
   }
@@ -91,14 +91,14 @@ Results results(const Scene& scene, const SceneOptions& options) {
   for (const SceneTarget& target : scene.targets) {
     if (!target.served_by) continue;
     for (const double tactile_weight : options.tactile_weights) {
-      const Authority authority = authority_over(scene, target, tactile_weight, options.plate_bound_deg);
+      const GapFeasibility feasibility = gap_feasibility_of(scene, target, tactile_weight, options.plate_bound_deg);
       found.rows.push_back({{"virtual", target.name},
                             {"real", real_of(scene, target).name},
                             {"tactile_weight", tactile_weight},
-                            {"gap_deg", authority.gap_deg},
-                            {"max_gap_deg", authority.max_gap_deg},
-                            {"reachable", authority.reachable},
-                            {"plate_orientation_deg", authority.plate_orientation_deg}});
+                            {"gap_deg", feasibility.gap_deg},
+                            {"max_gap_deg", feasibility.max_gap_deg},
+                            {"reachable", feasibility.reachable},
+                            {"plate_orientation_deg", feasibility.plate_orientation_deg}});
     }
   }
   return found;

@@ -30,14 +30,15 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
                                        paper.virtual_direction_deg);
   if (paper.is_plate_fixed) condition.controller.mode = ControlMode::fixed_plate;
   const double bound_deg = condition.controller.mpc.plate_bound_deg;
-  const Authority authority =
-      steering_authority(paper.real_direction_deg, paper.virtual_direction_deg, paper.tactile_weight, bound_deg);
-  Row data{{"real_deg", paper.real_direction_deg},
-           {"virtual_deg", paper.virtual_direction_deg},
-           {"tolerance_deg", condition.tolerance_deg},
-           {"bound_deg", paper.is_plate_fixed ? Row() : Row(bound_deg)},
-           {"holding_deg", paper.is_plate_fixed || !authority.reachable ? Row() : Row(authority.plate_orientation_deg)},
-           {"plate_deg", {condition.plate_orientation_deg}}};  // of the first trial
+  const GapFeasibility feasibility =
+      paper_gap_feasibility(paper.real_direction_deg, paper.virtual_direction_deg, paper.tactile_weight, bound_deg);
+  Row data{
+      {"real_deg", paper.real_direction_deg},
+      {"virtual_deg", paper.virtual_direction_deg},
+      {"tolerance_deg", condition.tolerance_deg},
+      {"bound_deg", paper.is_plate_fixed ? Row() : Row(bound_deg)},
+      {"holding_deg", paper.is_plate_fixed || !feasibility.reachable ? Row() : Row(feasibility.plate_orientation_deg)},
+      {"plate_deg", {condition.plate_orientation_deg}}};  // of the first trial
   int hits = 0;
   for (std::uint32_t trial = 0; trial < static_cast<std::uint32_t>(paper_trials); ++trial) {
     std::vector<TrialStep> steps;

@@ -152,7 +152,7 @@ SimulatedPeople people_of_recordings(const std::string& argument, const std::str
   for (const std::string& file : csv_files(argument, folder, "recorded reaches"))
     paths.push_back(own_path_of(parse_reaches(file, read_input(argument, file, max_reaches_bytes))));
   return {.name = "own",
-          .says = std::to_string(paths.size()) + " files of --recorded",
+          .description = std::to_string(paths.size()) + " files of --recorded",
           .kind = FamilyKind::recorded,
           .draw = [paths = std::move(paths)](double duration_s, std::uint64_t seed, std::uint32_t index) {
             PersonCondition condition = draw_person(*people_family("linear"), duration_s, seed, index);

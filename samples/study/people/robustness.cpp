@@ -32,7 +32,7 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
   };
   const Person& person = condition.person;
   const auto if_known = [](bool known, bool covers) { return known ? std::optional(covers) : std::nullopt; };
-  return {.can_hold = can_hold(condition),
+  return {.can_hold = gap_is_feasible(condition),
           .bearing_error_deg = outcome.bearing_error_deg,
           .miss_mm = std::abs(outcome.miss_mm),
           .peak_felt_error_deg = outcome.peak_felt_error_deg,
@@ -121,7 +121,7 @@ RobustnessCell summarise(std::span<const ReachResult> results) {
 
 SimulatedPeople people_of(const PeopleFamily& family) {
   return {.name = family.name,
-          .says = family.says,
+          .description = family.description,
           .tuned = family.tuned,
           .kind = family.kind,
           .draw = [&family](double duration_s, std::uint64_t seed, std::uint32_t index) {

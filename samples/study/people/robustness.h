@@ -34,7 +34,7 @@ inline constexpr const char* leading_titles[] = {"no controller", "the paper's",
 
 /// The result of one reach. Angles in degrees.
 struct ReachResult {
-  bool can_hold;               ///< as can_hold() of the person
+  bool can_hold;               ///< as gap_is_feasible() of the person
   double bearing_error_deg;    ///< true, of the end
   double miss_mm;              ///< true, across the real direction; >= 0
   double peak_felt_error_deg;  ///< the simulated person's
@@ -84,7 +84,7 @@ RobustnessCell summarise(std::span<const ReachResult> results);
 /// The source of the people of a row.
 struct SimulatedPeople {
   std::string name;
-  std::string says;
+  std::string description;
   bool tuned = false;  ///< as in PeopleFamily
   FamilyKind kind = FamilyKind::invented;
   std::function<PersonCondition(double duration_s, std::uint64_t seed, std::uint32_t index)> draw;
@@ -111,7 +111,7 @@ struct RobustnessOptions {
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
-  std::vector<PersonState::Index> informed_of{std::begin(telling_traits), std::end(telling_traits)};
+  std::vector<PersonState::Index> informed_of{std::begin(informed_traits), std::end(informed_traits)};
   Tuning tuning;  ///< of the controller for people
 };
 

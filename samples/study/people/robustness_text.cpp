@@ -123,7 +123,7 @@ std::string flags_table(const Rows& all, std::uint64_t reaches) {
 
 // All numbers of one sort of people.
 std::string details_table(const SimulatedPeople& people, const Rows& rows) {
-  std::string page = people.name + ": " + people.says + '\n';
+  std::string page = people.name + ": " + people.description + '\n';
   for (const bool can_hold : {true, false}) {
     const bool any = std::any_of(rows.begin(), rows.end(), [&](const RobustnessRow& row) {
       return row.cell(Leading::none).group(can_hold).near.of > 0;
@@ -251,7 +251,7 @@ Results robustness_results(const RobustnessStudy& study) {
               {"people", of.cell(leading).people()},
               {"seed", study.options.seed}};
       put_numbers(row, of.cell(leading), leading != Leading::none);
-      row["description"] = of.people.says;
+      row["description"] = of.people.description;
       found.rows.push_back(std::move(row));
     }
   return found;

@@ -1,4 +1,4 @@
-// Fixtures that tests of calibrations share.
+// Functions for tests of calibrations.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,8 +31,7 @@ inline bool covers(const Interval& interval, double truth) {
   return interval.lower <= truth && truth <= interval.upper;
 }
 
-/// Angles of the plate over a grid of eleven, neighbours far apart: no trend of the session is one over the
-/// angle.
+/// Plate angles on a grid of eleven, ordered so that a trend over the session is no trend over the angle.
 inline std::vector<double> grid(int slides_an_angle) {
   std::vector<double> angles;
   for (int i = 0; i < 11 * slides_an_angle; ++i) angles.push_back(-75.0 + 15.0 * ((i * 7) % 11));
@@ -47,7 +46,7 @@ inline std::vector<CalibrationTrial> slides(const PersonCondition& condition, st
   return trials;
 }
 
-/// A slide over 100 mm straight in `direction_deg`, in 3 s.
+/// A straight slide of 100 mm in `direction_deg`, in 3 s.
 inline CalibrationTrial straight_slide(double plate_deg, double direction_deg, int samples) {
   CalibrationTrial trial{.plate_orientation_deg = plate_deg, .samples = {}};
   for (int i = 0; i <= samples; ++i) {

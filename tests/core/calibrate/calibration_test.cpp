@@ -26,12 +26,12 @@ std::vector<CalibrationTrial> simulate(const CalibrationCondition& condition, in
   return trials;
 }
 
-// Straight paths at the directions of rest, by hand: P = (2 - 0.2 T) / 0.8 is w_T = 0.2 with a bias of 2.
-TEST(Calibration, StraightPathsByHand) {
+// Straight slides in settled directions P = (2 - 0.2 T) / 0.8: w_T = 0.2 and a bias of 2.
+TEST(Calibration, StraightSlides_GiveTheHandCalculatedWeightAndBias) {
   std::vector<CalibrationTrial> trials;
   for (const double angle_deg : angles_deg) {
     for (int repeat = 0; repeat < 2; ++repeat) {
-      // A touch of difference between repeats, so that there is a residual to estimate.
+      // A small difference between repetitions, since residuals are needed for the intervals.
       const double direction_deg = (2.0 - 0.2 * angle_deg) / 0.8 + (repeat ? 0.01 : -0.01);
       trials.push_back(straight_slide(angle_deg, direction_deg, 270));
     }
@@ -47,8 +47,8 @@ TEST(Calibration, StraightPathsByHand) {
     EXPECT_NEAR(settled_direction_deg(slide.fitted_deg), settled_direction_deg(slide.parts_deg), 0.1);
 }
 
-// A tracker of 30 Hz under an application of 90 Hz, which repeats each position twice.
-TEST(Calibration, CopiesOfAPositionAreNoMeasurements) {
+// A tracker of 30 Hz read by an application at 90 Hz: each position is repeated twice.
+TEST(Calibration, RepeatedPositions_GiveTheResultWithoutThem) {
   PersonCondition condition;
   condition.tracker.white_mm = 1.0;
   std::vector<CalibrationTrial> seldom = slides(condition, 0, grid(2)), copied = seldom;
@@ -66,8 +66,8 @@ TEST(Calibration, CopiesOfAPositionAreNoMeasurements) {
   EXPECT_GT(found.noise.white_mm.value, 0.5);
 }
 
-// Straight paths with slopes that no w_T has, and so scattered that the interval reaches those of some.
-TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
+// Slopes that no w_T causes, with so much scatter that the interval includes possible ones.
+TEST(Calibration, SlopesBeyondAnyWeight_AreRejected) {
   std::vector<CalibrationTrial> trials;
   for (const double angle_deg : {-20.0, -10.0, 0.0, 10.0, 20.0}) {
     for (const double scatter_deg : {-36.0, 36.0}) {
@@ -77,8 +77,8 @@ TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
   EXPECT_NE(refused(trials).find("w_T is -0."), std::string::npos) << refused(trials);
 }
 
-// A slide is over where the tracker was away for long: a sample centuries later does not count.
-TEST(Calibration, ASampleAtTheEndOfTimeIsSurvived) {
+// A gap in tracking ends a slide: a sample centuries later does not count.
+TEST(Calibration, ASampleCenturiesLater_IsIgnored) {
   auto trials = simulate({}, 3);
   const Calibration timely = calibrated(trials);
   trials[7].samples.back().time_s = 1e10;
@@ -87,8 +87,7 @@ TEST(Calibration, ASampleAtTheEndOfTimeIsSurvived) {
   EXPECT_NEAR(late.bias_deg.value, timely.bias_deg.value, 0.05);
 }
 
-// The calibration's promise: unbiased under tracker noise, with intervals that mean what they say. 6 people
-// of 15 slides; binomial bounds on the number of 95 % intervals that cover the truth.
+// Estimates are unbiased, and intervals cover the truth, with tracker noise: 6 people, 15 slides each.
 TEST(Calibration, IntervalsCoverTheTruth) {
   constexpr int people = 6;
   int weight_covered = 0;
@@ -105,14 +104,14 @@ TEST(Calibration, IntervalsCoverTheTruth) {
     noise_covered += covers(calibration.noise.white_mm, condition.tracker_noise_mm);
     weight_error += (calibration.tactile_weight.value - condition.participant.tactile_weight) / people;
   }
-  // P(fewer than 4 of 6 at 95 %) is about 2e-3. Shares of many people: hrt-study coverage.
+  // At a coverage of 95 %, fewer than 4 of 6 have a probability of about 2e-3. `hrt-study coverage` has more people.
   EXPECT_GE(weight_covered, 4);
   EXPECT_GE(bias_covered, 4);
   EXPECT_GE(noise_covered, 4);
   EXPECT_NEAR(weight_error, 0.0, 0.006);
 }
 
-TEST(Calibration, RefusesTooFewData) {
+TEST(Calibration, TooFewSlidesOrAngles_AreRejected) {
   const CalibrationCondition condition;
   EXPECT_NE(refused({}).find("at least 10 are needed"), std::string::npos);
   EXPECT_NE(refused(simulate(condition, 1)).find("at least 10 are needed"), std::string::npos);
@@ -134,8 +133,8 @@ TEST(Calibration, RefusesTooFewData) {
   EXPECT_NE(refused(resting).find("0 of 10"), std::string::npos);
 }
 
-// As long as the finger moves; before and after, the plate may turn.
-TEST(Calibration, ASlideWithinWhichThePlateTurnedIsLeftOut) {
+// Rotations of the plate before and after the motion of the finger do not count.
+TEST(Calibration, ARotatingPlateDuringASlide_ExcludesTheSlide) {
   std::vector<CalibrationTrial> trials = simulate({}, 3);
   const Calibration at_rest = calibrated(trials);
   const auto turned = [&](std::size_t first, std::size_t end, double turn_deg) {
@@ -156,7 +155,7 @@ TEST(Calibration, ASlideWithinWhichThePlateTurnedIsLeftOut) {
   EXPECT_EQ(calibrated(trials).slides_turned, 2U);
 }
 
-TEST(Calibration, RefusesBrokenDataByName) {
+TEST(Calibration, InvalidSamples_AreRejectedWithTheirNumber) {
   std::vector<CalibrationTrial> trials = simulate({}, 2);
   trials[3].samples[7].position.away_mm = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refused(trials), "trial 4, sample 8: the position is not finite");
@@ -172,8 +171,8 @@ TEST(Calibration, RefusesBrokenDataByName) {
   EXPECT_EQ(refused({}, std::numeric_limits<double>::infinity()), "the goal direction is not a finite number");
 }
 
-// Mirrored slides over a mirrored plate: the same w_T, the opposite bias.
-TEST(Calibration, MirrorSymmetry) {
+// Mirrored slides with mirrored plate angles: same w_T, opposite bias.
+TEST(Calibration, MirroredSlides_GiveTheSameWeightAndOppositeBias) {
   CalibrationCondition condition;
   condition.participant.bias_deg = 2.0;
   std::vector<CalibrationTrial> trials = simulate(condition, 3);

@@ -1,4 +1,4 @@
-// The fit of people who are not its model (core/simulation/person.h), and what it says when it is wrong.
+// The fit of simulated people who differ from its model (core/simulation/person.h), and its tests for lack of fit.
 #include "core/calibrate/person_fit.h"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,10 @@ double true_weight(const PersonCondition& condition) {
   return (felt_shift_deg(illusion, 60.0) - felt_shift_deg(illusion, -60.0)) / 120.0;
 }
 
-// By hand: 0.2 t that is flat beyond 45 degrees to the left is 9 degrees there, and on the other side 12 at 60.
-TEST(IllusionCurve, BendsByHand) {
+// 0.2 t, constant beyond 45 degrees to the left: 9 degrees there, and 12 at 60 to the right.
+TEST(IllusionCurve, OneBendAt45Degrees_GivesTheHandCalculatedCurve) {
   CurveBends bends{};
-  constexpr std::size_t at_45 = 15;  // of the knots from -67.5 on
+  constexpr std::size_t at_45 = 15;  // index from the knot at -67.5 degrees
   bends[at_45] = -0.2 * IllusionCurve::spacing_deg;
   const IllusionCurve curve = bent_curve(0.2, bends);
   for (double t = -80.0; t <= 37.5; t += 2.5) EXPECT_NEAR(curve_shift_deg(curve, t), 0.2 * t, 1e-12) << t;
@@ -35,7 +35,7 @@ TEST(IllusionCurve, BendsByHand) {
   for (std::size_t i = 0; i < bends.size(); ++i) EXPECT_NEAR(bends_of(curve)[i], bends[i], 1e-12);
 }
 
-TEST(IllusionCurve, TheControllersOwnIsFoundAgain) {
+TEST(IllusionCurve, ACubicCurve_GivesItsOwnParameters) {
   IllusionCurve curve;
   for (int knot = 0; knot < IllusionCurve::knots; ++knot) {
     const double t = IllusionCurve::spacing_deg * (knot - IllusionCurve::middle);
@@ -45,8 +45,8 @@ TEST(IllusionCurve, TheControllersOwnIsFoundAgain) {
   EXPECT_NEAR(controllers_curve(curve).curve, 0.1, 1e-12);
 }
 
-// Without noise of person or tracker, whatever their gain and delay.
-TEST(PersonFit, IsUnbiasedWithoutNoise) {
+// Without noise of person and tracker, for several gains and delays.
+TEST(PersonFit, SlidesWithoutNoise_GiveTheTrueWeightAndBias) {
   for (const double gain : {6.0, 9.0}) {
     for (const double delay_s : {0.0, 0.06}) {
       PersonCondition condition;
@@ -60,10 +60,9 @@ TEST(PersonFit, IsUnbiasedWithoutNoise) {
   }
 }
 
-// 95 % intervals over people whose illusion, habit or tracker is not that of the old regression, which was
-// off by 0.06 to 0.10 with them. hrt-study coverage prints more people. Of 8 to 10 known intervals of 95 %,
-// all but 2 cover with a probability of 99 %.
-TEST(PersonFit, IntervalsCoverWhereKnown) {
+// People whose illusion, habit or tracker differs from the model. Of 8 to 10 intervals of 95 %, at least all except 2
+// cover the truth with a probability of 99 %. `hrt-study coverage` has more people.
+TEST(PersonFit, SimulatedPeople_LieWithinTheKnownIntervals) {
   int known = 0;
   int weight = 0;
   int bias = 0;
@@ -89,14 +88,14 @@ TEST(PersonFit, IntervalsCoverWhereKnown) {
   EXPECT_GE(habit, min) << known;
 }
 
-TEST(PersonFit, FindsWhereAnIllusionIsLargest) {
+TEST(PersonFit, ASineIllusion_HasItsMaximumBelow55Degrees) {
   for (std::uint32_t index = 0; index < 2; ++index) {
     EXPECT_LT(calibrated(slides(drawn("sine-45", index), index, grid(3))).peak_offset_deg, 55.0) << index;
     EXPECT_GT(calibrated(slides(drawn("linear", index), index, grid(3))).peak_offset_deg, 65.0) << index;
   }
 }
 
-TEST(PersonFit, NamesSlidesThatWentElsewhere) {
+TEST(PersonFit, TwoDistortedSlides_AreReportedAsOutliers) {
   const PersonCondition condition = drawn("linear", 1);
   std::vector<CalibrationTrial> trials = slides(condition, 1, grid(3));
   const Calibration before = calibrated(trials);
@@ -111,8 +110,8 @@ TEST(PersonFit, NamesSlidesThatWentElsewhere) {
   EXPECT_NEAR(after.tactile_weight.value, before.tactile_weight.value, 0.01);
 }
 
-// A person whose weight falls over the session.
-TEST(PersonFit, WithholdsWhatChangesOverTheSession) {
+// The tactile weight falls by 0.08 over the session.
+TEST(PersonFit, AWeightThatFallsOverTheSession_IsReportedAsUnknown) {
   int found = 0;
   for (std::uint32_t index = 0; index < 3; ++index) {
     std::vector<CalibrationTrial> trials;
@@ -131,15 +130,15 @@ TEST(PersonFit, WithholdsWhatChangesOverTheSession) {
   EXPECT_EQ(found, 3);
 }
 
-// Their direction swings across the ridges: an answer too strong for how late it is.
-TEST(PersonFit, WithholdsWhatNoCurveFits) {
+// The steering is unstable (gain too high for the delay), so that the direction oscillates across the ridges.
+TEST(PersonFit, AnUnstablePerson_IsReportedAsUnknown) {
   PersonCondition condition = drawn("linear", 3);
   condition.person.illusion.tactile_weight = 0.3;
   condition.person.gain_per_s = 12.0;
   condition.person.delay_s = 0.15;
   const auto result = calibrate(slides(condition, 3, grid(4)));
   const auto* calibration = std::get_if<Calibration>(&result);
-  if (!calibration) return;  // refused: an interval beyond that of any person
+  if (!calibration) return;  // rejected: the interval exceeds the range of people
   EXPECT_LT(calibration->lack_of_fit.angle_p, min_fit_p);
   EXPECT_FALSE(calibration->tactile_weight.known);
   EXPECT_FALSE(calibration->max_gap_deg.known);

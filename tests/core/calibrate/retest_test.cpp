@@ -13,7 +13,7 @@ Interval about(double value, double deviation) {
   return {value, value - normal_975 * deviation, value + normal_975 * deviation, true};
 }
 
-TEST(Retest, DifferenceHasTheDeviationsOfBothInQuadrature) {
+TEST(Retest, TwoIntervals_AreAddedInQuadrature) {
   const std::vector<RepeatedValue> values{{about(1.0, 3.0), about(3.0, 4.0)}};
   const auto results = compare(values);
   ASSERT_EQ(results.size(), 1u);
@@ -23,17 +23,17 @@ TEST(Retest, DifferenceHasTheDeviationsOfBothInQuadrature) {
   EXPECT_FALSE(results[0].differs);
 }
 
-TEST(Retest, OneValueDiffersExactlyIfItsIntervalExcludesZero) {
+TEST(Retest, AnIntervalThatExcludesZero_IsADifference) {
   EXPECT_FALSE(compare(std::vector<RepeatedValue>{{about(0.0, 1.0), about(1.95 * std::sqrt(2.0), 1.0)}})[0].differs);
   EXPECT_TRUE(compare(std::vector<RepeatedValue>{{about(0.0, 1.0), about(-1.97 * std::sqrt(2.0), 1.0)}})[0].differs);
 }
 
-TEST(Retest, EqualValuesWithoutWidthDoNotDiffer) {
+TEST(Retest, EqualExactValues_DoNotDiffer) {
   EXPECT_FALSE(compare(std::vector<RepeatedValue>{{about(1.0, 0.0), about(1.0, 0.0)}})[0].differs);
   EXPECT_TRUE(compare(std::vector<RepeatedValue>{{about(1.0, 0.0), about(1.1, 0.0)}})[0].differs);
 }
 
-TEST(Retest, UnknownValuesDoNotDifferAndDoNotCount) {
+TEST(Retest, UnknownValues_DoNotDifferAndDoNotCount) {
   Interval unknown = about(0.0, 1e-6);
   unknown.known = false;
   const std::vector<RepeatedValue> values{{unknown, about(9.0, 1e-6)}, {about(0.0, 0.0), about(2.0, 1.0)}};
@@ -44,15 +44,15 @@ TEST(Retest, UnknownValuesDoNotDifferAndDoNotCount) {
   EXPECT_TRUE(results[1].differs);
 }
 
-TEST(Retest, WidthTowardsTheOtherValueDecides) {
+TEST(Retest, AsymmetricIntervals_AreComparedByTheFacingHalf) {
   const Interval second{2.0, 1.5, 12.0, true};
   EXPECT_TRUE(compare(std::vector<RepeatedValue>{{about(0.0, 0.0), second}})[0].differs);
   const Interval first{2.0, 1.5, 12.0, true};
   EXPECT_FALSE(compare(std::vector<RepeatedValue>{{first, about(10.0, 0.0)}})[0].differs);
 }
 
-// 0.05 / 3, then 0.05 / 2.
-TEST(Retest, HolmAsksMoreOfManyValues) {
+// Holm's levels are 0.05 / 3, then 0.05 / 2.
+TEST(Retest, ThreeValues_RequireASmallerPValue) {
   const auto at = [](double deviations) { return RepeatedValue{about(0.0, 0.0), about(deviations, 1.0)}; };
   const auto weak = compare(std::vector{at(2.2), at(0.0), at(0.0)});
   EXPECT_FALSE(weak[0].differs);
@@ -62,9 +62,8 @@ TEST(Retest, HolmAsksMoreOfManyValues) {
   EXPECT_FALSE(strong[2].differs);
 }
 
-// 2000 pairs of calibrations of six values that have not changed: 5 % with any that differs, at three
-// standard deviations 3.5 to 6.5 %.
-TEST(Retest, FindsAnyChangeWhereThereIsNoneInOneOfTwenty) {
+// 2000 pairs of calibrations of six unchanged values: 5 % of pairs differ (3.5 to 6.5 % at three SDs).
+TEST(Retest, UnchangedValues_DifferInFivePercentOfPairs) {
   Draws draws(4, 0, 0, 0);
   int found = 0;
   constexpr int pairs = 2000;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr long double pi = std::numbers::pi_v<long double>;
 
-TEST(Trigonometry, ExactAngles) {
+TEST(Trigonometry, MultiplesOf30Degrees_GiveExactValues) {
   EXPECT_EQ(sin_deg(0.0), 0.0);
   EXPECT_EQ(sin_deg(90.0), 1.0);
   EXPECT_EQ(sin_deg(180.0), 0.0);
@@ -31,7 +31,7 @@ TEST(Trigonometry, ExactAngles) {
   EXPECT_NEAR(atan2_deg(1.0, std::sqrt(3.0)), 30.0, 1e-14);
 }
 
-TEST(Trigonometry, AgreesWithLongDoubleEverywhere) {
+TEST(Trigonometry, AnyAngle_AgreesWithLongDouble) {
   for (int i = -40000; i <= 40000; ++i) {
     const double angle_deg = i * 0.0173;
     const long double angle = static_cast<long double>(angle_deg) * (pi / 180.0L);
@@ -45,7 +45,7 @@ TEST(Trigonometry, AgreesWithLongDoubleEverywhere) {
   }
 }
 
-TEST(Trigonometry, WrapsIntoHalfAPeriodAroundZero) {
+TEST(Trigonometry, Angles_WrapIntoHalfAPeriodAroundZero) {
   EXPECT_EQ(wrap_deg(190.0, 360.0), -170.0);
   EXPECT_EQ(wrap_deg(180.0, 360.0), -180.0);
   EXPECT_EQ(wrap_deg(95.0, 180.0), -85.0);
@@ -53,8 +53,8 @@ TEST(Trigonometry, WrapsIntoHalfAPeriodAroundZero) {
   EXPECT_EQ(wrap_deg(84.5, 180.0), 84.5);
 }
 
-// In units in the last place of the result; x ln2's rounding grows with x.
-TEST(Exponential, IsTheLibrarysToAFewUnits) {
+// Tolerances in units in the last place; the rounding of x ln 2 grows with x.
+TEST(Exponential, Arguments_AgreeWithTheCLibraryWithinAFewUlps) {
   constexpr double unit = std::numeric_limits<double>::epsilon();
   for (int i = -4000; i <= 4000; ++i) {
     const double x = 0.001 * i;
@@ -63,14 +63,14 @@ TEST(Exponential, IsTheLibrarysToAFewUnits) {
   for (int i = -700; i <= 700; ++i) EXPECT_NEAR(exponential(i) / std::exp(i), 1.0, 1e-13) << i;
 }
 
-TEST(Exponential, IsClampedWhereItWouldOverflow) {
+TEST(Exponential, LargeArguments_AreClamped) {
   EXPECT_EQ(exponential(1e300), exponential(700.0));
   EXPECT_EQ(exponential(-std::numeric_limits<double>::infinity()), exponential(-700.0));
   EXPECT_TRUE(std::isfinite(exponential(700.0)));
   EXPECT_GT(exponential(-700.0), 0.0);
 }
 
-TEST(Logarithm, IsTheLibrarysToAFewUnits) {
+TEST(Logarithm, Arguments_AgreeWithTheCLibraryWithinAFewUlps) {
   for (int i = 1; i <= 8000; ++i) EXPECT_NEAR(logarithm(0.001 * i), std::log(0.001 * i), 2e-15) << i;
   for (int i = -300; i <= 300; ++i) {
     const double x = std::pow(10.0, i);
@@ -78,20 +78,20 @@ TEST(Logarithm, IsTheLibrarysToAFewUnits) {
   }
 }
 
-TEST(Distributions, Normal) {
+TEST(Distributions, NormalCdf_AgreesWithErfc) {
   for (const double x : {-3.0, -1.0, 0.0, 0.5, 1.96, 4.0})
     EXPECT_NEAR(normal_cdf(x), 0.5 * std::erfc(-x / std::sqrt(2.0)), 2e-7);
 }
 
-// By hand: with 2 degrees above, P(F > f) = (1 + 2 f / n)^(-n / 2).
-TEST(Distributions, FWithTwoDegreesAbove) {
+// With 2 numerator degrees of freedom, P(F > f) = (1 + 2 f / n)^(-n / 2).
+TEST(Distributions, TwoNumeratorDegrees_GiveTheClosedForm) {
   for (const double n : {1.0, 4.0, 30.0, 200.0})
     for (const double f : {0.1, 1.0, 3.0, 20.0})
       EXPECT_NEAR(f_tail(f, 2.0, n), std::pow(1.0 + 2.0 * f / n, -0.5 * n), 1e-9);
 }
 
-// The tables' quantiles.
-TEST(Distributions, Student) {
+// Quantiles from tables.
+TEST(Distributions, StudentQuantiles_AgreeWithTables) {
   EXPECT_NEAR(student_975(3.0), 3.182, 0.05);
   EXPECT_NEAR(student_975(8.0), 2.306, 0.003);
   EXPECT_NEAR(student_975(30.0), 2.042, 0.001);

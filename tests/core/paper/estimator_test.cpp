@@ -15,14 +15,14 @@
 namespace hrt {
 namespace {
 
-TEST(PlatePoint, BearingIsPositiveToTheLeft) {
+TEST(PlatePoint, APointToTheLeft_HasAPositiveBearing) {
   EXPECT_DOUBLE_EQ(bearing_deg({0, 0}, {0, 1}), 0.0);
   EXPECT_DOUBLE_EQ(bearing_deg({0, 0}, {-1, 1}), 45.0);
   EXPECT_DOUBLE_EQ(bearing_deg({0.1, 0.2}, {0.2, 0.2}), -90.0);
   EXPECT_DOUBLE_EQ(distance_mm({1, 1}, {4, 5}), 5.0);
 }
 
-TEST(Time, ElapsedAndLaterDoNotOverflow) {
+TEST(Time, ExtremeTimes_DoNotOverflow) {
   constexpr auto min = std::numeric_limits<std::int64_t>::min();
   constexpr auto max = std::numeric_limits<std::int64_t>::max();
   EXPECT_EQ(elapsed_ns(min, max), std::numeric_limits<std::uint64_t>::max());
@@ -34,7 +34,7 @@ TEST(Time, ElapsedAndLaterDoNotOverflow) {
 // Two steps with exact directions and K = 1/2, w_T ~ N(0.15, 0.05^2), goal 0: P_0 = 0 under t = 60.
 // Predicted P_1 = -0.5 * 0.15 * 60 = -4.5, with variance 0.5 + (0.5 * 60 * 0.05)^2 = 2.75 and covariance
 // -30 * 0.0025 = -0.075 with w_T. Seen -6: w_T = 0.15 + 0.075 * 1.5 / 2.75.
-TEST(Estimator, LearnsTheTactileWeightFromOneStepByHand) {
+TEST(Estimator, OneStep_GivesTheHandCalculatedWeight) {
   Estimator estimator({.adapt = true}, Participant{}, 0.0, {});
   estimator.observe_direction(0.0);
   estimator.end_step(60.0, 0.5, 0.5);
@@ -45,7 +45,7 @@ TEST(Estimator, LearnsTheTactileWeightFromOneStepByHand) {
   EXPECT_NEAR(estimator.estimate().tactile_weight_sd, std::sqrt(0.0025 + 1e-6 - 0.075 * 0.075 / 2.75), 1e-6);
 }
 
-TEST(Estimator, KeepsTheAssumedWeightWithoutAdaptation) {
+TEST(Estimator, WithoutAdaptation_TheWeightIsConstant) {
   Estimator estimator({.adapt = false}, Participant{}, 0.0, {});
   for (int k = 0; k < 30; ++k) {
     estimator.observe_direction(10.0 * k);
@@ -55,7 +55,7 @@ TEST(Estimator, KeepsTheAssumedWeightWithoutAdaptation) {
   EXPECT_EQ(estimator.estimate().tactile_weight_sd, 0.0);
 }
 
-TEST(Estimator, KeepsTheWeightInItsRangeWhateverIsSeen) {
+TEST(Estimator, ExtremeDirections_KeepTheWeightInItsRange) {
   Estimator estimator({.adapt = true, .tactile_weight_sd = 0.4}, Participant{}, 0.0, {});
   for (int k = 0; k < 200; ++k) {
     estimator.observe_direction(k % 2 ? 90.0 : -90.0);
@@ -67,8 +67,8 @@ TEST(Estimator, KeepsTheWeightInItsRangeWhateverIsSeen) {
   }
 }
 
-// Straight on at 33 mm/s without noise: the filter finds speed and direction, and the noise is learnt away.
-TEST(Estimator, FindsSpeedAndDirectionOfExactPositions) {
+// A straight motion at 33 mm/s without noise.
+TEST(Estimator, ExactPositions_GiveSpeedAndDirection) {
   Estimator estimator({.tracker_noise_mm = 0.1}, Participant{}, 0.0, {});
   for (int i = 1; i <= 90; ++i) {
     const double travel_mm = 33.0 * i / 90.0;
@@ -81,7 +81,7 @@ TEST(Estimator, FindsSpeedAndDirectionOfExactPositions) {
   EXPECT_NEAR(estimate.speed_mm_s, 33.0, 0.5);
 }
 
-TEST(Estimator, LeavesOutliersOutButFollowsAFingerThatWasMoved) {
+TEST(Estimator, AnOutlierIsRejected_AndARunOfThemIsAccepted) {
   Estimator estimator({.tracker_noise_mm = 1.0}, Participant{}, 0.0, {});
   for (int i = 1; i <= 30; ++i) {
     estimator.move(0.01);
@@ -99,9 +99,9 @@ TEST(Estimator, LeavesOutliersOutButFollowsAFingerThatWasMoved) {
   EXPECT_NEAR(estimator.estimate().position.right_mm, 50.0, 1.0);
 }
 
-// One exact step with V = 0.5 that is off by 1.5: the samples narrow all of V, so the score is
-// (2.25 - 0.5) / (2 * 0.25) = 3.5 and the information 1 / (2 * 0.25) = 2, next to the prior's 4.
-TEST(Estimator, LearnsTheMotorVarianceByHand) {
+// One step with V = 0.5 and an exact direction that is off by 1.5: D = V, so the score is (2.25 - 0.5) / (2 * 0.25) =
+// 3.5 and the information 1 / (2 * 0.25) = 2, in addition to 4 of the prior.
+TEST(Estimator, OneStep_GivesTheHandCalculatedMotorVariance) {
   Estimator estimator({}, Participant{}, 0.0, {});
   estimator.observe_direction(0.0);
   estimator.end_step(0.0, 0.5, 0.5);
@@ -111,10 +111,9 @@ TEST(Estimator, LearnsTheMotorVarianceByHand) {
   EXPECT_NEAR(estimator.estimate().motor_variance_sd_deg2, 1.0 / std::sqrt(6.0), 1e-6);
 }
 
-// The filter is as certain as it is right: over participants drawn from what it assumes, the mean of the normalised
-// innovations squared, which have two dimensions, is 2. The speed's random walk is wider than a constant speed needs,
-// which makes it a little smaller.
-TEST(Estimator, InnovationsAreAsLargeAsExpected) {
+// For participants drawn from the filter's model, the mean NIS of two coordinates is 2, or slightly less, because the
+// speed is constant and the filter allows for a random walk of it.
+TEST(Estimator, ParticipantsOfTheModel_GiveAMeanNisOfTwo) {
   constexpr double noise_mm = 1.2, goal_deg = 5.0, travel_mm = 100.0 / 270.0;
   double innovations = 0.0;
   int samples = 0;

@@ -1,4 +1,4 @@
-// Plans of the controller meet the optimality conditions (mpc_reference.h) on random problems.
+// Plans for random problems meet the optimality conditions (mpc_reference.h).
 #include <gtest/gtest.h>
 
 #include <string>
@@ -19,7 +19,7 @@ struct Case {
 
 class MpcExact : public testing::TestWithParam<Case> {};
 
-TEST_P(MpcExact, PlanMeetsTheOptimalityConditions) {
+TEST_P(MpcExact, RandomProblems_MeetTheOptimalityConditions) {
   const Case& c = GetParam();
   Random random(static_cast<unsigned>(c.horizon));
   for (int i = 0; i < c.problems; ++i) {

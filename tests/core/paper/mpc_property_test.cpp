@@ -13,7 +13,7 @@ namespace {
 
 constexpr int horizons[] = {1, 2, 3, 7, 13, 20};
 
-TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
+TEST(MpcProperty, RandomProblems_GivePlansWithinTheBounds) {
   Random random(3);
   for (int i = 0; i < 6000; ++i) {
     const RandomProblem drawn(random, horizons[i % 6], i % 4 < 2 ? RandomRate::moderate : RandomRate::none,
@@ -29,7 +29,7 @@ TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
     EXPECT_EQ(command.active, plan.active[0]);
     double last_deg = drawn.problem.plate_offset_deg;
     for (int k = 0; k < config.horizon; ++k) {
-      // A bound said to be active is met to the bit.
+      // An active bound is met exactly.
       const double plate_deg = plan.plate_offset_deg[k];
       const ActiveBound active = plan.active[k];
       EXPECT_TRUE(active != ActiveBound::upper || plate_deg == config.plate_bound_deg);
@@ -45,7 +45,7 @@ TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
 }
 
 // Dozens of bounds are active at the optimum of these problems.
-TEST(MpcProperty, SlowRotationsAreSolvedToTheEnd) {
+TEST(MpcProperty, ProblemsWithManyActiveBounds_AreSolvedToTheOptimum) {
   Random random(6);
   for (int i = 0; i < 100'000; ++i) {
     const RandomProblem drawn(random, max_horizon, i % 4 < 2 ? RandomRate::slow : RandomRate::fraction_of_bound,
@@ -54,8 +54,8 @@ TEST(MpcProperty, SlowRotationsAreSolvedToTheEnd) {
   }
 }
 
-// From any orientation beyond the bound, the plate keeps its rate bound and returns as soon as it can.
-TEST(MpcProperty, ReturnsFromAnyPlateOrientation) {
+// From any orientation beyond the bound, the plate returns at full rate.
+TEST(MpcProperty, APlateBeyondTheBound_ReturnsAtFullRate) {
   Random random(4);
   for (int i = 0; i < 3000; ++i) {
     RandomProblem drawn(random, horizons[i % 6], RandomRate::moderate);
@@ -72,8 +72,8 @@ TEST(MpcProperty, ReturnsFromAnyPlateOrientation) {
   }
 }
 
-// With a gain of 0 (a participant without noise) the plate has no effect: any path within the bounds is optimal.
-TEST(MpcProperty, AWindowOfZeroGainsHoldsThePlate) {
+// With zero gains the plate has no effect, so any path within the bounds is optimal.
+TEST(MpcProperty, ZeroGains_GiveACommandWithinTheBounds) {
   const std::array<double, 5> nothing{};
   for (const double rate_deg : {std::numeric_limits<double>::infinity(), 40.0}) {
     for (const double finger_deg : {0.0, 3.0}) {
@@ -85,7 +85,7 @@ TEST(MpcProperty, AWindowOfZeroGainsHoldsThePlate) {
   }
 }
 
-TEST(MpcProperty, InvalidSettingsAreRejected) {
+TEST(MpcProperty, SettingsOutOfRange_AreInvalid) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(is_valid(MpcConfig{}));

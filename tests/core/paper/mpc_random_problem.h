@@ -1,5 +1,5 @@
-// Random problems for the controller: every quantity over its whole range, with values that coincide exactly now and
-// then. The same on every host.
+// Random problems for the controller: every quantity varies over its whole range, sometimes with values that coincide
+// exactly. The same on every host.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct RandomProblem {
       config.plate_rate_bound_deg = random() % 2 ? 0.5 * config.plate_bound_deg : uniform(random, 0.5, 60.0);
     if (rate == RandomRate::slow)
       config.plate_rate_bound_deg = config.plate_bound_deg * std::exp(uniform(random, -6.0, 0.0));
-    if (rate == RandomRate::fraction_of_bound)  // steps at full rate lead exactly to the plate bound
+    if (rate == RandomRate::fraction_of_bound)  // steps at full rate end exactly at the plate bound
       config.plate_rate_bound_deg = config.plate_bound_deg / static_cast<double>(1 + random() % 8);
     if (random() % 2) {
       std::generate_n(gains.begin(), horizon, [&] { return uniform(random, 0.01, 1.0); });

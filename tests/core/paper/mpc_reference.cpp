@@ -49,7 +49,7 @@ DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem) {
   const int n = config.horizon;
   const long double w = problem.tactile_weight;
   const bool has_rate_bound = std::isfinite(config.plate_rate_bound_deg);
-  // Row i of `by_plate` and entry i of `alone`: e_i, and p_i - p_R below it, as affine functions of t.
+  // Row i of `by_plate` and entry i of `alone` are e_i as an affine function of t; rows n + i are p_i - p_R.
   LongMatrix by_plate = LongMatrix::Zero(2 * n, n);
   LongVector alone(2 * n);
   LongVector finger_by_plate = LongVector::Zero(n);

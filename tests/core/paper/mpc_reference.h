@@ -1,5 +1,5 @@
-// The optimality conditions of the controller's problem in long double, dense, straight from the definition of the
-// problem. It is convex, so a plan that meets them is optimal.
+// Optimality conditions of the controller's problem in long double, with dense matrices, from the definition of the
+// problem. The problem is convex, so a plan that meets them is optimal.
 #pragma once
 
 #include <Eigen/Dense>
@@ -7,7 +7,7 @@
 
 #include "core/paper/mpc.h"
 
-// Widening double to long double is the point here.
+// This file widens double to long double on purpose.
 #pragma GCC diagnostic ignored "-Wdouble-promotion"
 
 namespace hrt {
@@ -15,8 +15,8 @@ namespace hrt {
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// The controller's problem as a general one: minimise t' hessian t / 2 + gradient' t subject to
-/// rows t <= limits, over the plate offsets t in degrees. Half the window's cost, without its constant part.
+/// The controller's problem in general form: minimise t^T hessian t / 2 + gradient^T t subject to rows t <= limits,
+/// over the plate offsets t in degrees. Half of the window's cost, without its constant part.
 struct DenseProblem {
   LongMatrix hessian;
   LongVector gradient;
@@ -24,13 +24,13 @@ struct DenseProblem {
   LongVector limits;
 };
 
-/// Writes the problem out. The plate must be able to reach the plate bound in one step.
+/// Converts a problem. The plate must be able to reach the plate bound in one step.
 DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem);
 
-/// How far `plate` is from meeting the Karush-Kuhn-Tucker conditions.
+/// Residuals of the Karush-Kuhn-Tucker conditions for `plate`.
 struct KktResidual {
-  long double stationarity;   ///< |gradient of half the cost + rows' multipliers|, least over multipliers >= 0
-  long double violation_deg;  ///< of the worst bound
+  long double stationarity;   ///< |gradient of half the cost + multipliers of the rows|, minimal over multipliers >= 0
+  long double violation_deg;  ///< largest violation of a bound
 };
 KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate);
 

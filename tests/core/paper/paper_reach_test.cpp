@@ -25,7 +25,7 @@ double final_direction_deg(const PaperReachConfig& config, const Reach& reach) {
 }
 
 // Paper Fig. 8: with the plate at 0 the finger ends at P = theta_V / (1 - w_T) = -5.88.
-TEST(PaperReach, LeadsAParticipantToTheRealTargetAndAFixedPlateDoesNot) {
+TEST(PaperReach, AControlledPlate_SteersToTheRealTargetAndAFixedOneDoesNot) {
   const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5};
   EXPECT_NEAR(final_direction_deg({}, reach), 5.0, 1e-9);
   EXPECT_NEAR(final_direction_deg({.fixed_plate_orientation_deg = 0.0}, reach), -5.0 / 0.85, 1e-9);
@@ -39,13 +39,12 @@ FingerSample direction(std::int64_t time_ns, double direction_deg) {
   return {.time_ns = time_ns, .observation = Observation::direction, .direction_deg = direction_deg};
 }
 
-// A participant without noise who slides at 33.3 mm/s, seen `rate_hz` times a second from time `phase_ns`
-// before the motion starts; returns the final direction.
+// A participant without noise who slides at 33.3 mm/s, sampled at `rate_hz` from `phase_ns` before the motion.
 struct StreamedReach {
   double rate_hz = 90.0;
   std::int64_t phase_ns = 0;
-  int dropped_from = -1;  // no samples from this step ..
-  int dropped_to = -1;    // .. to before this one
+  int dropped_from = -1;  // first step without samples
+  int dropped_to = -1;    // first step with samples again
 
   ReachSummary summary{};
   double final_direction_deg = 0.0;
@@ -74,7 +73,7 @@ struct StreamedReach {
   }
 };
 
-TEST(PaperReach, StreamedPositionsLeadToTheRealTargetAtAnyRateAndPhase) {
+TEST(PaperReach, PositionsAtAnyRateAndPhase_SteerToTheRealTarget) {
   for (const double rate_hz : {40.0, 90.0, 240.0, 1000.0}) {
     for (const std::int64_t phase_ns : {0 * ms, 7 * ms, 50 * ms, 1234 * ms}) {
       StreamedReach reach{.rate_hz = rate_hz, .phase_ns = phase_ns};
@@ -85,7 +84,7 @@ TEST(PaperReach, StreamedPositionsLeadToTheRealTargetAtAnyRateAndPhase) {
   }
 }
 
-TEST(PaperReach, ADropoutHoldsThenRecovers) {
+TEST(PaperReach, ADropoutOfHalfASecond_IsPredictedAndRecovered) {
   StreamedReach reach{.dropped_from = 10, .dropped_to = 15};
   reach.run();
   EXPECT_NEAR(reach.final_direction_deg, 5.0, 0.2);
@@ -93,7 +92,7 @@ TEST(PaperReach, ADropoutHoldsThenRecovers) {
   EXPECT_LE(reach.summary.predicted_steps, 5);
 }
 
-TEST(PaperReach, PositionsAfterDirectionsShowWhereTheFingerIs) {
+TEST(PaperReach, PositionsAfterDirections_SetTheDistanceToGo) {
   const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -50.0}};
   PaperReach led({}, reach);
   for (int k = 0; k < 10; ++k) led.update(direction(k * 100 * ms, 1.0));
@@ -106,8 +105,8 @@ TEST(PaperReach, PositionsAfterDirectionsShowWhereTheFingerIs) {
   EXPECT_EQ(led.summary().dropped_samples, 0);
 }
 
-// The steps wait for a finger that is lifted or rests, to the end of time if need be.
-TEST(PaperReach, AFingerThatFeelsNothingStopsTheSteps) {
+// Steps are suspended while the finger is lifted or rests, up to the largest time.
+TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
   const auto sample = [](std::int64_t time_ns, Observation observation) {
     return FingerSample{.time_ns = time_ns, .observation = observation, .direction_deg = 2.0};
@@ -126,9 +125,9 @@ TEST(PaperReach, AFingerThatFeelsNothingStopsTheSteps) {
   EXPECT_LT(resting.command().step, 12);
 }
 
-// While samples are missing, the finger moves as the model says, P - K (w_T t + (1 - w_T) p), from 3 with the
-// plate held. Step 2 is the first without a sample, so the commands from step 3 on are predicted.
-TEST(PaperReach, PredictedStepsPublishThePredictedFinger) {
+// Without samples, the finger moves by the model, P - K (w_T t + (1 - w_T) p), from 3 with the plate at rest. Step 2 is
+// the first without a sample, so commands are predicted from step 3 on.
+TEST(PaperReach, MissingSamples_GiveThePredictedFinger) {
   PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
   for (int k = 0; k < 2; ++k) led.update(direction(k * 100 * ms, 3.0 * k));
   const double plate_deg = led.command().plate_orientation_deg;
@@ -153,9 +152,9 @@ TEST(PaperReach, PredictedStepsPublishThePredictedFinger) {
   EXPECT_NEAR(finger_deg, 4.65, 0.005);
 }
 
-// A finger at 33 mm/s that is lost at 35 mm of 100: the distance falls with the predicted finger, and is
-// constant while the finger is lifted.
-TEST(PaperReach, TheDistanceToGoFollowsThePredictedFinger) {
+// A finger at 33 mm/s that is lost at 35 mm of 100: the distance decreases with the predicted finger, and is constant
+// while the finger is lifted.
+TEST(PaperReach, ADropout_ReducesThePredictedDistanceToGo) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
   int t = 0;
   for (; t < 1000; t += 10) led.update(position(t * ms, {0, 33e-3 * t}));
@@ -170,7 +169,7 @@ TEST(PaperReach, TheDistanceToGoFollowsThePredictedFinger) {
   EXPECT_EQ(led.command().distance_to_go_mm, predicted_mm);
 }
 
-TEST(PaperReach, ASampleSentTwiceCountsOnce) {
+TEST(PaperReach, DuplicateSamples_CountOnce) {
   const auto run = [](int times) {
     PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
     for (int i = 0; i < 100; ++i)
@@ -180,8 +179,8 @@ TEST(PaperReach, ASampleSentTwiceCountsOnce) {
   EXPECT_EQ(run(1), run(3));
 }
 
-// Between stops at 90 and 270 there is no 0, but 180 feels the same.
-TEST(PaperReach, CommandsBeforeTheFingerMovesKeepToTheStopsToo) {
+// Between stops at 90 and 270, 180 has the same ridges as 0.
+TEST(PaperReach, StopsWithoutTheCommand_GiveAnEquivalentOrientation) {
   PaperReachConfig config{.plate = {.max_speed_deg_s = 400.0, .stops = {90.0, 270.0}}};
   const Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 0.0};
   PaperReach stays(config, reach);
@@ -199,8 +198,9 @@ TEST(PaperReach, CommandsBeforeTheFingerMovesKeepToTheStopsToo) {
   }
 }
 
-// 90 and -90 are as near to a plate at 0 as each other: what it reports must not toggle between them.
-TEST(PaperReach, AFixedPlateTurnsOneWay) {
+// Ridges at +90 and -90 degrees are the same, and equally far from 0. Reports that change sign must not make the
+// command switch between them.
+TEST(PaperReach, ReportsThatChangeSign_DoNotFlipAFixedPlate) {
   PaperReach fixed({.fixed_plate_orientation_deg = 90.0, .plate = {.max_speed_deg_s = 400.0, .latency_ns = 500 * ms}},
                    {.real_direction_deg = -5, .virtual_direction_deg = 5});
   const double first_deg = fixed.command().plate_orientation_deg;
@@ -216,7 +216,7 @@ TEST(PaperReach, AFixedPlateTurnsOneWay) {
   }
 }
 
-TEST(PaperReach, ThePlateStaysUntilTheFingerMoves) {
+TEST(PaperReach, ARestingFinger_LeavesThePlateAtRest) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
   for (int i = 0; i < 100; ++i) {
     const PlateCommand command = led.update(position(i * 50 * ms, {0, 0}));
@@ -225,8 +225,8 @@ TEST(PaperReach, ThePlateStaysUntilTheFingerMoves) {
   }
 }
 
-// A lift and a dropout before the motion are the same to the clock.
-TEST(PaperReach, ALiftBeforeTheMotionDoesNotDelayTheSteps) {
+// A lift and a dropout before the motion have the same effect on the clock.
+TEST(PaperReach, ALiftBeforeTheMotion_DoesNotDelayTheSteps) {
   std::vector<std::int64_t> steps;
   for (const Observation before : {Observation::none, Observation::lifted}) {
     PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5});
@@ -240,8 +240,8 @@ TEST(PaperReach, ALiftBeforeTheMotionDoesNotDelayTheSteps) {
   EXPECT_EQ(steps[0], steps[1]);
 }
 
-// 33 mm/s for two seconds; not for all ten seconds without a position.
-TEST(PaperReach, PredictionEndsAfterTwoSeconds) {
+// The prediction covers two of the ten seconds without a position, at 33 mm/s.
+TEST(PaperReach, TenSecondsWithoutSamples_ArePredictedForTwo) {
   PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_mm = 1000.0});
   int i = 0;
   for (; i < 150; ++i) led.update(position(i * 10 * ms, {0.0, 0.33 * std::max(0, i - 50)}));
@@ -256,7 +256,7 @@ std::vector<std::int64_t> ends_until(StepClock& clock, std::int64_t time_ns) {
   return ends;
 }
 
-TEST(StepClock, EndsTheStepsThatEndByThen) {
+TEST(StepClock, ATime_EndsTheStepsUntilThen) {
   StepClock clock(100);
   EXPECT_EQ(clock.step(), -1);
   clock.start(1000);
@@ -267,7 +267,7 @@ TEST(StepClock, EndsTheStepsThatEndByThen) {
   EXPECT_EQ(clock.end_ns(), 1300);
 }
 
-TEST(StepClock, AWaitMakesTheStepLonger) {
+TEST(StepClock, AWait_ExtendsTheStep) {
   StepClock clock(100);
   clock.start(0);
   clock.wait(30);
@@ -275,7 +275,7 @@ TEST(StepClock, AWaitMakesTheStepLonger) {
   EXPECT_EQ(ends_until(clock, 130), (std::vector<std::int64_t>{130}));
 }
 
-TEST(StepClock, CatchesUpWithSoManyAndCountsTheRest) {
+TEST(StepClock, ALongGap_EndsSixtyFourStepsAndSkipsTheRest) {
   StepClock clock(1);
   clock.start(std::numeric_limits<std::int64_t>::min());
   std::int64_t ended = 0;

@@ -13,7 +13,7 @@ namespace hrt {
 namespace {
 
 // h = 0.15 * 40 + 0.85 * (-2) = 4.3; theta_hat = 10 + 5/6 (4.3 - 10) = 5.25; u = 4.75.
-TEST(Participant, OneStepByHand) {
+TEST(Participant, OneStep_GivesTheHandCalculatedResponse) {
   const ParticipantStep step = participant_step({.tactile_weight = 0.15,
                                                  .gain = 5.0 / 6.0,
                                                  .goal_direction_deg = 10.0,
@@ -24,8 +24,8 @@ TEST(Participant, OneStepByHand) {
   EXPECT_DOUBLE_EQ(step.motor_command_deg, 4.75);
 }
 
-// P + u is linear in P and in w_T, so differences are the derivatives.
-TEST(Participant, SlopesAreThoseOfTheStep) {
+// P + u is linear in P and in w_T, so derivatives equal differences.
+TEST(Participant, Slopes_EqualDifferencesOfTheStep) {
   const ParticipantInput input{.tactile_weight = 0.2,
                                .gain = 0.75,
                                .goal_direction_deg = 5.0,
@@ -43,7 +43,7 @@ TEST(Participant, SlopesAreThoseOfTheStep) {
   EXPECT_NEAR(slopes.by_weight, (next_deg(heavier) - next_deg(input)) / 0.125, 1e-13);
 }
 
-TEST(Participant, InvalidParametersAreRecognised) {
+TEST(Participant, ParametersOutOfRange_AreInvalid) {
   EXPECT_TRUE(is_valid(Participant{}));
   EXPECT_FALSE(is_valid(Participant{.tactile_weight = 0.0}));
   EXPECT_FALSE(is_valid(Participant{.tactile_weight = 0.5}));
@@ -55,7 +55,7 @@ TEST(Participant, InvalidParametersAreRecognised) {
 
 // K_0 = 0.5 / (0.5 + 0.1) = 5/6, var_0 = (1/6)(1/2) = 1/12;
 // K_1 = (7/12) / (7/12 + 1/10) = 35/41, var_1 = (6/41)(7/12) = 7/82.
-TEST(Perception, FirstGainsOfConditionOne) {
+TEST(Perception, ConditionOne_GivesTheHandCalculatedGains) {
   const Participant participant;
   const FilterGain first = next_gain(participant, 0.0);
   EXPECT_DOUBLE_EQ(first.gain, 5.0 / 6.0);
@@ -65,8 +65,8 @@ TEST(Perception, FirstGainsOfConditionOne) {
   EXPECT_DOUBLE_EQ(second.variance_deg2, 7.0 / 82.0);
 }
 
-// var- = var + q and var = r var- / (var- + r) give var-^2 - q var- - q r = 0; its positive root.
-TEST(Perception, GainsSettleWhereTheRecursionStands) {
+// var- = var + q and var = r var- / (var- + r) give var-^2 - q var- - q r = 0, with the positive root below.
+TEST(Perception, ManySteps_GiveTheFixedPointOfTheGain) {
   for (const double q : {0.1, 0.5, 1.0, 2.0}) {
     const Participant participant{.motor_variance_deg2 = q};
     const double r = participant.sensory_variance_deg2;
@@ -77,7 +77,7 @@ TEST(Perception, GainsSettleWhereTheRecursionStands) {
   }
 }
 
-TEST(Perception, WindowHoldsTheGainsAhead) {
+TEST(Perception, AWindow_HasTheGainsOfTheNextSteps) {
   const Participant participant;
   GainWindow window(participant, 3);
   std::array<double, 20> gains{};
@@ -89,7 +89,7 @@ TEST(Perception, WindowHoldsTheGainsAhead) {
 }
 
 // L w / (1 - w): 90 * 0.15 / 0.85 = 15.88, 90 / 9 = 10, 90 * 0.05 / 0.95 = 4.74.
-TEST(Authority, LargestGapByHand) {
+TEST(GapFeasibility, WeightsAndBounds_GiveTheHandCalculatedLargestGap) {
   EXPECT_NEAR(max_gap_deg(0.15, 90.0), 15.882, 1e-3);
   EXPECT_NEAR(max_gap_deg(0.10, 90.0), 10.0, 1e-12);
   EXPECT_NEAR(max_gap_deg(0.05, 90.0), 4.737, 1e-3);
@@ -98,49 +98,49 @@ TEST(Authority, LargestGapByHand) {
   EXPECT_NEAR(max_gap_deg(0.05, 84.5), 4.447, 1e-3);
 }
 
-TEST(Authority, OrientationHoldsTheReachablePair) {
-  const Authority authority = steering_authority(5.0, -5.0, 0.15, 84.5);
-  EXPECT_TRUE(authority.reachable);
-  EXPECT_DOUBLE_EQ(authority.gap_deg, -10.0);
-  EXPECT_DOUBLE_EQ(authority.settling_direction_deg, 5.0);
-  // Felt at rest: w T + (1 - w) P = theta_V.
-  EXPECT_NEAR(0.15 * authority.plate_orientation_deg + 0.85 * 5.0, -5.0, 1e-12);
+TEST(GapFeasibility, AFeasibleGap_GivesTheOrientationThatSustainsIt) {
+  const GapFeasibility feasibility = paper_gap_feasibility(5.0, -5.0, 0.15, 84.5);
+  EXPECT_TRUE(feasibility.reachable);
+  EXPECT_DOUBLE_EQ(feasibility.gap_deg, -10.0);
+  EXPECT_DOUBLE_EQ(feasibility.settling_direction_deg, 5.0);
+  // Steady state: w T + (1 - w) P = theta_V.
+  EXPECT_NEAR(0.15 * feasibility.plate_orientation_deg + 0.85 * 5.0, -5.0, 1e-12);
 }
 
-TEST(Authority, OutOfReachSettlesAtTheBound) {
-  const Authority authority = steering_authority(0.0, 10.0, 0.10, 84.5);
-  EXPECT_FALSE(authority.reachable);
-  EXPECT_DOUBLE_EQ(authority.plate_orientation_deg, 94.5);
-  EXPECT_NEAR(authority.settling_direction_deg, 10.0 - 84.5 / 9.0, 1e-12);
-  EXPECT_LT(authority.margin_deg, 0.0);
+TEST(GapFeasibility, AnInfeasibleGap_SettlesAtTheBound) {
+  const GapFeasibility feasibility = paper_gap_feasibility(0.0, 10.0, 0.10, 84.5);
+  EXPECT_FALSE(feasibility.reachable);
+  EXPECT_DOUBLE_EQ(feasibility.plate_orientation_deg, 94.5);
+  EXPECT_NEAR(feasibility.settling_direction_deg, 10.0 - 84.5 / 9.0, 1e-12);
+  EXPECT_LT(feasibility.margin_deg, 0.0);
 }
 
-TEST(Authority, ExactlyAtTheLargestGapTheBoundHolds) {
+TEST(GapFeasibility, TheLargestGap_IsFeasibleWithZeroMargin) {
   const double max_deg = max_gap_deg(0.15, 84.5);
-  const Authority authority = steering_authority(-max_deg, 0.0, 0.15, 84.5);
-  EXPECT_TRUE(authority.reachable);
-  EXPECT_DOUBLE_EQ(authority.margin_deg, 0.0);
-  EXPECT_NEAR(authority.plate_orientation_deg, 84.5, 1e-12);
-  EXPECT_LE(authority.plate_orientation_deg, 84.5);
+  const GapFeasibility feasibility = paper_gap_feasibility(-max_deg, 0.0, 0.15, 84.5);
+  EXPECT_TRUE(feasibility.reachable);
+  EXPECT_DOUBLE_EQ(feasibility.margin_deg, 0.0);
+  EXPECT_NEAR(feasibility.plate_orientation_deg, 84.5, 1e-12);
+  EXPECT_LE(feasibility.plate_orientation_deg, 84.5);
 }
 
 constexpr double directions_deg[] = {-40.0, -7.5, -5.0, 0.0, 4.0, 5.0, 12.0, 33.0};
 constexpr double tactile_weights[] = {0.02, 0.05, 0.1, 0.15, 0.3, 0.49};
 
-// The person of paper section II-A without noise, over a plate at the orientation that authority returns: the finger
-// settles where authority says, and the person feels the virtual direction there.
-TEST(Authority, ThePlateItNamesHoldsTheFingerWhereItSays) {
+// The participant of paper section II-A without noise, over a plate at the returned orientation: the finger settles in
+// the returned direction, and the perceived direction is the virtual one.
+TEST(GapFeasibility, TheReturnedOrientation_SettlesTheFingerInTheReturnedDirection) {
   for (const double w : tactile_weights) {
     for (const double real_deg : directions_deg) {
       for (const double virtual_deg : directions_deg) {
-        const Authority authority = steering_authority(real_deg, virtual_deg, w, 84.5);
+        const GapFeasibility feasibility = paper_gap_feasibility(real_deg, virtual_deg, w, 84.5);
         SimulatedParticipant person({.tactile_weight = w}, virtual_deg);
-        for (int k = 0; k < 200; ++k) person.step(authority.plate_orientation_deg, 0.0);
-        EXPECT_NEAR(person.finger_direction_deg(), authority.settling_direction_deg, 1e-9);
+        for (int k = 0; k < 200; ++k) person.step(feasibility.plate_orientation_deg, 0.0);
+        EXPECT_NEAR(person.finger_direction_deg(), feasibility.settling_direction_deg, 1e-9);
         EXPECT_NEAR(person.perceived_direction_deg(), virtual_deg, 1e-9);
-        EXPECT_EQ(authority.reachable, authority.settling_direction_deg == real_deg);
-        EXPECT_EQ(authority.reachable, authority.margin_deg >= 0.0);
-        EXPECT_LE(std::abs(authority.plate_orientation_deg - virtual_deg), 84.5 + 1e-12);
+        EXPECT_EQ(feasibility.reachable, feasibility.settling_direction_deg == real_deg);
+        EXPECT_EQ(feasibility.reachable, feasibility.margin_deg >= 0.0);
+        EXPECT_LE(std::abs(feasibility.plate_orientation_deg - virtual_deg), 84.5 + 1e-12);
       }
     }
   }

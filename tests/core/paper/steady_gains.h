@@ -1,4 +1,4 @@
-// The gains of a person whose filter has settled.
+// Gains of a participant whose filter has converged.
 #pragma once
 
 #include "core/paper/participant.h"

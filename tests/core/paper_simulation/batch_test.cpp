@@ -14,7 +14,7 @@ namespace hrt {
 namespace {
 
 // 1, 2 and -6 degrees: mean -1, mean square 41 / 3.
-TEST(AngleSums, ByHand) {
+TEST(AngleSums, ThreeAngles_GiveTheHandCalculatedMeanAndRms) {
   AngleSums sums;
   sums.add(1.0);
   sums.add(2.0);
@@ -23,8 +23,8 @@ TEST(AngleSums, ByHand) {
   EXPECT_DOUBLE_EQ(sums.rms_deg(3), std::sqrt(41.0 / 3.0));
 }
 
-// 1000 degrees are 1.05e9 units; the squares of 100 of them pass 2^64.
-TEST(AngleSums, ClampsAndCarries) {
+// 1000 degrees are 1.05e9 units; the sum of squares of 100 of them exceeds 2^64.
+TEST(AngleSums, HugeAngles_AreClampedWithoutOverflow) {
   AngleSums one_by_one;
   AngleSums doubled;
   doubled.add(1e300);
@@ -46,7 +46,7 @@ std::vector<BatchJob> mixed_jobs() {
   };
 }
 
-TEST(Batch, ThreadsDoNotMatter) {
+TEST(Batch, AnyNumberOfThreads_GivesTheSameResults) {
   const std::vector<BatchJob> jobs = mixed_jobs();
   const std::vector<BatchResult> one = run_batch(jobs, 11, {.threads = 1});
   for (const int threads : {0, 2, 5}) EXPECT_EQ(run_batch(jobs, 11, {.threads = threads}), one) << threads;
@@ -57,7 +57,7 @@ TEST(Batch, ThreadsDoNotMatter) {
   EXPECT_EQ(one[2].steps, 4905u * 30u);
 }
 
-TEST(Batch, PartsMergeToTheWhole) {
+TEST(Batch, ResultsOfParts_AddUpToTheWhole) {
   for (BatchJob job : mixed_jobs()) {
     const BatchResult whole = run_batch({&job, 1}, 3)[0];
     const std::uint32_t end = job.last_trial;
@@ -71,7 +71,7 @@ TEST(Batch, PartsMergeToTheWhole) {
   }
 }
 
-TEST(Batch, CountsWhatTrialsGive) {
+TEST(Batch, ABatch_CountsTheOutcomesOfItsTrials) {
   const BatchJob job{.condition = {}, .condition_id = 5, .first_trial = 20, .last_trial = 90};
   const BatchResult result = run_batch({&job, 1}, 9)[0];
   std::uint64_t hits = 0;
@@ -101,8 +101,8 @@ class Hash {  // FNV-1a of 64-bit words
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-// The same bits from every compiler, at every level of optimisation, on every host.
-TEST(Batch, BitsAreTheSameEverywhere) {
+// The same bits with every compiler, optimisation level and host.
+TEST(Batch, FixedSeeds_GiveTheDocumentedBits) {
   Hash draws;
   for (std::uint32_t trial = 0; trial < 1000; ++trial) {
     for (std::uint32_t step = 0; step < 30; ++step)
@@ -131,7 +131,7 @@ TEST(Batch, BitsAreTheSameEverywhere) {
   EXPECT_EQ(results.value(), 10484040329789634031u);
 }
 
-TEST(Batch, ReportsProgressToTheEnd) {
+TEST(Batch, Progress_EndsWithAllTrials) {
   std::uint64_t last = 0;
   run_batch(mixed_jobs(), 1, {.threads = 2, .progress = [&](std::uint64_t done, std::uint64_t total) {
                                 EXPECT_EQ(total, 14'905u);
@@ -141,7 +141,7 @@ TEST(Batch, ReportsProgressToTheEnd) {
   EXPECT_EQ(last, 14'905u);
 }
 
-TEST(Batch, CancelsAndPassesOnExceptions) {
+TEST(Batch, ACancelledBatch_EndsEarlyAndExceptionsAreThrown) {
   std::vector<BatchJob> jobs = mixed_jobs();
   jobs[0].last_trial = 4'000'000;
   std::atomic<bool> cancel{false};

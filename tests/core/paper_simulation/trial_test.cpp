@@ -8,8 +8,8 @@
 namespace hrt {
 namespace {
 
-// The equations of paper section II-A, step by step, on what a trial records.
-TEST(SimulationTrial, RecordObeysTheModel) {
+// Compares the recorded steps of a trial with the equations of paper section II-A.
+TEST(SimulationTrial, ARecordedTrial_FollowsTheEquationsOfThePaper) {
   const Condition condition;
   std::vector<TrialStep> steps;
   const TrialOutcome outcome = simulate_trial(condition, {.seed = 7, .condition = 0, .trial = 3}, &steps);
@@ -38,7 +38,7 @@ TEST(SimulationTrial, RecordObeysTheModel) {
   EXPECT_EQ(outcome.hit, std::abs(finger_deg + 5.0) <= 1.5);
 }
 
-TEST(SimulationTrial, RefusesWhatIsOutOfRange) {
+TEST(SimulationTrial, ConditionsOutOfRange_AreInvalid) {
   EXPECT_TRUE(is_valid(Condition{}));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(is_valid(Condition{.participant = {.tactile_weight = 0.5}}));

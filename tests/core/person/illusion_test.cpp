@@ -10,23 +10,23 @@ namespace {
 constexpr Illusion linear{.weight = 0.2, .curve = 0.0};
 constexpr Illusion curved{.weight = 0.3, .curve = 0.12};
 
-TEST(Illusion, IsTheLineLessTheCube) {
+TEST(Illusion, Offsets_GiveTheLinearMinusTheCubicTerm) {
   EXPECT_DOUBLE_EQ(felt_shift(linear, 30.0).shift_deg, 6.0);
   EXPECT_DOUBLE_EQ(felt_shift(linear, -30.0).shift_deg, -6.0);
-  // 0.3 * 75 - 0.12 * 75; slope 0.3 - 3 * 0.12
+  // g(t) = w t - b t (t / 75)^2 and g' = w - 3 b (t / 75)^2, at t = 75, w = 0.3, b = 0.12.
   EXPECT_DOUBLE_EQ(felt_shift(curved, 75.0).shift_deg, 13.5);
   EXPECT_NEAR(felt_shift(curved, 75.0).by_offset, -0.06, 1e-15);
   EXPECT_EQ(felt_shift(curved, 0.0).shift_deg, 0.0);
 }
 
-TEST(Illusion, RepeatsEveryHalfTurn) {
+TEST(Illusion, AHalfTurn_GivesTheSameShift) {
   for (const double t : {-60.0, 10.0, 89.0}) {
     EXPECT_NEAR(felt_shift(curved, t + 180.0).shift_deg, felt_shift(curved, t).shift_deg, 1e-12);
     EXPECT_NEAR(felt_shift(curved, t - 1800.0).shift_deg, felt_shift(curved, t).shift_deg, 1e-10);
   }
 }
 
-TEST(Illusion, DerivativesAreThoseOfDifferences) {
+TEST(Illusion, Derivatives_EqualDifferences) {
   constexpr double h = 1e-4;
   for (const double fading : {0.0, 0.7}) {
     for (double t = -80.0; t < 86.0; t += 16.0) {
@@ -42,8 +42,8 @@ TEST(Illusion, DerivativesAreThoseOfDifferences) {
   }
 }
 
-// At a speed of 10 mm / 0.6 s across them half of the ridges' fading part is felt, along them none.
-TEST(Illusion, FadesBetweenRidges) {
+// With A = 1 the shift is reduced by the factor |cos t| / (|cos t| + 1).
+TEST(Illusion, ADecayingCue_ReducesTheShift) {
   const Illusion fading{.weight = 0.2, .curve = 0.0, .fading = 1.0, .slowness = 1.0};
   EXPECT_DOUBLE_EQ(felt_shift(fading, 60.0).shift_deg, 12.0 * 0.5 / (0.5 + 1.0));
   EXPECT_DOUBLE_EQ(felt_shift(fading, -60.0).shift_deg, -12.0 * 0.5 / (0.5 + 1.0));
@@ -56,15 +56,15 @@ TEST(Illusion, FadesBetweenRidges) {
   EXPECT_DOUBLE_EQ(felt_shift(fast, 60.0).shift_deg, 12.0);
 }
 
-TEST(Illusion, OfAFadingTouchIsLargestBelowTheBound) {
+TEST(Illusion, ADecayingCue_HasItsMaximumBelowTheBound) {
   const Illusion fading{.weight = 0.2, .curve = 0.0, .fading = 1.0, .slowness = 0.3};
   const MaxShift max = max_shift(fading, 85.0);
   EXPECT_GT(max.felt.shift_deg, felt_shift(fading, max.offset_deg - 1.0).shift_deg);
   EXPECT_GT(max.felt.shift_deg, felt_shift(fading, max.offset_deg + 1.0).shift_deg);
 }
 
-// 75 sqrt(0.3 / 0.36) = 68.465; the shift there is two thirds of 0.3 times it.
-TEST(Illusion, IsLargestWhereItsSlopeIsNoneOrAtTheBound) {
+// The maximum is at 75 sqrt(0.3 / 0.36) = 68.465, where the shift is two thirds of 0.3 times that.
+TEST(Illusion, TheMaximum_IsAtZeroSlopeOrAtTheBound) {
   EXPECT_NEAR(max_shift(curved, 75.0).offset_deg, 68.4653, 1e-4);
   EXPECT_NEAR(max_shift(curved, 75.0).felt.shift_deg, 13.69306, 1e-5);
   EXPECT_EQ(max_shift(curved, 40.0).offset_deg, 40.0);
@@ -73,7 +73,7 @@ TEST(Illusion, IsLargestWhereItsSlopeIsNoneOrAtTheBound) {
   EXPECT_LT(max_shift(linear, 90.0).offset_deg, 90.0);
 }
 
-TEST(Illusion, TheOffsetForAShiftGivesThatShift) {
+TEST(Illusion, TheOffsetForAShift_CausesThatShift) {
   for (const Illusion illusion : {linear, curved, Illusion{0.3, -0.1}, Illusion{0.01, 0.5}, Illusion{0.6, 0.5},
                                   Illusion{0.05, 0.0}, Illusion{0.2, 0.05, 0.8, 0.3}}) {
     for (const double bound : {75.0, 30.0, 89.9}) {

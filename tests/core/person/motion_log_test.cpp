@@ -13,8 +13,8 @@ using X = PersonState;
 
 constexpr double path_mm = 100.0;
 
-// One motion of a second, without a plate, sampled at `rate_hz`: the direction over the fraction s of the path is
-// bend_deg * cos(2 pi s), which returns to the line.
+// A motion of one second over a plate without effect, sampled at `rate_hz`. The direction over the fraction s of the
+// path is bend_deg * cos(2 pi s), which returns to the line.
 MotionLog motion(double bend_deg, int rate_hz = 100) {
   PersonFilter filter(unknown_person(), 0.0, path_mm, {.white_mm = 0.2, .correlated_mm = 0.2});
   filter.begin(0.0, 0.02, 0.1);
@@ -35,27 +35,27 @@ MotionLog motion(double bend_deg, int rate_hz = 100) {
 
 double learnt_log_wander(const MotionLog& log) { return log.belief(unknown_person()).mean(X::log_wander); }
 
-TEST(MotionLog, AStraightMotionLowersTheWanderAndAWindingOneRaisesIt) {
+TEST(MotionLog, AStraightMotion_LowersTheWanderAndACurvedOneRaisesIt) {
   const double prior = unknown_person().mean(X::log_wander);
   EXPECT_LT(learnt_log_wander(motion(0.0)), prior - 0.3);
   EXPECT_GT(learnt_log_wander(motion(25.0)), prior + 0.2);
   EXPECT_LT(learnt_log_wander(motion(5.0)), learnt_log_wander(motion(15.0)));
 }
 
-TEST(MotionLog, AMotionMakesTheEstimateMoreCertain) {
+TEST(MotionLog, AMotion_ReducesTheVarianceOfTheWander) {
   const PersonBelief prior = unknown_person();
   const PersonBelief learnt = motion(0.0).belief(prior);
   EXPECT_LT(learnt.covariance(X::log_wander, X::log_wander), prior.covariance(X::log_wander, X::log_wander));
 }
 
-TEST(MotionLog, WithoutPositionsTheBeliefIsUnchanged) {
+TEST(MotionLog, NoPositions_LeaveTheEstimateUnchanged) {
   const PersonBelief prior = unknown_person();
   const PersonBelief learnt = MotionLog{}.belief(prior);
   EXPECT_EQ(learnt.mean, prior.mean);
   EXPECT_EQ(learnt.covariance, prior.covariance);
 }
 
-TEST(MotionLog, AnInterruptedMotionShowsTheWanderAlone) {
+TEST(MotionLog, AnInterruptedMotion_UpdatesTheWanderOnly) {
   MotionLog log = motion(0.0);
   const int count = log.count();
   log.close();
@@ -67,7 +67,7 @@ TEST(MotionLog, AnInterruptedMotionShowsTheWanderAlone) {
   EXPECT_EQ(learnt.mean.head<X::log_wander>(), prior.mean.head<X::log_wander>());
 }
 
-TEST(MotionLog, KeepsTheWholeMotionAtAnyRate) {
+TEST(MotionLog, AHighRate_StillCoversTheWholeMotion) {
   const MotionLog log = motion(10.0, 1000);
   EXPECT_GE(log.count(), MotionLog::capacity / 2);
   EXPECT_NEAR(learnt_log_wander(log), learnt_log_wander(motion(10.0, 100)), 0.3);

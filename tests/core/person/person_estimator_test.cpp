@@ -10,11 +10,11 @@
 namespace hrt {
 namespace {
 
-// A finger that moves straight away over 100 mm, minimum jerk, from `onset_s` on, over a plate at 0.
+// A finger that moves straight away from the user over 100 mm, minimum jerk, from `onset_s` on; the plate is at 0.
 struct Finger {
   double onset_s = 0.3;
   double duration_s = 1.5;
-  double pause_from_s = 1e9;  // of the motion
+  double pause_from_s = 1e9;  // time of the pause, from the onset
   double pause_s = 0.0;
   PlatePoint start{0.0, 0.0};
 
@@ -44,9 +44,9 @@ class PersonEstimatorTest : public ::testing::Test {
   PersonEstimator estimator_{unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt};
 };
 
-// With a precise tracker; where noise hides the first millimetres, the likely duration of 2 s decides. This finger
-// peaks at half of the time, later than the model expects.
-TEST_F(PersonEstimatorTest, DatesTheOnsetWithinFortyMilliseconds) {
+// With a precise tracker: noise would hide the first millimetres. The peak of the speed is at half of the time, later
+// than the prior of the evenness expects.
+TEST_F(PersonEstimatorTest, PrecisePositions_DateTheOnsetWithin40Ms) {
   PersonBelief belief = unknown_person();
   belief.mean(PersonState::evenness) = 0.0;
   for (const double rate_hz : {60.0, 90.0, 240.0, 1000.0}) {
@@ -61,7 +61,7 @@ TEST_F(PersonEstimatorTest, DatesTheOnsetWithinFortyMilliseconds) {
   }
 }
 
-TEST_F(PersonEstimatorTest, KnowsWhereAMovingFingerIs) {
+TEST_F(PersonEstimatorTest, NoisyPositions_GiveThePositionWithin2Mm) {
   noise_mm_ = 1.2;
   const Finger finger;
   watch(finger, 0.0, 1.2);
@@ -70,7 +70,7 @@ TEST_F(PersonEstimatorTest, KnowsWhereAMovingFingerIs) {
   EXPECT_TRUE(estimator_.model_fits());
 }
 
-TEST_F(PersonEstimatorTest, SeesAPauseAndItsEnd) {
+TEST_F(PersonEstimatorTest, APause_IsDetectedAndEnds) {
   noise_mm_ = 0.5;
   const Finger finger{.pause_from_s = 0.7, .pause_s = 0.8};
   watch(finger, 0.0, 1.6);
@@ -83,17 +83,17 @@ TEST_F(PersonEstimatorTest, SeesAPauseAndItsEnd) {
   EXPECT_NEAR(estimator_.place().away_mm, finger.at(2.3).away_mm, 4.0);
 }
 
-TEST_F(PersonEstimatorTest, FollowsAJumpAndForgetsAnOutlier) {
+TEST_F(PersonEstimatorTest, AnOutlierIsRejectedAndAJump_IsFollowed) {
   Finger finger;
   watch(finger, 0.0, 0.9);
   EXPECT_FALSE(estimator_.observe(0.905, {80.0, -40.0}, plate_));
   EXPECT_NEAR(estimator_.place().right_mm, 0.0, 2.0);
-  finger.start.right_mm = 60.0;  // another finger
+  finger.start.right_mm = 60.0;  // tracking of another finger
   watch(finger, 0.92, 1.15);
   EXPECT_NEAR(estimator_.place().right_mm, 60.0, 3.0);
 }
 
-TEST_F(PersonEstimatorTest, ALiftedFingerComesDownElsewhere) {
+TEST_F(PersonEstimatorTest, ALiftedFinger_MayBeSetDownElsewhere) {
   Finger finger{.pause_from_s = 0.6, .pause_s = 0.3};
   watch(finger, 0.0, 0.9);
   estimator_.lift(0.9, plate_);
@@ -105,8 +105,8 @@ TEST_F(PersonEstimatorTest, ALiftedFingerComesDownElsewhere) {
   EXPECT_TRUE(estimator_.moving());
 }
 
-// Half a second without samples in the middle of a motion of 1.5 s.
-TEST_F(PersonEstimatorTest, PredictsThroughADropout) {
+// 0.3 s without samples in a motion of 1.5 s.
+TEST_F(PersonEstimatorTest, ADropout_IsPredicted) {
   const Finger finger;
   watch(finger, 0.0, 0.9);
   for (double t = 0.9; t < 1.2; t += 0.01) estimator_.predict(t, plate_);
@@ -115,7 +115,7 @@ TEST_F(PersonEstimatorTest, PredictsThroughADropout) {
   EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.4).away_mm, 2.0);
 }
 
-TEST_F(PersonEstimatorTest, SurvivesAGapWithoutEnd) {
+TEST_F(PersonEstimatorTest, AGapOfCenturies_KeepsTheStateFinite) {
   watch({}, 0.0, 0.9);
   estimator_.predict(1.8e10, plate_);
   estimator_.observe(1.8e10 + 1.0, {0.0, 50.0}, plate_);

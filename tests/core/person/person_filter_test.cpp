@@ -15,7 +15,7 @@ namespace {
 using F = PersonFilter;
 using X = PersonState;
 
-// Takes a position in unless its NIS exceeds `gate`; returns the NIS.
+// Corrects the filter by a position unless its NIS exceeds `gate`; returns the NIS.
 double observe(PersonFilter& filter, const PlatePoint& position, double gate) {
   const F::Innovation innovation = filter.innovation(position);
   if (innovation.nis <= gate) filter.correct(innovation);
@@ -29,7 +29,7 @@ PersonFilter moving_filter() {
   return filter;
 }
 
-// Smallest eigenvalue of the correlations.
+// Smallest eigenvalue of the correlation matrix.
 double min_eigenvalue(const F::Covariance& covariance) {
   const F::State sd = covariance.diagonal().cwiseSqrt();
   const F::Covariance symmetric = 0.5 * (covariance + covariance.transpose());
@@ -40,9 +40,9 @@ double min_eigenvalue(const F::Covariance& covariance) {
   return Eigen::SelfAdjointEigenSolver<F::Covariance>(correlation).eigenvalues()(0);
 }
 
-// A person who feels nothing of ridges sets out at a share h of the goal V and turns towards it:
-// phi = V (1 - (1 - h) exp(-k t)). After one second of an even pace of 1/s they are at the path's end.
-TEST(PersonFilter, MovesAsTheEquationsSay) {
+// A person without illusion starts in the direction h V and turns towards V: phi = V (1 - (1 - h) exp(-k t)). After one
+// second at a constant pace of 1/s, the path is complete.
+TEST(PersonFilter, APersonWithoutIllusion_MovesByTheClosedForm) {
   PersonBelief belief = unknown_person();
   belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.5;
   Tuning tuning;
@@ -56,7 +56,7 @@ TEST(PersonFilter, MovesAsTheEquationsSay) {
     const double phi_rad = (10.0 - 6.0 * std::exp(-5.0 * 0.01 * (i + 0.5))) * 0.017453292519943295;
     right_mm -= std::sin(phi_rad);
     away_mm += std::cos(phi_rad);
-    filter.move(0.01, filter.direction_deg());  // ridges across the motion: not felt
+    filter.move(0.01, filter.direction_deg());  // ridges across the motion cause no shift
   }
   EXPECT_NEAR(filter.direction_deg(), 10.0 - 6.0 * std::exp(-5.0), 0.01);
   EXPECT_NEAR(filter.mean(X::right), right_mm, 0.05);
@@ -67,9 +67,9 @@ TEST(PersonFilter, MovesAsTheEquationsSay) {
   EXPECT_EQ(filter.mean(X::away), end_mm);
 }
 
-// A trait's variance, grown from nothing, carries to the others the derivative of the motion by that trait:
-// cov(x, trait) / var(trait) after steps is d x / d trait, here by differences of whole motions.
-TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
+// With a variance in one trait only, cov(x, trait) / var(trait) after some steps is the derivative of x by the trait,
+// which is compared with differences of whole motions.
+TEST(PersonFilter, Covariances_FollowTheDerivativesOfTheMotion) {
   const struct {
     X::Index trait;
     double step;
@@ -101,10 +101,9 @@ TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
   }
 }
 
-// Prior variance 4 of each coordinate, white noise 1 and correlated noise 2 squared millimetres: the place
-// takes 4/7 of the innovation, the correlated noise 2/7, and 9/7 is the innovation's square over its
-// variance.
-TEST(PersonFilter, SharesAnInnovationByVariance) {
+// Variances in mm^2: prior 4, white noise 1, correlated noise 2. The position takes 4/7 of the innovation, the
+// correlated noise 2/7; the NIS is 9/7.
+TEST(PersonFilter, AnInnovation_IsDividedByVariance) {
   PersonFilter filter(unknown_person(), 0.0, 100.0, {.white_mm = 1.0, .correlated_mm = std::sqrt(2.0)});
   filter.begin(0.0, 0.0, 2.0);
   EXPECT_NEAR(observe(filter, {3.0, 0.0}, 25.0), 9.0 / 7.0, 1e-12);
@@ -113,7 +112,7 @@ TEST(PersonFilter, SharesAnInnovationByVariance) {
   EXPECT_NEAR(filter.covariance()(X::right, X::right), 4.0 - 16.0 / 7.0, 1e-12);
 }
 
-TEST(PersonFilter, LeavesOutWhatTheGateRefuses) {
+TEST(PersonFilter, ARejectedPosition_LeavesTheStateUnchanged) {
   PersonFilter filter = moving_filter();
   const F::State state = filter.mean();
   const F::Covariance covariance = filter.covariance();
@@ -122,8 +121,8 @@ TEST(PersonFilter, LeavesOutWhatTheGateRefuses) {
   EXPECT_EQ(filter.covariance(), covariance);
 }
 
-// A resting finger's correlated noise is forgotten at the rate that is known: after tau, 1/e is left of it.
-TEST(PersonFilter, CorrelatedNoiseDecaysWithinItsTime) {
+// While the finger rests, 1/e of the correlated noise remains after its time constant.
+TEST(PersonFilter, ARestingFinger_LosesCorrelatedNoiseWithItsTimeConstant) {
   for (const double correlation_s : {0.03, 0.3}) {
     PersonFilter filter(unknown_person(), 5.0, 100.0, {0.1, 3.0, correlation_s});
     filter.begin(0.0, 0.02, 1e-6);
@@ -139,9 +138,8 @@ TEST(PersonFilter, CorrelatedNoiseDecaysWithinItsTime) {
   }
 }
 
-// People of the model itself, seen with the noise that the filter assumes: the mean of the normalised
-// innovation squared is 2.
-TEST(PersonFilter, ItsInnovationsAreAsLargeAsItExpects) {
+// For people of the filter's model with the assumed noise, the mean NIS is 2.
+TEST(PersonFilter, PeopleOfTheModel_GiveAMeanNisOfTwo) {
   Draws draws(7, 0, 0, 0);
   double sum = 0.0;
   int samples = 0;
@@ -174,7 +172,7 @@ TEST(PersonFilter, ItsInnovationsAreAsLargeAsItExpects) {
   EXPECT_NEAR(sum / samples, 1.95, 0.15);
 }
 
-TEST(PersonFilter, StaysPositiveOverLongRuns) {
+TEST(PersonFilter, LongRuns_KeepTheCovariancePositive) {
   for (const TrackerNoise noise : {TrackerNoise{0.8, 0.9}, TrackerNoise{0.0066, 0.0075}, TrackerNoise{66.0, 75.0}}) {
     for (const double seconds : {0.0005, 0.004, 0.012}) {
       PersonFilter filter(unknown_person(), 5.0, 100.0, noise);
@@ -192,7 +190,7 @@ TEST(PersonFilter, StaysPositiveOverLongRuns) {
   }
 }
 
-TEST(PersonFilter, KeepsEachTraitInItsRange) {
+TEST(PersonFilter, ExtremePositions_KeepEachTraitInItsRange) {
   PersonFilter filter = moving_filter();
   for (int i = 0; i < 50; ++i) {
     filter.move(0.012, 60.0);
@@ -205,7 +203,7 @@ TEST(PersonFilter, KeepsEachTraitInItsRange) {
   }
 }
 
-TEST(PersonBelief, AnUnknownPersonIsValidWhateverWasConfigured) {
+TEST(PersonBelief, AnyConfiguration_GivesAValidPrior) {
   for (const double weight : {0.01, 0.2, 0.49})
     for (const double weight_sd : {0.001, 0.05, 0.49})
       for (const double bias_deg : {-200.0, 0.0, 200.0})
@@ -213,7 +211,7 @@ TEST(PersonBelief, AnUnknownPersonIsValidWhateverWasConfigured) {
   EXPECT_TRUE(is_valid(known_person(0.3, -8.0)));
 }
 
-TEST(PersonBelief, AKnownPersonIsKnown) {
+TEST(PersonBelief, AKnownPerson_HasTheGivenWeightAndBias) {
   const PersonBelief person = known_person(0.25, 3.0);
   EXPECT_NEAR(person.mean(X::weight), 0.25, 0.001);
   EXPECT_NEAR(person.mean(X::curve), 0.0, 0.002);
@@ -221,7 +219,7 @@ TEST(PersonBelief, AKnownPersonIsKnown) {
   EXPECT_LT(std::sqrt(person.covariance(X::weight, X::weight)), 0.002);
 }
 
-TEST(PersonBelief, RefusesWhatIsNoBelief) {
+TEST(PersonBelief, InvalidMeansAndCovariances_AreRejected) {
   const PersonBelief person = unknown_person();
   for (int i = 0; i < X::traits; ++i) {
     for (const double value : {std::numeric_limits<double>::quiet_NaN(), 1e9, -1e9}) {

@@ -20,7 +20,7 @@ FingerSample seen(std::int64_t time_ns, const PlatePoint& place) {
   return {.time_ns = time_ns, .observation = Observation::position, .position = place};
 }
 
-// A simulated person led by PersonReach over a plate that turns at once; seen every 10 ms.
+// A simulated person controlled by PersonReach over an immediate plate, sampled every 10 ms.
 struct Trial {
   explicit Trial(const Person& person, PersonReachConfig config = {.person = unknown_person()},
                  const Reach& towards = gap_of_ten, std::int64_t origin_ns = 0)
@@ -57,7 +57,7 @@ Person linear_person(double tactile_weight = 0.25, double duration_s = 1.5) {
   return {.illusion = {.tactile_weight = tactile_weight}, .noise_deg2_per_s = 0.0, .duration_s = duration_s};
 }
 
-TEST(PersonReach, HoldsThePlateWhileTheFingerRests) {
+TEST(PersonReach, ARestingFinger_LeavesThePlateAtItsFirstOrientation) {
   PersonReach reach({.person = unknown_person()}, gap_of_ten);
   const double ready_deg = reach.command().plate_orientation_deg;
   EXPECT_GT(ready_deg, 10.0);
@@ -73,7 +73,7 @@ TEST(PersonReach, HoldsThePlateWhileTheFingerRests) {
   EXPECT_FALSE(reach.learnt());
 }
 
-TEST(PersonReach, BringsPeopleToTheRealTarget) {
+TEST(PersonReach, PeopleOfTheModel_ReachTheRealTarget) {
   for (const double weight : {0.2, 0.3}) {
     for (const double duration_s : {1.0, 2.0}) {
       Trial trial(linear_person(weight, duration_s));
@@ -89,18 +89,18 @@ TEST(PersonReach, BringsPeopleToTheRealTarget) {
   }
 }
 
-TEST(PersonReach, TimeToGoIsWhatTheMotionTakes) {
+TEST(PersonReach, AMotion_GivesItsRemainingTime) {
   Trial trial(linear_person(0.25, 2.0));
   trial.run_for(1200);
   const double to_go_s = trial.last.time_to_go_s;
   EXPECT_NEAR(to_go_s, 0.8, 0.25);
-  // It passes in a dropout too.
+  // It also decreases in a dropout.
   const PlateCommand later = trial.reach.update({.time_ns = trial.time_ns - 10 * ms + 300 * ms});
   EXPECT_NEAR(later.time_to_go_s, to_go_s - 0.3, 1e-6);
 }
 
-// The person goes for 5 + 3 degrees, and feels so.
-TEST(PersonReach, TheFeltErrorAtTheEndIsOfTheBiasedGoal) {
+// The person aims at 5 + 3 degrees, and perceives that direction.
+TEST(PersonReach, AKnownBias_IsPartOfTheGoal) {
   Person person = linear_person();
   person.bias_deg = 3.0;
   Trial trial(person, {.person = known_person(0.25, 3.0)});
@@ -108,7 +108,7 @@ TEST(PersonReach, TheFeltErrorAtTheEndIsOfTheBiasedGoal) {
   EXPECT_NEAR(trial.reach.summary().perceived_error_deg, trial.reach.summary().perceived_direction_deg - 8.0, 1e-12);
 }
 
-TEST(PersonReach, PredictsADropoutAndDropsDuplicates) {
+TEST(PersonReach, ADropoutIsPredicted_AndDuplicatesAreDropped) {
   Trial trial(linear_person());
   trial.run_for(500);
   const double to_go_mm = trial.last.distance_to_go_mm;
@@ -131,8 +131,8 @@ TEST(PersonReach, PredictsADropoutAndDropsDuplicates) {
   EXPECT_EQ(twice.reach.summary().dropped_samples, 1);
 }
 
-// Within 75 degrees w_T 0.05 shifts what is felt by 3.75 degrees; 10 are asked for.
-TEST(PersonReach, AWeakIllusionIsFoundUnreachable) {
+// Within 75 degrees, w_T = 0.05 causes a shift of at most 3.75 degrees; the gap is 10.
+TEST(PersonReach, AWeakIllusion_IsReportedUnreachable) {
   Trial weak(linear_person(0.05, 2.0), {.person = known_person(0.05, 0.0)});
   weak.run_for(500);
   EXPECT_TRUE(weak.last.unreachable);
@@ -141,13 +141,13 @@ TEST(PersonReach, AWeakIllusionIsFoundUnreachable) {
   EXPECT_FALSE(strong.last.unreachable);
 }
 
-TEST(PersonReach, SummaryCountsStepsAndSamples) {
+TEST(PersonReach, ASummary_CountsStepsAndSamples) {
   Trial trial(linear_person(0.25, 1.5));
   trial.run_for(5000);
   const ReachSummary summary = trial.reach.summary();
   EXPECT_EQ(summary.samples, 30 + 150);
   EXPECT_EQ(summary.dropped_samples, 0);
-  // 100 ms each; those before the onset is seen count as predicted.
+  // Steps of 100 ms; those before the detection of the onset count as predicted.
   EXPECT_GE(summary.steps, 12);
   EXPECT_NEAR(static_cast<double>(summary.steps + summary.predicted_steps), 15.0, 1.0);
   EXPECT_GE(summary.peak_felt_error_deg, summary.rms_felt_error_deg);
@@ -155,8 +155,8 @@ TEST(PersonReach, SummaryCountsStepsAndSamples) {
   EXPECT_NEAR(summary.person->duration_s, 1.5, 0.5);
 }
 
-// The last command before a plate's stops, whichever half turn is chosen.
-TEST(PersonReach, KeepsWithinTheStops) {
+// Commands stay within the stops, whichever half turn is chosen.
+TEST(PersonReach, Stops_LimitEveryCommand) {
   for (const double lower_deg : {-180.0, -100.0, -20.0, 10.0}) {
     PersonReachConfig config{.person = unknown_person()};
     config.plate.stops = {lower_deg, lower_deg + 180.0};

@@ -22,8 +22,7 @@ PersonBelief person_of(double sign) {
   return belief;
 }
 
-// The target straight away at 100 mm, the virtual one `sign` times 8 degrees to the left, half a second into
-// a motion of 2 s.
+// Real target 100 mm straight ahead, virtual one `sign` times 8 degrees to the left; 0.5 s into a motion of 2 s.
 PersonFilter under_way(double sign) {
   PersonFilter filter(person_of(sign), sign * 8.0, 100.0, {});
   filter.begin(-std::log(2.0), 0.02, 0.3);
@@ -38,7 +37,7 @@ ReachPlan plan(const ReachControlConfig& config, const PersonFilter& filter, dou
   return plan_reach(config, filter, 0.5, aim, {trace, 0.5, 0.03, plate_deg});
 }
 
-TEST(ReachControl, MirrorsWhatIsMirrored) {
+TEST(ReachControl, MirroredInput_GivesAMirroredPlan) {
   const ReachPlan left = plan({}, under_way(1.0), 35.0, {{3.0, 100.0}});
   const ReachPlan right = plan({}, under_way(-1.0), -35.0, {{-3.0, 100.0}});
   EXPECT_NEAR(left.plate_deg, -right.plate_deg, 1e-9);
@@ -46,10 +45,10 @@ TEST(ReachControl, MirrorsWhatIsMirrored) {
   EXPECT_NEAR(left.felt_error_deg, -right.felt_error_deg, 1e-9);
 }
 
-TEST(ReachControl, KeepsTheFeltErrorWithinItsLimit) {
+TEST(ReachControl, FarTargets_KeepTheErrorWithinItsLimit) {
   for (const double limit_deg : {0.5, 2.0, 5.0, 20.0}) {
     for (const double right_mm : {-60.0, -10.0, 0.0, 10.0, 60.0}) {
-      // A strong illusion: the limit holds it, not the bound.
+      // A strong illusion, so that the limit is active and not the bound.
       PersonBelief belief = unknown_person();
       belief.mean(PersonState::weight) = 0.6;
       belief.mean(PersonState::curve) = 0.0;
@@ -61,13 +60,13 @@ TEST(ReachControl, KeepsTheFeltErrorWithinItsLimit) {
   }
 }
 
-TEST(ReachControl, KeepsTheBoundAboutTheMotion) {
+TEST(ReachControl, FarTargets_KeepThePlateWithinTheBound) {
   for (const double bound_deg : {1.0, 40.0, 75.0, 89.0}) {
     for (const double right_mm : {-200.0, 0.0, 200.0}) {
       const PersonFilter filter = under_way(1.0);
       PlateTrace trace;
       trace.add(0.0, 35.0);
-      // Felt at once, so that the plan is about the direction of now.
+      // Without latency, so that the plan is relative to the present direction.
       const ReachPlan planned = plan_reach({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 0.5,
                                            {{right_mm, 100.0}, {}}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0});
       EXPECT_LE(std::abs(planned.plate_deg - filter.direction_deg()), bound_deg + 1e-9);
@@ -76,8 +75,8 @@ TEST(ReachControl, KeepsTheBoundAboutTheMotion) {
   }
 }
 
-// The person of the model, without noise and known to the controller, is brought to the target's place.
-TEST(ReachControl, BringsThePersonOfTheModelToTheTarget) {
+// A person of the model, without noise and with known traits, arrives at the target.
+TEST(ReachControl, PeopleOfTheModel_ArriveAtTheTarget) {
   for (const double duration_s : {1.0, 1.5, 3.0}) {
     for (const double virtual_deg : {-gap_deg, 0.0, gap_deg, 2.0 * gap_deg}) {
       PersonBelief belief = known_person(0.25, 0.0);
@@ -102,8 +101,8 @@ TEST(ReachControl, BringsThePersonOfTheModelToTheTarget) {
   }
 }
 
-// As soon as the motion begins the plan finds the plate where it wants it.
-TEST(ReachControl, StandsReadyWhereTheFirstPlanWantsIt) {
+// The first plan of the motion requires the orientation that the plate already has.
+TEST(ReachControl, TheReadyOrientation_IsThatOfTheFirstPlan) {
   const PersonFilter filter(unknown_person(), 10.0, 100.0, {});
   const double ready_deg = ready_orientation_deg({}, filter, {{0.0, 100.0}});
   PlateTrace trace;
@@ -113,30 +112,30 @@ TEST(ReachControl, StandsReadyWhereTheFirstPlanWantsIt) {
   EXPECT_GT(ready_deg, 20.0);
 }
 
-// Virtual and real target agree, the person is unbiased and sets out straight: the ridges stay across.
-TEST(ReachControl, LeavesAPersonAloneWhoNeedsNoHelp) {
+// Without a gap, for an unbiased person who starts straight, the ridges stay across the motion.
+TEST(ReachControl, NoGap_KeepsTheRidgesAcrossTheMotion) {
   const PersonFilter filter(unknown_person(), 0.0, 100.0, {});
   EXPECT_NEAR(ready_orientation_deg({}, filter, {{0.0, 100.0}}), 0.0, 1e-9);
 }
 
-// k = 10 /s for 10 ms at 10 degrees from the goal, nothing felt of the plate: 10 x 10 x 0.01 / 1.05.
-TEST(Steering, AStepByHand) {
+// k = 10 /s for 10 ms at 10 degrees from the goal, without a shift: 10 x 10 x 0.01 / 1.05.
+TEST(Steering, OneStep_GivesTheHandCalculatedRotation) {
   const SteeringStep step = steer(10.0, 0.0, {}, 10.0, 0.01);
   EXPECT_DOUBLE_EQ(step.felt_error_deg, -10.0);
   EXPECT_DOUBLE_EQ(step.decay_s, 10.0);
   EXPECT_NEAR(step.turn_deg, 0.952381, 1e-6);
 }
 
-TEST(Steering, StepsFollowTheClosedForm) {
+TEST(Steering, SmallSteps_FollowTheClosedForm) {
   const FeltShift held{.shift_deg = 4.0};
   double direction_deg = 0.0;
   for (int i = 0; i < 30; ++i) direction_deg += steer(17.0, direction_deg, held, 10.0, 0.01).turn_deg;
   EXPECT_NEAR(direction_deg, 6.0 * (1.0 - kept_error(17.0, 0.3)), 0.01);
 }
 
-TEST(Steering, ALongStepIsStable) {
+TEST(Steering, ALongStep_IsStable) {
   EXPECT_LT(steer(20.0, 0.0, {}, 10.0, 5.0).turn_deg, 20.0);
-  // Beyond the peak of the illusion the plate drives the error on.
+  // Beyond the maximum of the illusion, the plate increases the error.
   EXPECT_DOUBLE_EQ(steer(20.0, 0.0, {.shift_deg = 0.0, .by_offset = 3.0}, 10.0, 0.1).turn_deg, 20.0);
 }
 

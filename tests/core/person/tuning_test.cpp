@@ -7,7 +7,7 @@
 namespace hrt {
 namespace {
 
-TEST(Tuning, EveryNumberHasOneNameAndIsInItsRange) {
+TEST(Tuning, EveryField_HasOneNameAndIsInItsRange) {
   Tuning tuning;
   std::set<std::string> names;
   std::set<const double*> values;

@@ -19,8 +19,8 @@ FrameCovariance of_turn_about(const PlatePoint& centre, double sd_deg) {
   return sd_rad * sd_rad * outer;
 }
 
-// 100 mm * 1 degree in radians = 1.745 mm, wherever the start is.
-TEST(FrameError, OneDegreeAboutTheStartCostsOnePointSevenMillimetres) {
+// 100 mm * 1 degree in radians = 1.745 mm, for any start.
+TEST(FrameError, OneDegreeAboutTheStart_CostsOnePointSevenMillimetres) {
   for (const PlatePoint start : {PlatePoint{0.0, 0.0}, PlatePoint{0.0, -50.0}, PlatePoint{20.0, 10.0}}) {
     for (const double direction_deg : {0.0, -5.0, 30.0, 90.0}) {
       const PlatePoint target = point_ahead(start, direction_deg, 100.0);
@@ -31,14 +31,14 @@ TEST(FrameError, OneDegreeAboutTheStartCostsOnePointSevenMillimetres) {
   }
 }
 
-// About the centre, 5 cm beyond the start, the target is only 5 cm away from where the frame turns.
-TEST(FrameError, AboutTheCentreItCostsHalf) {
+// The centre is 5 cm beyond the start, so the target is only 5 cm from it.
+TEST(FrameError, ARotationAboutTheCentre_CostsHalf) {
   EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 50.0}), 0.5, 1e-6);
   EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 0.0}), 0.0, 1e-9);
 }
 
-// 2 mm to the side at 100 mm are 0.02 radians; along the path they change no bearing.
-TEST(FrameError, PlaceByHand) {
+// 2 mm across the path at 100 mm are 0.02 radians; an error along the path changes no bearing.
+TEST(FrameError, APositionError_GivesTheHandCalculatedBearingSd) {
   FrameCovariance covariance = FrameCovariance::Zero();
   covariance(1, 1) = 4.0;
   EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -50.0}, {0.0, 50.0}), 0.02 / rad_per_deg, 1e-9);
@@ -47,15 +47,15 @@ TEST(FrameError, PlaceByHand) {
   EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -50.0}, {0.0, 50.0}), 0.0, 1e-9);
 }
 
-TEST(FrameError, AnExactPlateHasNone) {
+TEST(FrameError, AnExactPose_GivesNoError) {
   EXPECT_EQ(frame_bearing_sd_deg(FrameCovariance::Zero(), {0.0, -50.0}, {10.0, 50.0}), 0.0);
   EXPECT_EQ(frame_bearing_sd_deg(FrameCovariance::Identity(), {0.0, 0.0}, {0.0, 0.0}), 180.0);
   EXPECT_EQ(frame_bearing_sd_deg(1e18 * FrameCovariance::Identity(), {0.0, 0.0}, {0.0, 100.0}), 180.0);
 }
 
-TEST(FrameError, RefusesWhatIsNoCovariance) {
+TEST(FrameError, InvalidCovariances_AreRejected) {
   EXPECT_TRUE(is_frame_covariance(FrameCovariance::Zero()));
-  EXPECT_TRUE(is_frame_covariance(of_turn_about({20.0, -50.0}, 1.0)));  // of rank 1
+  EXPECT_TRUE(is_frame_covariance(of_turn_about({20.0, -50.0}, 1.0)));  // rank 1
   FrameCovariance covariance = FrameCovariance::Identity();
   EXPECT_TRUE(is_frame_covariance(covariance));
   covariance(1, 0) = covariance(0, 1) = 1.01;

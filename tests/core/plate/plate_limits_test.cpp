@@ -7,14 +7,14 @@
 namespace hrt {
 namespace {
 
-TEST(PlateLimits, RidgesRepeatEveryHalfTurn) {
+TEST(PlateLimits, AnyOrientation_GivesTheNormalWithin90DegreesOfTheGoal) {
   EXPECT_EQ(ridge_normal_deg(30.0, 10.0), 30.0);
   EXPECT_DOUBLE_EQ(ridge_normal_deg(120.0, 10.0), -60.0);
   EXPECT_DOUBLE_EQ(ridge_normal_deg(-171.0, 10.0), 9.0);
 }
 
-// goal + 90 - goal is not 90 for every goal.
-TEST(PlateLimits, AnOrientationOnTheBoundStaysThere) {
+// By rounding, goal + 90 - goal may differ from 90.
+TEST(PlateLimits, AnOrientationAtTheBound_IsUnchanged) {
   for (int i = -600; i <= 600; ++i) {
     const double goal_deg = i / 7.0;
     EXPECT_EQ(ridge_normal_deg(goal_deg + 90.0, goal_deg), goal_deg + 90.0);
@@ -22,8 +22,8 @@ TEST(PlateLimits, AnOrientationOnTheBoundStaysThere) {
   }
 }
 
-// Ridges at 94.5 feel like ridges at -85.5, which are nearer to 0.
-TEST(PlateLimits, TheShortWayRound) {
+// Ridges at 94.5 equal ridges at -85.5, which are nearer to 0.
+TEST(PlateLimits, EquivalentOrientations_GiveTheNearest) {
   EXPECT_DOUBLE_EQ(nearest_equivalent_deg(94.5, 0.0, {}), -85.5);
   EXPECT_DOUBLE_EQ(nearest_equivalent_deg(80.0, 0.0, {}), 80.0);
   EXPECT_DOUBLE_EQ(nearest_equivalent_deg(-80.0, 80.0, {}), 100.0);
@@ -42,15 +42,15 @@ TEST(PlateLimits, TheShortWayRound) {
   }
 }
 
-// From 30 to 80, between stops at +-90: only as it is, whatever the plate's orientation. Between stops at +-360 also
-// at 210 to 260, and from -330 to -100: the nearest, unless a stop cuts into it.
-TEST(PlateLimits, HalfTurnsThatTheStopsLeaveRoomFor) {
+// The range from 30 to 80 fits between stops at +-90 only without half turns. Between stops at +-360 it also fits one,
+// -1 and -2 half turns further: the nearest is used.
+TEST(PlateLimits, Stops_GiveTheHalfTurnsThatFit) {
   const PlateStops half{.lower_deg = -90.0, .upper_deg = 90.0};
   for (const double current : {-90.0, 0.0, 90.0}) EXPECT_EQ(half_turns_between_stops(30.0, 80.0, current, half), 0.0);
-  // At 40 to 110 the upper stop cuts 20, at -140 to -70 the lower one 50.
+  // At 40 to 110 the upper stop cuts 20, at -140 to -70 the lower one cuts 50.
   EXPECT_EQ(half_turns_between_stops(40.0, 110.0, -90.0, half), 0.0);
   EXPECT_EQ(half_turns_between_stops(80.0, 150.0, 90.0, half), -1.0);
-  // At 60 to 120 and at -120 to -60 the stops cut 30 alike.
+  // At 60 to 120 and at -120 to -60 the stops cut 30 each.
   EXPECT_EQ(half_turns_between_stops(60.0, 120.0, 80.0, half), 0.0);
   EXPECT_EQ(half_turns_between_stops(60.0, 120.0, -80.0, half), -1.0);
 
@@ -64,15 +64,15 @@ TEST(PlateLimits, HalfTurnsThatTheStopsLeaveRoomFor) {
   EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 730.0, {}), 4.0);
 }
 
-TEST(PlateLimits, InvalidStopsAreRecognised) {
+TEST(PlateLimits, StopsLessThan180Apart_AreInvalid) {
   EXPECT_TRUE(is_valid(PlateStops{}));
   EXPECT_TRUE(is_valid(PlateStops{-90.0, 90.0}));
   EXPECT_FALSE(is_valid(PlateStops{-80.0, 80.0}));
   EXPECT_FALSE(is_valid(PlateStops{.lower_deg = std::nan("")}));
 }
 
-// The gap of 10 at w_T = 0.15 is held at 56.7 from the goal: the range from 26.7 to 84.5 beyond it.
-TEST(PlateLimits, AReachKeepsToOneHalfTurn) {
+// A gap of 10 at w_T = 0.15 is sustained at 56.7 from the goal: the range is from 26.7 to 84.5.
+TEST(PlateLimits, AReach_StaysWithinOneHalfTurn) {
   const PlateLimits below({-90.0, 90.0}, 5.0, 84.5, 61.7, -80.0);
   EXPECT_EQ(below.centre_deg(), 5.0);
   const PlateLimits above({-90.0, 270.0}, -5.0, 84.5, -61.7, 200.0);
@@ -82,7 +82,7 @@ TEST(PlateLimits, AReachKeepsToOneHalfTurn) {
   EXPECT_EQ(inside.active, ActiveBound::rate_up);
 }
 
-TEST(PlateLimits, AStopHoldsACommandBeyondIt) {
+TEST(PlateLimits, ACommandBeyondAStop_IsClamped) {
   const PlateLimits limits({-60.0, 120.0}, 5.0, 84.5, 61.7, 0.0);
   EXPECT_EQ(limits.limit({-61.0, ActiveBound::none}, 0.0).orientation_deg, -60.0);
   EXPECT_EQ(limits.limit({-61.0, ActiveBound::none}, 0.0).active, ActiveBound::lower);
@@ -92,7 +92,7 @@ TEST(PlateLimits, AStopHoldsACommandBeyondIt) {
   EXPECT_FALSE(limits.limit({121.0, ActiveBound::none, false}, 0.0).optimal);
 }
 
-TEST(PlateLimits, APlateThatTurnsAtOnceTakesTheShortWay) {
+TEST(PlateLimits, AnImmediatePlate_UsesTheNearestOrientation) {
   const PlateLimits limits({-90.0, 90.0}, 20.0);
   EXPECT_EQ(limits.centre_deg(), 20.0);
   EXPECT_DOUBLE_EQ(limits.limit({94.5, ActiveBound::upper}, 80.0).orientation_deg, -85.5);

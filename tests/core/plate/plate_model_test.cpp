@@ -10,7 +10,7 @@
 namespace hrt {
 namespace {
 
-TEST(PlateModel, FollowsAtOnceByDefault) {
+TEST(PlateModel, DefaultDynamics_FollowImmediately) {
   PlateModel plate({}, 0.0);
   plate.advance(0);
   plate.command(30.0);
@@ -18,7 +18,7 @@ TEST(PlateModel, FollowsAtOnceByDefault) {
 }
 
 // 400 degrees a second after 30 ms: 28 degrees at 100 ms, 60 degrees after 180 ms.
-TEST(PlateModel, TurnsAtItsSpeedAfterItsLatency) {
+TEST(PlateModel, ACommand_RotatesAtFullSpeedAfterTheLatency) {
   PlateModel plate({.max_speed_deg_s = 400.0, .latency_ns = 30 * ms}, 0.0);
   plate.advance(0);
   plate.command(60.0);
@@ -32,7 +32,7 @@ TEST(PlateModel, TurnsAtItsSpeedAfterItsLatency) {
   EXPECT_EQ(plate.orientation_deg(), 60.0);
 }
 
-TEST(PlateModel, LaterCommandsReplaceEarlierOnesInOrder) {
+TEST(PlateModel, LaterCommands_ReplaceEarlierOnesInOrder) {
   PlateModel plate({.max_speed_deg_s = 100.0, .latency_ns = 50 * ms}, 0.0);
   plate.advance(0);
   plate.command(90.0);
@@ -44,7 +44,7 @@ TEST(PlateModel, LaterCommandsReplaceEarlierOnesInOrder) {
 
 // From rest to rest: 1000 deg/s^2 for 0.1 s and back covers 2 * 5 degrees, at 100 deg/s at most; in 0.3 s
 // another 0.1 s at full speed adds 10.
-TEST(PlateModel, SpeedsUpAndBrakes) {
+TEST(PlateModel, AnAccelerationLimit_GivesTheHandCalculatedRotation) {
   const PlateDynamics dynamics{.max_speed_deg_s = 100.0, .max_acceleration_deg_s2 = 1000.0};
   PlateModel plate(dynamics, 0.0);
   EXPECT_DOUBLE_EQ(plate.reach_deg(0.2), 10.0);
@@ -66,7 +66,7 @@ TEST(PlateModel, SpeedsUpAndBrakes) {
   EXPECT_NEAR(last_deg, 20.0, 1e-6);
 }
 
-TEST(PlateModel, ReportsReplaceTheModel) {
+TEST(PlateModel, AReport_ReplacesTheModelledOrientation) {
   PlateModel plate({.max_speed_deg_s = 100.0}, 0.0);
   plate.advance(0);
   plate.command(50.0);
@@ -76,9 +76,8 @@ TEST(PlateModel, ReportsReplaceTheModel) {
   EXPECT_NEAR(plate.orientation_deg(), 14.0, 1e-9);
 }
 
-// A command each millisecond, 100 ms late: more are under way than are kept, and the plate still follows to
-// within two of them.
-TEST(PlateModel, FollowsMoreCommandsThanItKeeps) {
+// One command per millisecond with a latency of 100 ms: more commands are pending than are stored.
+TEST(PlateModel, MoreCommandsThanCapacity_AreFollowedWithinTwo) {
   PlateModel plate({.latency_ns = 100 * ms}, 0.0);
   for (int i = 0; i <= 400; ++i) {
     plate.advance(i * ms);
@@ -87,7 +86,7 @@ TEST(PlateModel, FollowsMoreCommandsThanItKeeps) {
   }
 }
 
-TEST(PlateModel, ACommandBeforeTheFirstTimeCountsFromThere) {
+TEST(PlateModel, ACommandBeforeTheFirstTime_CountsFromThatTime) {
   for (const std::int64_t origin_ns : {-5'000'000 * ms, 5'000'000 * ms}) {
     PlateModel plate({.latency_ns = 100 * ms}, 0.0);
     plate.command(5.0);
@@ -100,7 +99,7 @@ TEST(PlateModel, ACommandBeforeTheFirstTimeCountsFromThere) {
   }
 }
 
-TEST(PlateModel, AReportMayCountTurnsItsOwnWay) {
+TEST(PlateModel, AReportOnAFreePlate_IsUnwrapped) {
   PlateModel free({}, 115.0);
   free.report(-64.0);
   EXPECT_DOUBLE_EQ(free.orientation_deg(), 116.0);
@@ -109,7 +108,7 @@ TEST(PlateModel, AReportMayCountTurnsItsOwnWay) {
   EXPECT_DOUBLE_EQ(between_stops.orientation_deg(), -64.0);
 }
 
-TEST(PlateModel, InvalidDynamicsAreRecognised) {
+TEST(PlateModel, DynamicsOutOfRange_AreInvalid) {
   EXPECT_TRUE(is_valid(PlateDynamics{}));
   EXPECT_FALSE(is_valid(PlateDynamics{.max_speed_deg_s = 0.0}));
   EXPECT_FALSE(is_valid(PlateDynamics{.max_acceleration_deg_s2 = std::nan("")}));
@@ -117,8 +116,8 @@ TEST(PlateModel, InvalidDynamicsAreRecognised) {
   EXPECT_FALSE(is_valid(PlateDynamics{.stops = {-80.0, 80.0}}));
 }
 
-// A half turn at 30 degrees a second takes six seconds, seen or not.
-TEST(PlateModel, TurnsOnThroughAGap) {
+// A half turn at 30 degrees per second takes six seconds, also in a gap.
+TEST(PlateModel, AGap_DoesNotStopTheRotation) {
   for (const double acceleration_deg_s2 : {std::numeric_limits<double>::infinity(), 600.0}) {
     PlateModel plate({.max_speed_deg_s = 30.0, .max_acceleration_deg_s2 = acceleration_deg_s2}, 0.0);
     plate.advance(0);
@@ -133,7 +132,7 @@ TEST(PlateModel, TurnsOnThroughAGap) {
   }
 }
 
-TEST(PlateTrace, IsLinearBetweenEntriesAndConstantBeyond) {
+TEST(PlateTrace, Entries_AreInterpolatedLinearly) {
   PlateTrace trace;
   trace.add(1.0, 10.0);
   EXPECT_EQ(trace.at(0.0), 10.0);
@@ -145,7 +144,7 @@ TEST(PlateTrace, IsLinearBetweenEntriesAndConstantBeyond) {
   EXPECT_EQ(trace.at(-1e300), 10.0);
 }
 
-TEST(PlateTrace, OfEqualTimesTheLastCounts) {
+TEST(PlateTrace, EqualTimes_UseTheLastEntry) {
   PlateTrace trace;
   for (const double plate_deg : {1.0, 2.0, 3.0, 4.0}) trace.add(5.0, plate_deg);
   EXPECT_EQ(trace.at(5.0), 4.0);
@@ -154,8 +153,8 @@ TEST(PlateTrace, OfEqualTimesTheLastCounts) {
   EXPECT_NEAR(trace.at(5.05), 4.5, 1e-9);
 }
 
-// A plate that turns at 100 degrees/s, seen at any rate: known over the last second at least.
-TEST(PlateTrace, KeepsASecondAtAnyRate) {
+// A plate that rotates at 100 degrees per second: at any sample rate, at least the last second is stored.
+TEST(PlateTrace, AnyRate_KeepsOneSecond) {
   for (const double rate_hz : {90.0, 240.0, 1000.0, 2000.0}) {
     PlateTrace trace;
     const int samples = static_cast<int>(3.0 * rate_hz);
@@ -166,7 +165,7 @@ TEST(PlateTrace, KeepsASecondAtAnyRate) {
   }
 }
 
-TEST(PlateTrace, ForgetsWhenCleared) {
+TEST(PlateTrace, Clear_RemovesAllEntries) {
   PlateTrace trace;
   trace.add(0.0, 50.0);
   trace.clear();

@@ -24,14 +24,14 @@ double turn_rad(const Matrix3d& found, const Matrix3d& truth) {
   return 0.5 * (error(0, 2) - error(2, 0));
 }
 
-// A quarter turn about the normal takes the user's right (+X) to what was ahead (-Z).
-TEST(Registration, QuarterTurnByHand) {
+// A quarter turn about the normal maps the user's right (+X) to ahead (-Z).
+TEST(Registration, AQuarterTurn_GivesTheHandCalculatedPose) {
   const Matrix3d quarter = AngleAxisd(90.0 * rad_per_deg, Vector3d::UnitY()).toRotationMatrix();
   const std::vector<MarkTouch> touches = {{{75.0, 0.0, 0.0}, {1000.0, 800.0, -2075.0}},
                                           {{0.0, 0.0, 0.0}, {1000.0, 800.0, -2000.0}},
                                           {{0.0, 0.0, -50.0}, {950.0, 800.0, -2000.0}}};
   const Registration found = fit_registration({}, touches);
-  ASSERT_EQ(found.verdict, RegistrationVerdict::holds);
+  ASSERT_EQ(found.verdict, RegistrationVerdict::accepted);
   EXPECT_TRUE(found.rotation.isApprox(quarter, 1e-12));
   EXPECT_TRUE(found.position_mm.isApprox(Vector3d(1000.0, 800.0, -2000.0), 1e-12));
   EXPECT_NEAR(found.residual_mm, 0.0, 1e-9);
@@ -39,9 +39,9 @@ TEST(Registration, QuarterTurnByHand) {
   EXPECT_FALSE(found.left_out.has_value());
 }
 
-// With exact touches the variance is 6 / (6 + 3 * 6 - 6) of the assumed; the turn about the normal has the
+// With exact touches the variance is 6 / (6 + 3 * 6 - 6) of the assumed one. The rotation about the normal has the
 // information sum (x^2 + z^2) / variance about the mean mark.
-TEST(Registration, DeviationOfTheTurnByHand) {
+TEST(Registration, ExactTouches_GiveTheHandCalculatedRotationSd) {
   const Registration found =
       fit_registration({.touch_sd_mm = 3.0}, exact_touches(some_rotation(), {1000.0, 800.0, -2000.0}));
   const double variance_mm2 = 3.0 * 3.0 * 6.0 / 18.0;
@@ -51,15 +51,15 @@ TEST(Registration, DeviationOfTheTurnByHand) {
   EXPECT_NEAR(found.covariance(1, 1), variance_mm2 / spread_mm2, 1e-12);
 }
 
-// 3,000 fits each: the bounds are four binomial deviations about 95 %.
-TEST(Registration, IntervalsCoverTheTruth) {
+// 1,000 fits each: bounds of four binomial SDs about 95 %.
+TEST(Registration, NoisyTouches_LieWithinTheIntervals) {
   for (const double assumed_mm : {2.0, 3.0, 4.0}) {
     int turn_covered = 0, place_covered = 0, fitted = 0;
     for (std::uint32_t i = 0; i < 1000; ++i) {
       Draws draws(2, 0, i, 0);
       const Vector3d position(300.0, 750.0, -400.0);
       const Registration found = fit_registration({.touch_sd_mm = assumed_mm}, touches_of(position, 3.0, draws));
-      if (found.verdict != RegistrationVerdict::holds || found.left_out) continue;
+      if (found.verdict != RegistrationVerdict::accepted || found.left_out) continue;
       ++fitted;
       turn_covered += std::abs(turn_rad(found.rotation, some_rotation())) <= 1.96 * std::sqrt(found.covariance(1, 1));
       place_covered += std::abs(found.position_mm.x() - 300.0) <= 1.96 * std::sqrt(found.covariance(3, 3));
@@ -72,7 +72,7 @@ TEST(Registration, IntervalsCoverTheTruth) {
   }
 }
 
-TEST(Registration, FramesOfTheTrackerDoNotMatter) {
+TEST(Registration, AnotherTrackerFrame_GivesTheSamePose) {
   Draws draws(3, 0, 0, 0);
   std::vector<MarkTouch> touches = touches_of({100.0, 700.0, -300.0}, 2.0, draws);
   const Registration here = fit_registration({}, touches);
@@ -86,19 +86,19 @@ TEST(Registration, FramesOfTheTrackerDoNotMatter) {
   EXPECT_NEAR(there.covariance(1, 1), here.covariance(1, 1), 1e-12);
 }
 
-TEST(Registration, OneBadTouchIsNamedAndLeftOut) {
+TEST(Registration, OneWrongTouch_IsReportedAndExcluded) {
   for (int bad = 0; bad < 6; ++bad) {
     Draws draws(4, 0, static_cast<std::uint32_t>(bad), 0);
     std::vector<MarkTouch> touches = touches_of({100.0, 700.0, -300.0}, 2.0, draws);
     touches[static_cast<std::size_t>(bad)].touched_mm.x() += 40.0;
     const Registration found = fit_registration({}, touches);
-    ASSERT_EQ(found.verdict, RegistrationVerdict::holds) << bad;
+    ASSERT_EQ(found.verdict, RegistrationVerdict::accepted) << bad;
     EXPECT_EQ(found.left_out, bad);
     EXPECT_LT(std::abs(turn_rad(found.rotation, some_rotation())), 4.0 * rad_per_deg);
   }
 }
 
-TEST(Registration, RefusesWhatNoPoseExplains) {
+TEST(Registration, InconsistentTouches_AreRejected) {
   std::vector<MarkTouch> touches = exact_touches(Matrix3d::Identity(), {0.0, 0.0, 0.0});
   touches[2].touched_mm.x() += 50.0;
   touches[3].touched_mm.z() += 50.0;
@@ -110,7 +110,7 @@ TEST(Registration, RefusesWhatNoPoseExplains) {
   touches[0].touched_mm.x() += 50.0;
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::inconsistent);
 
-  // Left and right mistaken for each other, on marks at three heights: a mirror image is no pose.
+  // Left and right swapped, on marks at several heights: a mirror image is no pose.
   const std::vector<Vector3d> corners = {{100.0, 0.0, 0.0}, {-100.0, 0.0, 0.0}, {0.0, 100.0, 0.0}, {0.0, 0.0, 100.0}};
   touches.clear();
   for (const Vector3d& corner : corners) touches.push_back({corner, {-corner.x(), corner.y(), corner.z()}});
@@ -118,26 +118,26 @@ TEST(Registration, RefusesWhatNoPoseExplains) {
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::inconsistent);
 }
 
-// Left and right confused on a flat plate: a plate that lies upside down explains it, unless up is known.
-TEST(Registration, OppositeMarksConfusedAreAPlateUpsideDown) {
+// Left and right swapped on a flat plate: an upside-down plate fits the touches, unless up is known.
+TEST(Registration, SwappedMarks_AreRejectedAsUpsideDown) {
   const Vector3d position(100.0, 700.0, -300.0);
   const Matrix3d level = AngleAxisd(0.4, Vector3d::UnitY()).toRotationMatrix();
   std::vector<MarkTouch> touches = exact_touches(level, position);
   const Vector3d up(0.0, 2.0, 0.0);
-  EXPECT_EQ(fit_registration({.up = up}, touches).verdict, RegistrationVerdict::holds);
+  EXPECT_EQ(fit_registration({.up = up}, touches).verdict, RegistrationVerdict::accepted);
   std::swap(touches[2].touched_mm, touches[4].touched_mm);
-  EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::holds);
+  EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::accepted);
   EXPECT_EQ(fit_registration({.up = up}, touches).verdict, RegistrationVerdict::upside_down);
-  // A plate that leans by 50 degrees is accepted, by 70 it is refused.
+  // A plate that leans by 50 degrees is accepted, one by 70 is rejected.
   const auto leaning = [&](double by_deg) {
     const Matrix3d lean = AngleAxisd(by_deg * rad_per_deg, Vector3d::UnitX()).toRotationMatrix();
     return fit_registration({.up = up}, exact_touches(lean, position)).verdict;
   };
-  EXPECT_EQ(leaning(50.0), RegistrationVerdict::holds);
+  EXPECT_EQ(leaning(50.0), RegistrationVerdict::accepted);
   EXPECT_EQ(leaning(70.0), RegistrationVerdict::upside_down);
 }
 
-TEST(Registration, ResidualsNameTheTouchesThatDoNotFit) {
+TEST(Registration, InconsistentTouches_HaveTheLargestResiduals) {
   const Vector3d position(100.0, 700.0, -300.0);
   std::vector<MarkTouch> touches = exact_touches(some_rotation(), position);
   touches[1].touched_mm += some_rotation() * Vector3d(0.0, 20.0, 0.0);
@@ -151,8 +151,8 @@ TEST(Registration, ResidualsNameTheTouchesThatDoNotFit) {
   EXPECT_GT(residual_mm(found, touches[4]), found.residual_mm);
 }
 
-// Touches in one place determine no scale, and no pose explains them.
-TEST(Registration, OnePlaceForAllMarksIsRefused) {
+// Touches at one position do not determine a scale, and no pose fits them.
+TEST(Registration, TouchesAtOnePosition_AreRejected) {
   std::vector<MarkTouch> touches = exact_touches(some_rotation(), {100.0, 700.0, -300.0});
   for (MarkTouch& touch : touches) touch.touched_mm = {1000.0, 2000.0, 3000.0};
   for (const bool fit_scale : {false, true}) {
@@ -162,7 +162,7 @@ TEST(Registration, OnePlaceForAllMarksIsRefused) {
   }
 }
 
-TEST(Registration, RefusesTooFewAndMarksOnALine) {
+TEST(Registration, TooFewMarksOrMarksOnALine_AreRejected) {
   std::vector<MarkTouch> touches = exact_touches(some_rotation(), {0.0, 0.0, 0.0});
   touches.resize(2);
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::too_few);
@@ -175,25 +175,25 @@ TEST(Registration, RefusesTooFewAndMarksOnALine) {
             RegistrationVerdict::degenerate);
 }
 
-TEST(Registration, ScaleIsFoundOnRequest) {
+TEST(Registration, ATrackerOfAnotherScale_IsFittedOnRequest) {
   Draws draws(5, 0, 0, 0);
   const auto touches = touches_of({100.0, 700.0, -300.0}, 0.5, draws, 1.05);
   const Registration found = fit_registration({.touch_sd_mm = 1.0, .fit_scale = true}, touches);
-  ASSERT_EQ(found.verdict, RegistrationVerdict::holds);
+  ASSERT_EQ(found.verdict, RegistrationVerdict::accepted);
   EXPECT_NEAR(found.scale, 1.05, 4.0 * std::sqrt(found.covariance(6, 6)));
   EXPECT_LT(std::sqrt(found.covariance(6, 6)), 0.01);
   EXPECT_TRUE((found.rotation.transpose() * found.rotation).isApprox(Matrix3d::Identity(), 1e-12));
   EXPECT_EQ(fit_registration({.touch_sd_mm = 1.0}, touches).verdict, RegistrationVerdict::inconsistent);
 }
 
-// A check of the start after the plate has moved, with touches of 3 mm.
-TEST(Registration, CheckFindsAPlateThatHasMovedByCentimetres) {
+// A check at the start after the plate has moved, with touches of 3 mm (SD).
+TEST(Registration, APlateMovedBy20Mm_FailsTheCheck) {
   const auto share_found = [](double moved_mm) {
     int found = 0, held = 0;
     for (std::uint32_t i = 0; i < 1000; ++i) {
       Draws draws(8, 0, i, 0);
       const Registration here = fit_registration({}, touches_of({100.0, 700.0, -300.0}, 3.0, draws));
-      if (here.verdict != RegistrationVerdict::holds) continue;
+      if (here.verdict != RegistrationVerdict::accepted) continue;
       ++held;
       const auto later = touches_of({100.0 + moved_mm, 700.0, -300.0}, 3.0, draws);
       found += !check_registration(here, later[1]).holds;
@@ -208,7 +208,7 @@ TEST(Registration, CheckFindsAPlateThatHasMovedByCentimetres) {
 }
 
 // A joint 12 mm behind and 8 mm above the skin.
-TEST(Fingertip, OffsetIsFoundFromTurns) {
+TEST(Fingertip, RotatedTouches_GiveTheOffset) {
   Draws draws(7, 0, 0, 0);
   const Vector3d offset(0.0, -8.0, -12.0);
   const Vector3d mark(200.0, 750.0, -300.0);
@@ -225,11 +225,11 @@ TEST(Fingertip, OffsetIsFoundFromTurns) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(found.offset_mm(axis), offset(axis), 4.0 * found.sd_mm(axis));
 }
 
-TEST(Fingertip, IsUnknownWithoutTurns) {
+TEST(Fingertip, TouchesWithoutRotation_LeaveTheOffsetUnknown) {
   const TurnedTouch touch{Matrix3d::Identity(), {100.0, 200.0, 300.0}};
   EXPECT_FALSE(fit_fingertip({}, std::vector<TurnedTouch>{touch, touch}).known);
   EXPECT_FALSE(fit_fingertip({}, std::vector<TurnedTouch>{touch, touch, touch, touch}).known);
-  // Turns about one axis leave the offset along it unknown.
+  // Rotations about one axis leave the offset along it unknown.
   std::vector<TurnedTouch> about_one;
   for (int i = 0; i < 6; ++i)
     about_one.push_back({AngleAxisd(0.3 * i, Vector3d::UnitY()).toRotationMatrix(), {100.0, 200.0, 300.0}});

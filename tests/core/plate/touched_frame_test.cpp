@@ -15,9 +15,9 @@ const FrameCovariance exact = FrameCovariance::Zero();
 
 TouchedFrame frame() { return {.home = home}; }
 
-// A prior of 2 % of 100 mm is 2 mm: a contact of 2 mm moves the finger half way to where it is, in either
-// direction, and halves the variance. At half of the way there is half of the correction.
-TEST(TouchedFrame, SharesAContactByVariance) {
+// A prior of 2 % of 100 mm is 2 mm: a contact of 2 mm (SD) moves the position half of the way to the contact, in each
+// coordinate, and halves the variance. At half of the distance, the correction is half.
+TEST(TouchedFrame, AContact_IsDividedByVariance) {
   const PlatePoint true_place{target.right_mm + 4.0, target.away_mm - 2.0};
   const TouchedFrame after = after_contact(frame(), exact, {target, true_place, 4.0});
   const PlatePoint moved = corrected(after, target);
@@ -29,17 +29,17 @@ TEST(TouchedFrame, SharesAContactByVariance) {
   EXPECT_TRUE(is_valid(after));
 }
 
-// The finger that two contacts saw is where the second one has it: 2 mm and 1.414 mm of prior, and 0.2 %.
-TEST(TouchedFrame, WidensBetweenContacts) {
+// The prior of the second contact is 2 mm / sqrt(2), plus 0.2 %.
+TEST(TouchedFrame, TimeBetweenContacts_WidensTheCovariance) {
   const TouchedFrame once = after_contact(frame(), exact, {target, target, 4.0});
   const TouchedFrame twice = after_contact(once, exact, {target, target, 4.0});
   const double before_mm2 = 2.0 + 0.04;
   EXPECT_NEAR(twice.covariance(1, 1), before_mm2 * 4.0 / (before_mm2 + 4.0) / 1e4, 1e-12);
 }
 
-// A registration whose turn is known to 0.04 rad and whose plate is centred on the target's line: at the
-// target, 50 mm from the centre, it moves to the right by 2 mm (SD), as much as the 2 % do.
-TEST(TouchedFrame, BeginsAsTheRegistrationHasIt) {
+// A registration whose rotation has an SD of 0.04 rad about a centre 50 mm from the target: at the target its SD to the
+// right is 2 mm, as that of the 2 %.
+TEST(TouchedFrame, TheFirstContact_UsesTheUncertaintyOfTheRegistration) {
   FrameCovariance registered = exact;
   registered(0, 0) = 0.04 * 0.04;
   const Contact contact{{0.0, 50.0}, {4.0, 50.0}, 8.0};
@@ -50,15 +50,15 @@ TEST(TouchedFrame, BeginsAsTheRegistrationHasIt) {
             frame_bearing_sd_deg(registered, central.home, contact.finger));
 }
 
-TEST(TouchedFrame, TurnsTheBearingOfWhatItMoves) {
+TEST(TouchedFrame, ACorrection_RotatesTheBearing) {
   const PlatePoint left{target.right_mm - 100.0 * std::tan(2.0 / deg_per_rad), target.away_mm};
   const TouchedFrame after = after_contact(frame(), exact, {target, left, 1e-6});
   EXPECT_NEAR(turned_deg(frame(), after, target), 2.0, 1e-4);
   EXPECT_NEAR(turned_deg(after, after, left), 0.0, 1e-12);
 }
 
-// A frame that is turned by 2 degrees and a plate of 5 % is found by exact contacts at two places.
-TEST(TouchedFrame, FindsAnyLinearFrame) {
+// Exact contacts at two positions determine a frame with a rotation of 2 degrees and a scale of 5 %.
+TEST(TouchedFrame, ExactContacts_GiveAnyLinearFrame) {
   const auto seen = [](double right_mm, double away_mm) {
     return PlatePoint{home.right_mm + 1.05 * right_mm - 0.035 * away_mm, home.away_mm + 0.035 * right_mm + away_mm};
   };
@@ -74,8 +74,8 @@ TEST(TouchedFrame, FindsAnyLinearFrame) {
   EXPECT_NEAR(place.away_mm, home.away_mm + 60.0, 1e-2);
 }
 
-// 3.717 deviations of 2 mm are the 99.9 % quantile of two coordinates.
-TEST(TouchedFrame, ContradictsARegistrationThatIsFarOff) {
+// 3.717 SDs of 2 mm are the 99.9 % quantile for two coordinates.
+TEST(TouchedFrame, ALargeCorrection_ContradictsTheRegistration) {
   for (const double off_mm : {7.4, 7.5}) {
     const Contact contact{target, {target.right_mm + off_mm, target.away_mm}, 1e-8};
     EXPECT_EQ(contradicts(after_contact(frame(), exact, contact), exact, target), off_mm > 7.44) << off_mm;

@@ -1,4 +1,4 @@
-// Touches of a plate's marks, for tests of registrations.
+// Touches of marks for tests of registrations.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 inline constexpr double rad_per_deg = 0.017453292519943295;
 
-/// Centre, start and four marks on the rim of a plate of 75 mm.
+/// Centre, start and four marks on the rim of a plate with a radius of 75 mm.
 inline std::vector<Vector3d> marks() {
   return {{0.0, 0.0, 0.0}, {0.0, 0.0, 50.0}, {75.0, 0.0, 0.0}, {0.0, 0.0, 75.0}, {-75.0, 0.0, 0.0}, {0.0, 0.0, -75.0}};
 }
@@ -24,7 +24,7 @@ inline Matrix3d some_rotation() {
   return (AngleAxisd(0.7, Vector3d::UnitY()) * AngleAxisd(-0.2, Vector3d::UnitX())).toRotationMatrix();
 }
 
-/// A plate turned by some_rotation(), touched with noise.
+/// Touches with noise of a plate rotated by some_rotation().
 inline std::vector<MarkTouch> touches_of(const Vector3d& position_mm, double noise_mm, Draws& draws, double scale = 1.0,
                                          const std::vector<Vector3d>& touched = marks()) {
   std::vector<MarkTouch> touches;

@@ -5,7 +5,7 @@
 namespace hrt {
 namespace {
 
-TEST(Pace, HalfTheTimeIsHalfThePath) {
+TEST(Pace, HalfTheTime_IsHalfThePath) {
   for (const double evenness : {0.0, 0.3, 1.0}) {
     EXPECT_DOUBLE_EQ(progress(evenness, 0.5).share, 0.5);
     EXPECT_EQ(progress(evenness, 0.0).share, 0.0);
@@ -13,8 +13,8 @@ TEST(Pace, HalfTheTimeIsHalfThePath) {
   }
 }
 
-// 30 (1/4)^2 (3/4)^2 = 270 / 256 is the bell at a quarter, where 10/64 - 15/256 + 6/1024 is behind.
-TEST(Pace, TheBellIsThatOfAMinimumJerkMotion) {
+// At a quarter of the time, ds/du = 30 (1/4)^2 (3/4)^2 = 270 / 256 and s = 10/64 - 15/256 + 6/1024.
+TEST(Pace, ZeroEvenness_GivesAMinimumJerkMotion) {
   EXPECT_DOUBLE_EQ(progress(0.0, 0.25).rate, 1.0546875);
   EXPECT_DOUBLE_EQ(progress(0.0, 0.25).share, 0.103515625);
   EXPECT_DOUBLE_EQ(progress(0.0, 0.5).rate, 1.875);
@@ -22,7 +22,7 @@ TEST(Pace, TheBellIsThatOfAMinimumJerkMotion) {
   EXPECT_EQ(progress(1.0, 0.3).rate, 1.0);
 }
 
-TEST(Pace, DerivativesAreThoseOfDifferences) {
+TEST(Pace, Derivatives_EqualDifferences) {
   constexpr double h = 1e-5;
   for (const double skew : {0.0, 0.4})
     for (const double evenness : {0.0, 0.2, 0.7})
@@ -36,21 +36,21 @@ TEST(Pace, DerivativesAreThoseOfDifferences) {
       }
 }
 
-// w = 0.5 + 0.4 / 4 at half of the time: s = 10 w^3 - 15 w^4 + 6 w^5 = 0.68256.
-TEST(Pace, ASkewedPaceIsEarly) {
+// eta = 0.5 + 0.4 / 4 at half of the time: s = 10 eta^3 - 15 eta^4 + 6 eta^5 = 0.68256.
+TEST(Pace, APositiveSkew_IsEarly) {
   EXPECT_NEAR(progress(0.0, 0.5, 0.4).share, 0.68256, 1e-9);
   EXPECT_EQ(progress(0.0, 1.0, 0.4).share, 1.0);
   EXPECT_NEAR(phase_at(0.2, progress(0.2, 0.3, 0.4).share, 0.4), 0.3, 1e-5);
 }
 
-TEST(Pace, IsStillBeforeAndAfter) {
+TEST(Pace, TimesOutsideTheMotion_AreAtRest) {
   for (const double u : {-1e300, -1.0, 2.0, 1e300}) {
     EXPECT_EQ(progress(0.0, u).rate, 0.0);
     EXPECT_EQ(progress(0.4, u).share, u < 0.0 ? 0.0 : 1.0);
   }
 }
 
-TEST(Pace, ThePhaseOfAShareIsItsInverse) {
+TEST(Pace, PhaseAt_InvertsProgress) {
   for (const double evenness : {0.0, 0.05, 0.5, 1.0}) {
     for (double u = 0.0; u <= 1.0; u += 0.05)
       EXPECT_NEAR(progress(evenness, phase_at(evenness, progress(evenness, u).share)).share,

@@ -1,4 +1,4 @@
-// Recognition of rests, touches and slides in a set-up, and of their mistakes.
+// Detection of rests, touches and slides in a set-up, and of mistakes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,12 +27,12 @@ SetupSample lost(std::int64_t time_ms) {
   return sample;
 }
 
-TEST(MarkTouches, TakeAFingerThatCameAndStayed) {
+TEST(MarkTouches, AMotionAndARest_AreOneTouch) {
   MarkTouches touches;
   touches.begin(2);
   int t = 0;
   for (; t <= 900; t += 10) touches.observe(at(t, 0.0, 0.0));
-  EXPECT_EQ(touches.count(), 0) << "it has rested there before it was asked";
+  EXPECT_EQ(touches.count(), 0) << "it rested there before the request";
   for (; t <= 1800; t += 10) touches.observe(at(t, 20.0, 0.0));
   ASSERT_EQ(touches.count(), 1);
   EXPECT_NEAR(touches[0].touched_mm.x(), 20.0, 1e-9);
@@ -40,12 +40,11 @@ TEST(MarkTouches, TakeAFingerThatCameAndStayed) {
   EXPECT_EQ(touches.count(), 1) << "the same rest";
   for (; t <= 2800; t += 10) touches.observe(lost(t));
   for (; t <= 3600; t += 10) touches.observe(at(t, 20.0, 0.0));
-  EXPECT_TRUE(touches.complete()) << "it was away, and may have come back";
+  EXPECT_TRUE(touches.complete()) << "the finger was lost, and may have touched again";
 }
 
-// Touches of one mark, 40 mm up and down at 0.4 m/s between them, as often as asked: each takes a rest of its own, and
-// no turn at the top is one.
-TEST(MarkTouches, ABriefLiftIsNoTouchAndEndsTheLastOne) {
+// Touches of one mark with lifts of 40 mm at 0.4 m/s: each rest is one touch, and the reversal at the top is not.
+TEST(MarkTouches, ABriefLift_SeparatesTwoTouches) {
   for (const int period_ms : {4, 11, 17, 33}) {
     Draws draws(6, 0, 0, 0);
     MarkTouches touches;
@@ -73,7 +72,7 @@ class SlideWatchTest : public ::testing::Test {
     EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
   }
 
-  /// Goes to `away_mm` in the time.
+  /// Moves to the position in `duration_ms`.
   void go(double right_mm, double away_mm, int duration_ms) {
     for (const int began = t; t <= began + duration_ms; t += 10) {
       const double share = static_cast<double>(t - began) / duration_ms;
@@ -93,14 +92,14 @@ class SlideWatchTest : public ::testing::Test {
   int t = 0;
 };
 
-TEST_F(SlideWatchTest, EndsWithARest) {
+TEST_F(SlideWatchTest, ARestAfterASlide_EndsIt) {
   go(0.0, 50.0, 1000);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
   stay(0.0, 50.0, 700);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::done);
 }
 
-TEST_F(SlideWatchTest, AShortPauseIsNoEndAndALongOneStopsIt) {
+TEST_F(SlideWatchTest, ALongPause_StopsTheSlideAndAShortOneDoesNot) {
   go(0.0, -20.0, 400);
   stay(0.0, -20.0, 800);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
@@ -116,7 +115,7 @@ struct BadSlide {
 
 class BadSlideTest : public SlideWatchTest, public ::testing::WithParamInterface<BadSlide> {};
 
-TEST_P(BadSlideTest, HasItsProblem) {
+TEST_P(BadSlideTest, ABadSlide_HasItsProblem) {
   const BadSlide& slide = GetParam();
   go(slide.right_mm, slide.away_mm, slide.moving_ms);
   stay(slide.right_mm, slide.away_mm, slide.resting_ms);
@@ -128,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Slides, BadSlideTest,
                                            BadSlide{0.0, 50.0, 150, 600, SetupProblem::too_fast},
                                            BadSlide{0.0, 50.0, 9400, 0, SetupProblem::too_slow}));
 
-TEST_F(SlideWatchTest, Lifted) {
+TEST_F(SlideWatchTest, ALift_FailsTheSlide) {
   go(0.0, 0.0, 500);
   for (int i = 0; i < 20; ++i, t += 10) {
     SetupSample sample = at(t, 0.0, 0.0);
@@ -138,7 +137,7 @@ TEST_F(SlideWatchTest, Lifted) {
   expect_problem(SetupProblem::left_plate);
 }
 
-TEST_F(SlideWatchTest, Lost) {
+TEST_F(SlideWatchTest, ALongDropout_FailsTheSlideAndAShortOneDoesNot) {
   go(0.0, 0.0, 500);
   for (int i = 0; i < 40; ++i, t += 10) watch.observe(lost(t));
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide) << "a dropout";
@@ -146,25 +145,25 @@ TEST_F(SlideWatchTest, Lost) {
   expect_problem(SetupProblem::lost);
 }
 
-TEST_F(SlideWatchTest, ThePlateMoves) {
+TEST_F(SlideWatchTest, ARotatingPlate_FailsTheSlide) {
   go(0.0, 0.0, 500);
   SetupSample sample = at(t, 0.0, 0.0);
   sample.on_plate.plate_orientation_deg = 184.0;
   watch.observe(sample);
-  EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide) << "half a turn feels the same";
+  EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide) << "the same ridges";
   sample.on_plate.plate_orientation_deg = 6.0;
   watch.observe(sample);
   expect_problem(SetupProblem::moved);
 }
 
-TEST_F(SlideWatchTest, OneWildPositionIsNoSlide) {
+TEST_F(SlideWatchTest, OneOutlier_IsNoSlide) {
   watch.observe(at(t, 0.0, 50.0));
   stay(0.0, -50.0, 2000);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
   EXPECT_FALSE(watch.has_left());
 }
 
-TEST(Setup, PlannedAnglesAlternateAndDiffer) {
+TEST(Setup, PlannedAngles_AlternateAndDiffer) {
   for (int i = 0; i < first_slides; ++i) {
     EXPECT_LE(std::abs(planned_share(i)), 0.8);
     if (i > 0 && planned_share(i) * planned_share(i - 1) != 0.0) {
@@ -175,8 +174,8 @@ TEST(Setup, PlannedAnglesAlternateAndDiffer) {
   }
 }
 
-// A person who rests at the start for minutes fills no memory.
-TEST(SlideStore, KeepsTheLastOfALongRest) {
+// A long rest at the start does not fill the store.
+TEST(SlideStore, ALongRest_IsShortened) {
   SlideStore store(16, 600);
   store.begin(0.0);
   for (int t = 0; t < 60'000; t += 4) {

@@ -1,5 +1,5 @@
-// The controller's account of the phases of a reach, compared with the truth, on motions with the statistics of
-// recorded reaches: onset, rests, arrival and time to go.
+// Compares the phases that the controller reports (onset, rests, arrival, time to go) with the truth, for motions with
+// the statistics of recorded reaches.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,7 +52,7 @@ Watched watch(const PersonCondition& condition, std::uint32_t index) {
       person.advance(plate.orientation_deg());
       watched.stopped_s = 1e-3 * ms;
     }
-    tracker.look(1e-3 * ms, person.position());
+    tracker.sample_if_due(1e-3 * ms, person.position());
     while (const auto sample = tracker.arrived(now_ns)) {
       const PlateCommand command = controller.update(*sample);
       plate.command(command.plate_orientation_deg);
@@ -63,7 +63,7 @@ Watched watch(const PersonCondition& condition, std::uint32_t index) {
   return watched;
 }
 
-/// Numbers of reaches, and of the time to go its mean error over the middle half of the duration, as a fraction of it.
+/// Numbers of reaches with an error, and mean error of the time to go (middle half of the duration) as a fraction.
 struct Account {
   int began_early = 0;        // more than 60 ms before the onset
   int rested_in_motion = 0;   // RESTING while the finger moves faster than 20 mm/s
@@ -103,7 +103,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.family << ' ' << c.du
 
 class Arrival : public testing::TestWithParam<Case> {};
 
-TEST_P(Arrival, IsSaidWhenTheFingerHasStopped) {
+TEST_P(Arrival, RecordedPaces_GiveArrivalAfterTheStop) {
   constexpr std::uint32_t people = 300;
   Account account;
   for (std::uint32_t i = 0; i < people; ++i)

@@ -20,8 +20,8 @@ double sd_about_zero(const std::vector<double>& values) {
 
 Draws draws_of(std::uint32_t person, std::uint32_t reach = 0) { return {1, PersonStream::drawn, person, reach}; }
 
-// Measured SDs of the direction, of the means of 72 persons and targets and of 1683 reaches about them.
-TEST(SimulationOwnPath, HasTheSpreadOfRecordedReaches) {
+// SDs of the direction in recordings: of the means of 72 pairs of person and target, and of 1683 reaches about them.
+TEST(SimulationOwnPath, DrawnPaths_HaveTheSdOfRecordedReaches) {
   constexpr double fractions[] = {0.05, 0.2, 0.4, 0.6, 0.8, 0.95};
   constexpr double mean_sd_deg[] = {8.7, 4.9, 2.7, 2.2, 5.1, 9.4};
   constexpr double within_sd_deg[] = {11.0, 5.6, 3.9, 3.8, 6.3, 14.0};
@@ -38,7 +38,7 @@ TEST(SimulationOwnPath, HasTheSpreadOfRecordedReaches) {
   }
 }
 
-TEST(SimulationOwnPath, ReturnsToTheLineUnlessItStays) {
+TEST(SimulationOwnPath, MeanDeflection_IsZeroUnlessReturnsIsFalse) {
   const PathShape shape{3.0, -5.0, 7.0, 11.0};
   const auto mean_deg = [&](const OwnPath& path) {
     double sum_deg = 0.0;
@@ -50,8 +50,8 @@ TEST(SimulationOwnPath, ReturnsToTheLineUnlessItStays) {
   EXPECT_EQ(own_direction_deg({.returns = false}, shape, 0.6), 0.0);
 }
 
-// Without touch the person ends on the line to the virtual target, whatever the path between.
-TEST(SimulationOwnPath, WithoutTouchAPersonFollowsItToTheTarget) {
+// Without an illusion, the motion ends on the line to the virtual target.
+TEST(SimulationOwnPath, WithoutIllusion_TheOwnPathEndsAtTheTarget) {
   Person person{.noise_deg2_per_s = 0.0, .start_direction_deg = 5.0, .pace = Pace::recorded};
   person.illusion = {.family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};
   person.own_path.mean_deg = {8.0, 4.0, 5.0, 10.0};
@@ -66,8 +66,9 @@ TEST(SimulationOwnPath, WithoutTouchAPersonFollowsItToTheTarget) {
   EXPECT_NEAR(bearing_deg({0.0, 0.0}, sliding.position()), 5.0, 0.2);
 }
 
-// Recorded reaches peak at 0.36 of the time between the points of 5 % of the peak speed, and end at the target.
-TEST(SimulationOwnPath, PeaksEarlyAndEnds) {
+// In recordings, the median peak of the speed is at 36 % of the time between the points of 5 % of the peak. The drawn
+// paces must have this peak, cover the whole path, and stop once in about 16 of 1000 reaches.
+TEST(SimulationOwnPath, DrawnPaces_PeakEarlyAndCoverThePath) {
   std::vector<double> peaks;
   int stops = 0;
   for (std::uint32_t reach = 0; reach < 1000; ++reach) {

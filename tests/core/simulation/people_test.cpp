@@ -19,14 +19,14 @@ PersonCondition draw(const char* family, std::uint32_t index = 0, double duratio
   return draw_person(*people_family(family), duration_s, 1, index);
 }
 
-// One value of 200 people of a family.
+// The different values of one quantity of 30 people of a family.
 std::set<double> values(const char* family, const std::function<double(const PersonCondition&)>& value) {
   std::set<double> found;
   for (std::uint32_t i = 0; i < 30; ++i) found.insert(value(draw(family, i)));
   return found;
 }
 
-// A gap of 10 to the left, or to the right.
+// A gap of 10 degrees to the left (`side` 1) or right (-1).
 PersonCondition condition(IllusionFamily family, double scale_deg, double weight, double side = 1.0) {
   PersonCondition result;
   result.person.illusion = {.family = family, .tactile_weight = weight, .scale_deg = scale_deg};
@@ -35,27 +35,27 @@ PersonCondition condition(IllusionFamily family, double scale_deg, double weight
   return result;
 }
 
-// A first reach that our controller leads.
+// Summary of a first reach with the controller for people.
 ReachSummary led(const PersonCondition& condition) {
   const RetargeterConfig controller = people_controller();
   return simulate_person(condition, &controller, 1, 1, 0).front().summary;
 }
 
-TEST(SimulationPeople, FamiliesHaveNamesOfTheirOwn) {
+TEST(SimulationPeople, Families_HaveDifferentNames) {
   std::set<std::string> names;
   int apart = 0;
   for (const PeopleFamily& family : people_families()) {
     EXPECT_TRUE(names.insert(family.name).second) << family.name;
     EXPECT_EQ(people_family(family.name), &family);
-    EXPECT_NE(std::string(family.says), "");
+    EXPECT_NE(std::string(family.description), "");
     apart += !family.tuned;
   }
   EXPECT_EQ(std::string(people_families().front().name), "linear");
   EXPECT_GE(apart, 2);
-  EXPECT_EQ(people_family("nobody"), nullptr);
+  EXPECT_EQ(people_family("unknown"), nullptr);
 }
 
-TEST(SimulationPeople, WhoIsDrawnIsAFunctionOfSeedDurationAndIndex) {
+TEST(SimulationPeople, SeedDurationAndIndex_DetermineThePerson) {
   const auto weight = [](std::uint64_t seed, double duration_s, std::uint32_t index) {
     return draw_person(*people_family("linear"), duration_s, seed, index).person.illusion.tactile_weight;
   };
@@ -65,7 +65,7 @@ TEST(SimulationPeople, WhoIsDrawnIsAFunctionOfSeedDurationAndIndex) {
   EXPECT_NE(weight(1, 1.5, 3), weight(1, 1.5, 4));
 }
 
-TEST(SimulationPeople, FamiliesHaveTheTraitThatTheyAreNamedAfter) {
+TEST(SimulationPeople, Families_HaveTheirTrait) {
   using C = const PersonCondition&;
   using Values = std::set<double>;
   EXPECT_EQ(values("bias-3", [](C c) { return c.person.bias_deg; }), (Values{-3.0, 3.0}));
@@ -77,7 +77,7 @@ TEST(SimulationPeople, FamiliesHaveTheTraitThatTheyAreNamedAfter) {
   EXPECT_EQ(values("slow-plate", [](C c) { return c.plate.max_speed_deg_s; }), (Values{250.0}));
   EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.correlation_s; }), (Values{0.3}));
   EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.white_mm; }), (Values{0.0}));
-  EXPECT_EQ(values("wild-rest", [](C c) { return 1.0 * c.tracker.wild_samples; }), (Values{1.0, 2.0}));
+  EXPECT_EQ(values("wild-rest", [](C c) { return 1.0 * c.tracker.burst_samples; }), (Values{1.0, 2.0}));
   EXPECT_EQ(values("clip-60", [](C c) { return c.person.illusion.scale_deg; }), (Values{60.0}));
   EXPECT_EQ(draw("clip-45").person.illusion.family, IllusionFamily::saturating);
   EXPECT_EQ(draw("sine-45").person.illusion.family, IllusionFamily::sine);
@@ -102,9 +102,10 @@ TEST(SimulationPeople, FamiliesHaveTheTraitThatTheyAreNamedAfter) {
   EXPECT_EQ(draw("late-samples").tracker.late_s, 0.008);
 }
 
-// The gap of 10 can be held beyond w = 10 / 75, 10 / 60, 10 / 45 (saturating and sine), 10 / 65; to the right
-// the unequal need twice the weight.
-TEST(SimulationPeople, CanHoldByHand) {
+// A gap of 10 degrees is feasible if w_T exceeds 10 / (largest effective angle): 75 degrees (the bound, if linear), 60
+// and 45 (saturation), 45 (sine), 65 (75 minus a dead band of 10). With the unequal illusion, w_T must be twice as
+// large for gaps to the right.
+TEST(SimulationPeople, WeightsAtTheLimit_GiveTheHandCalculatedFeasibility) {
   struct Limit {
     IllusionFamily family;
     double scale_deg;
@@ -116,20 +117,20 @@ TEST(SimulationPeople, CanHoldByHand) {
        {Limit{linear, 45.0, 10.0 / 75.0, 10.0 / 75.0}, Limit{saturating, 60.0, 10.0 / 60.0, 10.0 / 60.0},
         Limit{saturating, 45.0, 10.0 / 45.0, 10.0 / 45.0}, Limit{sine, 45.0, 10.0 / 45.0, 10.0 / 45.0},
         Limit{dead_band, 10.0, 10.0 / 65.0, 10.0 / 65.0}, Limit{unequal, 45.0, 10.0 / 75.0, 20.0 / 75.0}}) {
-    EXPECT_FALSE(can_hold(condition(limit.family, limit.scale_deg, limit.left - 1e-6, 1.0)));
-    EXPECT_TRUE(can_hold(condition(limit.family, limit.scale_deg, limit.left + 1e-6, 1.0)));
-    EXPECT_FALSE(can_hold(condition(limit.family, limit.scale_deg, limit.right - 1e-6, -1.0)));
-    EXPECT_TRUE(can_hold(condition(limit.family, limit.scale_deg, limit.right + 1e-6, -1.0)));
+    EXPECT_FALSE(gap_is_feasible(condition(limit.family, limit.scale_deg, limit.left - 1e-6, 1.0)));
+    EXPECT_TRUE(gap_is_feasible(condition(limit.family, limit.scale_deg, limit.left + 1e-6, 1.0)));
+    EXPECT_FALSE(gap_is_feasible(condition(limit.family, limit.scale_deg, limit.right - 1e-6, -1.0)));
+    EXPECT_TRUE(gap_is_feasible(condition(limit.family, limit.scale_deg, limit.right + 1e-6, -1.0)));
   }
 }
 
-// A bias of 3 to the side of the virtual target makes the gap 13, one of the felt own direction 7.
-TEST(SimulationPeople, BiasCountsForTheGap) {
+// A bias of 3 towards the virtual target makes the gap 13; one of the perceived own direction makes it 7.
+TEST(SimulationPeople, ABias_ChangesTheGap) {
   const auto holds = [](double weight, double bias_deg, double own_bias_deg) {
     PersonCondition person = condition(IllusionFamily::linear, 45.0, weight);
     person.person.bias_deg = bias_deg;
     person.person.own_bias_deg = own_bias_deg;
-    return can_hold(person);
+    return gap_is_feasible(person);
   };
   EXPECT_FALSE(holds(13.0 / 75.0 - 1e-6, 3.0, 0.0));
   EXPECT_TRUE(holds(13.0 / 75.0 + 1e-6, 3.0, 0.0));
@@ -138,7 +139,7 @@ TEST(SimulationPeople, BiasCountsForTheGap) {
   EXPECT_TRUE(holds(10.0 / 75.0 + 1e-6, 3.0, 3.0));
 }
 
-TEST(SimulationPeople, AnOutcomeIsAFunctionOfItsArguments) {
+TEST(SimulationPeople, EqualArguments_GiveEqualOutcomes) {
   const PersonCondition person = draw("mixture", 3);
   const RetargeterConfig controller = people_controller();
   const auto five = simulate_person(person, &controller, 5, 1, 3);
@@ -148,21 +149,21 @@ TEST(SimulationPeople, AnOutcomeIsAFunctionOfItsArguments) {
     EXPECT_EQ(five[i].miss_mm, again[i].miss_mm);
     EXPECT_EQ(five[i].summary.estimate.tactile_weight, again[i].summary.estimate.tactile_weight);
   }
-  // Later reaches do not change the first; seed and index do; reaches differ.
+  // More reaches do not change the first; seed and index do; reaches differ.
   EXPECT_EQ(simulate_person(person, &controller, 1, 1, 3).front().miss_mm, five.front().miss_mm);
   EXPECT_NE(simulate_person(person, &controller, 1, 2, 3).front().miss_mm, five.front().miss_mm);
   EXPECT_NE(simulate_person(person, &controller, 1, 1, 4).front().miss_mm, five.front().miss_mm);
   EXPECT_NE(five[0].miss_mm, five[1].miss_mm);
 }
 
-// A person who feels nothing goes to the virtual target, 10 deg from the real one, whatever the plate does.
-TEST(SimulationPeople, WithoutIllusionNobodyIsLed) {
+// Without illusion the hand reaches the virtual target, 10 degrees from the real one, for any plate orientation.
+TEST(SimulationPeople, WithoutIllusion_TheHandReachesTheVirtualTarget) {
   const RetargeterConfig controller = people_controller();
   for (const double side : {1.0, -1.0}) {
     PersonCondition person = condition(IllusionFamily::dead_band, 90.0, 0.2, side);
     person.person.noise_deg2_per_s = 0.0;
     person.person.start_direction_deg = person.virtual_direction_deg;
-    EXPECT_FALSE(can_hold(person));
+    EXPECT_FALSE(gap_is_feasible(person));
     const RetargeterConfig* const none = nullptr;
     for (const RetargeterConfig* config : {none, &controller}) {
       const PersonOutcome outcome = simulate_person(person, config, 1, 1, 0).front();
@@ -174,8 +175,8 @@ TEST(SimulationPeople, WithoutIllusionNobodyIsLed) {
   }
 }
 
-// 90 Hz over rest, 1.5 s of motion and 0.3 s after it.
-TEST(SimulationPeople, TrackersHaveTheirRateAndLosses) {
+// 90 Hz during the rest, 1.5 s of motion and 0.3 s after it.
+TEST(SimulationPeople, Trackers_HaveTheirRateAndLosses) {
   const auto summary = [](const char* family) { return led(draw(family)); };
   const ReachSummary usual = summary("linear");
   EXPECT_GE(usual.samples + usual.dropped_samples, 90.0 * 2.2 - 2.0);
@@ -185,7 +186,7 @@ TEST(SimulationPeople, TrackersHaveTheirRateAndLosses) {
   EXPECT_GT(summary("outliers").dropped_samples, usual.dropped_samples);
 }
 
-TEST(SimulationPeople, ControllersAreValidAndKnowWhatTheyAreToKnow) {
+TEST(SimulationPeople, InformedControllers_HaveTheTrueTraits) {
   EXPECT_EQ(people_controller().mode, ControlMode::reach);
   EXPECT_EQ(paper_controller().mode, ControlMode::mpc);
   EXPECT_TRUE(is_valid(people_controller()));
@@ -203,9 +204,8 @@ TEST(SimulationPeople, ControllersAreValidAndKnowWhatTheyAreToKnow) {
   EXPECT_GT(informed_controller(draw("clip-45")).person.mean(T::curve), 0.02);
 }
 
-// A tracker without noise whose frame is turned, scaled, sheared: the end of 100 mm straight ahead is seen at
-// (-100 sin a, 100 cos a), 105, and 100 tan a to the right of where it is. The headset's is 11 mm from there.
-TEST(SimulationPeople, AReachHasOneFaultOrNone) {
+// draw_fault() changes the condition by the fault of one family, or leaves it unchanged.
+TEST(SimulationPeople, DrawFault_GivesOneFaultOrNone) {
   std::set<int> faults;
   Draws draws(1, PersonStream::faults, 0, 0);
   for (int i = 0; i < 100; ++i) {
@@ -218,8 +218,8 @@ TEST(SimulationPeople, AReachHasOneFaultOrNone) {
     const bool has[] = {now.rate_hz != before.rate_hz,
                         now.correlated_mm != before.correlated_mm,
                         now.white_mm > before.white_mm,
-                        now.wild_samples > 0 && now.wild_at_s < 0.5,
-                        now.wild_samples > 0 && now.wild_at_s >= 0.5,
+                        now.burst_samples > 0 && now.burst_at_s < 0.5,
+                        now.burst_samples > 0 && now.burst_at_s >= 0.5,
                         now.outlier_share > 0.0,
                         now.dropout_share > 0.0,
                         with.plate.max_speed_deg_s != plate.max_speed_deg_s,
@@ -229,10 +229,11 @@ TEST(SimulationPeople, AReachHasOneFaultOrNone) {
     EXPECT_LE(std::count(std::begin(has), std::end(has), true), 1);
     faults.insert(static_cast<int>(std::find(std::begin(has), std::end(has), true) - std::begin(has)));
   }
-  EXPECT_EQ(faults.size(), 12U);  // none among them
+  EXPECT_EQ(faults.size(), 12U);  // 11 faults, and none
 }
 
-TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
+// Trackers without noise, with a rotated, scaled or sheared frame, and a headset with an error of 11 mm at the target.
+TEST(SimulationPeople, FramesWithErrors_GiveTheHandCalculatedBearings) {
   const auto seen = [](PersonCondition condition) {
     condition.person.illusion = {.family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};
     condition.person.noise_deg2_per_s = condition.person.start_direction_deg = 0.0;
@@ -259,8 +260,8 @@ TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   }
 }
 
-// The plate is 5 degrees from its assumed orientation, which changes a felt shift w t by 5 w.
-TEST(SimulationPeople, AFixedPlateThatIsOffBendsThePathByItsShare) {
+// A plate offset of 10 degrees changes the shift w t by 10 w.
+TEST(SimulationPeople, APlateOffset_DeflectsThePathByTheWeight) {
   PersonCondition condition = draw("linear");
   condition.person.noise_deg2_per_s = 0.0;
   condition.plate_offset_deg = 10.0;
@@ -272,7 +273,7 @@ TEST(SimulationPeople, AFixedPlateThatIsOffBendsThePathByItsShare) {
   EXPECT_NEAR(end_deg, condition.person.start_direction_deg, 0.3);
 }
 
-// How far people stray from their line, as estimated after five reaches: the geometric mean.
+// Geometric mean of the wander's SD that is estimated after five reaches.
 double learnt_wander_deg(const char* family) {
   const RetargeterConfig controller = people_controller();
   double sum = 0.0;
@@ -286,14 +287,13 @@ double learnt_wander_deg(const char* family) {
   return std::exp(sum / people);
 }
 
-TEST(SimulationPeople, HowFarTheyStrayIsLearnt) {
+TEST(SimulationPeople, FiveReaches_EstimateTheSdOfTheWander) {
   EXPECT_LT(learnt_wander_deg("linear"), 3.0);
   EXPECT_GT(learnt_wander_deg("recorded"), std::exp(unknown_person().mean(PersonState::log_wander)));
 }
 
-// People who weaken from 0.28 to 0.16, where 75 degrees of plate still hold the gap of 10: two reaches later
-// they arrive again.
-TEST(SimulationPeople, ThoseWhoWeakenAreLedAnew) {
+// The weight drops from 0.28 to 0.16, where a gap of 10 is still feasible: two reaches later, most end on target.
+TEST(SimulationPeople, AWeightThatDrops_IsEstimatedAgainWithinTwoReaches) {
   const RetargeterConfig controller = people_controller();
   int near = 0;
   for (std::uint32_t i = 0; i < 100; ++i) {
@@ -308,7 +308,7 @@ TEST(SimulationPeople, ThoseWhoWeakenAreLedAnew) {
   EXPECT_GE(near, 70);
 }
 
-TEST(SlidingFinger, RestsBeforeAndAfterItsPath) {
+TEST(SlidingFinger, TimesOutsideThePath_LeaveTheFingerAtRest) {
   SlidingFinger finger({0.01, -0.05}, 0.1, 2.0);
   finger.slide(-1.0, 45.0);
   EXPECT_EQ(finger.place().right_mm, 0.01);
@@ -321,9 +321,8 @@ TEST(SlidingFinger, RestsBeforeAndAfterItsPath) {
   EXPECT_NEAR(finger.place().away_mm, 0.0, 1e-15);
 }
 
-// 10 / 64 - 15 / 256 + 6 / 1024 = 0.103515625 of the path in the first quarter of the time, half of it at
-// half.
-TEST(SlidingFinger, MinimumJerkStartsSlowly) {
+// 10 / 64 - 15 / 256 + 6 / 1024 = 0.103515625 of the path in a quarter of the time, half in half of the time.
+TEST(SlidingFinger, MinimumJerk_StartsSlowly) {
   SlidingFinger finger({}, 0.1, 2.0, SpeedProfile::minimum_jerk);
   finger.slide(0.5, 0.0);
   EXPECT_DOUBLE_EQ(finger.place().away_mm, 0.0103515625);

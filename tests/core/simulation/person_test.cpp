@@ -21,7 +21,7 @@ SimulatedIllusion illusion(IllusionFamily family, double scale_deg = 45.0, doubl
   return {.family = family, .tactile_weight = weight, .scale_deg = scale_deg};
 }
 
-// A person who does not feel the ridges, sets out for the virtual target and has no noise.
+// A person without illusion and noise who starts towards the virtual target.
 Person numb() {
   Person person;
   person.illusion = illusion(IllusionFamily::dead_band, 90.0);
@@ -40,7 +40,7 @@ Person linear() {
 Draws draws(std::uint32_t reach = 0) { return {1, 2, 3, reach}; }
 
 struct Walk {
-  std::vector<PlatePoint> places;  // one a millisecond
+  std::vector<PlatePoint> places;  // one per millisecond
   SlidingPerson person;
 
   double length_mm() const {
@@ -50,7 +50,7 @@ struct Walk {
   }
 };
 
-// A whole reach with the ridges `plate(person)` deg.
+// Simulates a reach with the plate orientation `plate(person)`.
 Walk walk(const Person& person, const std::function<double(const SlidingPerson&)>& plate, const Draws& from = draws()) {
   Walk result{.places = {{}}, .person = {person, {}, virtual_deg, path_mm, from}};
   while (!result.person.done()) {
@@ -64,7 +64,7 @@ Walk walk_beside(const Person& person, double offset_deg) {
   return walk(person, [=](const SlidingPerson& now) { return now.direction_deg() + offset_deg; });
 }
 
-TEST(SimulationPerson, FeltShiftByHand) {
+TEST(SimulationPerson, Illusions_GiveTheHandCalculatedShifts) {
   using enum IllusionFamily;
   EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(linear), 40.0), 8.0);
   EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(linear), 100.0), -16.0);  // folded to -80
@@ -79,7 +79,7 @@ TEST(SimulationPerson, FeltShiftByHand) {
   EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(unequal), -30.0), -3.0);
 }
 
-TEST(SimulationPerson, RidgesAreTheSameAfterHalfATurnAndMirrored) {
+TEST(SimulationPerson, HalfTurnsAndMirrors_GiveTheSameShift) {
   using enum IllusionFamily;
   for (const IllusionFamily family : {linear, saturating, sine, IllusionFamily::tanh, dead_band})
     for (double t = -85.0; t <= 85.0; t += 5.0) {
@@ -89,8 +89,8 @@ TEST(SimulationPerson, RidgesAreTheSameAfterHalfATurnAndMirrored) {
     }
 }
 
-// Within 75: 75 w, 45 w, 45 w at 45, 60 w tanh(75 / 60), 65 w; half of 75 w to the right.
-TEST(SimulationPerson, LargestShiftByHand) {
+// Within 75 degrees: 75 w, 45 w, 45 w at 45, 60 w tanh(75 / 60), 65 w; unequal: half to the right.
+TEST(SimulationPerson, Illusions_GiveTheHandCalculatedLargestShift) {
   using enum IllusionFamily;
   for (const double w : {0.1, 0.2, 0.3})
     for (const double sign : {1.0, -1.0}) {
@@ -106,9 +106,8 @@ TEST(SimulationPerson, LargestShiftByHand) {
     }
 }
 
-// The path is as long as it is asked to be, however it is paced and bent; who overshoots by a tenth and comes
-// back goes 1.2 times as far.
-TEST(SimulationPerson, PathAndTimeAreAsAskedFor) {
+// The path has the requested length for any pace and curvature; with an overshoot by a tenth, 1.2 times that.
+TEST(SimulationPerson, AnyPace_HasTheRequestedLengthAndDuration) {
   for (const Pace pace : paces) {
     Person person = linear();
     person.noise_deg2_per_s = 8.0;
@@ -124,7 +123,7 @@ TEST(SimulationPerson, PathAndTimeAreAsAskedFor) {
 }
 
 // 10 / 64 - 15 / 256 + 6 / 1024 = 0.103515625 of the path in the first quarter of the time.
-TEST(SimulationPerson, MinimumJerkByHand) {
+TEST(SimulationPerson, MinimumJerk_GivesTheHandCalculatedPath) {
   Person person = numb();
   person.duration_s = 2.0;
   const Walk straight = walk_beside(person, 0.0);
@@ -133,7 +132,7 @@ TEST(SimulationPerson, MinimumJerkByHand) {
   EXPECT_NEAR(distance_mm(straight.places[1000], straight.places[1001]), 1.875 * path_mm * 0.0005, 1e-5);
 }
 
-TEST(SimulationPerson, RestsAreWhereTheyAreSaidToBe) {
+TEST(SimulationPerson, PacesWithPauses_RestForTheirDuration) {
   Person person = numb();
   person.duration_s = 1.0;
   const auto at_rest_ms = [&](Pace pace) {
@@ -149,7 +148,7 @@ TEST(SimulationPerson, RestsAreWhereTheyAreSaidToBe) {
   EXPECT_NEAR(at_rest_ms(Pace::stop_and_go), 600, 4);
 }
 
-TEST(SimulationPerson, WithoutIllusionTheyArriveAtTheVirtualTarget) {
+TEST(SimulationPerson, WithoutIllusion_AnySteeringReachesTheVirtualTarget) {
   const PlatePoint target = point_ahead({}, virtual_deg, path_mm);
   for (const Steering steering : {Steering::continuous, Steering::predictive, Steering::place, Steering::crossings})
     for (const Pace pace : paces) {
@@ -157,7 +156,7 @@ TEST(SimulationPerson, WithoutIllusionTheyArriveAtTheVirtualTarget) {
       person.steering = steering;
       person.pace = pace;
       EXPECT_LT(distance_mm(walk_beside(person, 60.0).person.position(), target), 1e-6);
-      // From another first direction too, except for what the first moments cost.
+      // Also from another initial direction, except for a small error.
       person.start_direction_deg = 0.0;
       if (pace != Pace::minimum_jerk) continue;
       EXPECT_LT(distance_mm(walk_beside(person, 60.0).person.position(), target), 0.5);
@@ -169,8 +168,8 @@ TEST(SimulationPerson, WithoutIllusionTheyArriveAtTheVirtualTarget) {
   EXPECT_NEAR(distance_mm({}, arm.person.position()), path_mm, 2.0);
 }
 
-// In steps of 100 ms with noise of their own: on average at the virtual target, and straight in between.
-TEST(SimulationPerson, StepsAreOfTenthsOfASecond) {
+// Steering in steps of 100 ms with noise: on average at the virtual target, and straight between steps.
+TEST(SimulationPerson, SteeringInSteps_ChangesDirectionEvery100Ms) {
   Person person = numb();
   person.steering = Steering::steps;
   double sum_deg = 0.0;
@@ -189,8 +188,8 @@ TEST(SimulationPerson, StepsAreOfTenthsOfASecond) {
   EXPECT_NEAR(sum_deg / 200.0, virtual_deg, 0.15);
 }
 
-// 50 beside the motion shifts by 0.2 * 50 = 10: the finger goes 10 to the right of what is felt.
-TEST(SimulationPerson, TheyFeelTheGoalAndGoBesideIt) {
+// At 50 degrees from the motion the shift is 0.2 * 50 = 10: the motion is 10 to the right of the perceived direction.
+TEST(SimulationPerson, AConstantOffset_DeflectsTheMotionByTheShift) {
   for (const Steering steering : {Steering::continuous, Steering::predictive}) {
     Person person = linear();
     person.steering = steering;
@@ -201,7 +200,7 @@ TEST(SimulationPerson, TheyFeelTheGoalAndGoBesideIt) {
   }
 }
 
-TEST(SimulationPerson, BiasHabitAndDriftByHand) {
+TEST(SimulationPerson, BiasHabitAndDrift_GiveTheHandCalculatedDirections) {
   Person person = numb();
   person.bias_deg = 3.0;
   EXPECT_NEAR(walk_beside(person, 0.0).person.direction_deg(), virtual_deg + 3.0, 0.01);
@@ -211,19 +210,19 @@ TEST(SimulationPerson, BiasHabitAndDriftByHand) {
   EXPECT_NEAR(biased.direction_deg(), virtual_deg - 3.0, 0.01);
   EXPECT_NEAR(biased.felt_error_deg(), 0.0, 0.01);
   person = numb();
-  person.habit_deg = 4.0;  // from +4 to -4: the path is bent, its chord is not
+  person.habit_deg = 4.0;  // from +4 to -4: the path is curved, its chord is straight
   const Walk bent = walk_beside(person, 0.0);
   EXPECT_NEAR(bent.person.direction_deg(), virtual_deg - 4.0, 0.1);
   EXPECT_NEAR(bearing_deg({}, bent.person.position()), virtual_deg, 0.5);
   EXPECT_GT(bearing_deg({}, bent.places[bent.places.size() / 2]), virtual_deg + 1.0);
-  // The shift ends at 0.25 * 40; the finger follows it 40 * 0.05 / 1.5 / 9 = 0.15 behind.
+  // The shift at the end is 0.25 * 40; the direction lags by 40 * 0.05 / 1.5 / 9 = 0.15.
   person = linear();
   person.weight_drift = 0.05;
   EXPECT_NEAR(walk_beside(person, 40.0).person.direction_deg(), virtual_deg - 10.0 + 0.15, 0.05);
 }
 
-// Set out 15 beside the target's direction, they halve at least the miss of those who steer by direction.
-TEST(SimulationPerson, PlaceSeekersSteerBackToThePlaceTheyFeel) {
+// With an initial direction 15 degrees off, steering to a position at least halves the error of steering by direction.
+TEST(SimulationPerson, SteeringToAPosition_ReducesTheMiss) {
   Person person = linear();
   person.start_direction_deg = -10.0;
   person.pace = Pace::even;
@@ -235,8 +234,8 @@ TEST(SimulationPerson, PlaceSeekersSteerBackToThePlaceTheyFeel) {
   EXPECT_LT(std::abs(by_place_deg - virtual_deg), 0.5 * std::abs(by_direction_deg - virtual_deg));
 }
 
-// Ridges along the motion are never crossed; across it, one every 10 mm.
-TEST(SimulationPerson, RidgesThatAreNotCrossedAreNotFelt) {
+// Ridges along the motion are never crossed; across it, one is crossed every 10 mm.
+TEST(SimulationPerson, RidgesAlongTheMotion_CauseNoShift) {
   Person person = linear();
   person.steering = Steering::crossings;
   EXPECT_NEAR(walk_beside(person, 90.0).person.direction_deg(), virtual_deg, 1e-9);
@@ -248,11 +247,11 @@ TEST(SimulationPerson, RidgesThatAreNotCrossedAreNotFelt) {
     min_deg = std::min(min_deg, now.direction_deg());
   }
   EXPECT_LT(min_deg, virtual_deg - 2.0);
-  EXPECT_GT(min_deg, virtual_deg - 8.0);  // 0.2 * 40, which fades between ridges
+  EXPECT_GT(min_deg, virtual_deg - 8.0);  // 0.2 * 40, which decays between ridges
 }
 
-// Without steering the direction is a random walk: 8 deg2 a second for 1.5 s.
-TEST(SimulationPerson, NoiseHasItsVariance) {
+// Without steering, the direction is a random walk: 8 deg^2 per second for 1.5 s.
+TEST(SimulationPerson, Noise_HasItsVariance) {
   Person person = numb();
   person.gain_per_s = 0.0;
   person.pace = Pace::even;

@@ -11,8 +11,8 @@
 namespace hrt {
 namespace {
 
-// The known answers that Random123 is distributed with (kat_vectors, philox4x32 of 10 rounds).
-TEST(SimulationRandom, PhiloxKnownAnswers) {
+// Known answers from Random123 (kat_vectors, philox4x32 with 10 rounds).
+TEST(SimulationRandom, PhiloxCounters_GiveTheKnownAnswers) {
   EXPECT_EQ(philox({}, 0), (PhiloxBlock{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
   constexpr std::uint32_t max = 0xffffffff;
   EXPECT_EQ(philox({max, max, max, max}, ~std::uint64_t{0}),
@@ -21,7 +21,7 @@ TEST(SimulationRandom, PhiloxKnownAnswers) {
             (PhiloxBlock{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
-// Box and Muller's formula in long double, on the bits as normal_pair() lays them out.
+// Box-Muller transform in long double, with the layout of bits of normal_pair().
 std::array<long double, 2> reference_pair(std::uint64_t bits) {
   const long double radius = std::sqrt(-2.0L * std::log((static_cast<long double>(bits >> 24) + 0.5L) * 0x1p-40L));
   long double x = static_cast<long double>(bits & 0x3fffff) + 0.5L;
@@ -39,7 +39,7 @@ void expect_near_reference(std::uint64_t bits) {
   ASSERT_NEAR(pair[1], static_cast<double>(second), tolerance) << std::hex << bits;
 }
 
-TEST(SimulationRandom, TransformAgreesWithLongDouble) {
+TEST(SimulationRandom, RandomBits_AgreeWithLongDouble) {
   for (const std::uint64_t radius_bits :
        {0x0ull, 0x1ull, 0xffull, 0x7fffffffffull, 0x8000000000ull, 0xb504f333f9ull, 0xb504f333faull, 0xffffffffffull}) {
     for (const std::uint64_t angle_bits : {0x0ull, 0x1fffffull, 0x200000ull, 0x3fffffull, 0x400000ull, 0x5a5a5aull,
@@ -50,15 +50,14 @@ TEST(SimulationRandom, TransformAgreesWithLongDouble) {
 }
 
 // In sequence, with gaps, backwards and at the ends of the range of steps.
-TEST(SimulationRandom, DrawsOfATrialAreThoseOfItsCounters) {
+TEST(SimulationRandom, StepsInAnyOrder_GiveTheDrawsOfTheirCounters) {
   NormalDraws draws(0x0123456789abcdef, 77, 5);
   for (const std::uint32_t step : {0u, 1u, 2u, 3u, 4u, 5u, 9u, 22u, 21u, 20u, 0u, 3u, 0xfffffffeu, 0xffffffffu})
     EXPECT_EQ(draws(step), standard_normal({0x0123456789abcdef, 77, 5, step})) << step;
 }
 
-// Philox of the counter {block, person, reach, stream + 1}: 64 bits for a uniform draw or for two normal
-// ones.
-TEST(SimulationDraws, TakeHalfABlockAtATime) {
+// Philox of the counter {block, person, reach, stream + 1}: 64 bits for one uniform draw or two normal ones.
+TEST(SimulationDraws, EachDraw_TakesHalfABlock) {
   const auto half = [](std::uint32_t block, std::size_t half) {
     const PhiloxBlock words = philox({block, 3, 4, 3}, 7);
     return static_cast<std::uint64_t>(words[2 * half + 1]) << 32 | words[2 * half];

@@ -1,4 +1,4 @@
-// Simulated trackers: do they have the errors that their numbers say?
+// Simulated trackers have the errors that their fields specify.
 #include "core/simulation/tracker.h"
 
 #include <gtest/gtest.h>
@@ -13,13 +13,13 @@ namespace {
 
 constexpr PlatePoint start{0.0, 0.0};
 
-// Positions at each millisecond's look, of a finger that is at `finger(time)`.
+// Samples of a finger at `finger(time)`.
 template <class Finger>
 std::vector<FingerSample> seen(const TrackerModel& model, std::uint32_t reach, double duration_s, Finger&& finger) {
   Tracker tracker(model, start, Draws(1, 0, 0, reach));
   std::vector<FingerSample> samples;
   for (int ms = 0; ms < static_cast<int>(1e3 * duration_s); ++ms) {
-    tracker.look(1e-3 * ms, finger(1e-3 * ms));
+    tracker.sample_if_due(1e-3 * ms, finger(1e-3 * ms));
     while (const auto sample = tracker.arrived(1'000'000LL * ms)) samples.push_back(*sample);
   }
   return samples;
@@ -31,12 +31,12 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-// A line at 100 mm/s from 0.5 s to 1.5 s.
+// A motion at 100 mm/s from 0.5 s to 1.5 s.
 PlatePoint slide(double time_s) { return {0.0, 100.0 * std::min(1.0, std::max(0.0, time_s - 0.5))}; }
 
-// Half the mean square difference at a lag t of a process of two poles a and b is
-// sigma^2 (1 - (a e^(-t / a) - b e^(-t / b)) / (a - b)): at 14 ms a twentieth of that of the last pole alone.
-TEST(SimulatedTracker, SmoothNoiseHasItsSizeAndNoSteps) {
+// Half of the mean square difference at a lag t, for a process with two time constants a and b, is sigma^2 (1 - (a
+// e^(-t / a) - b e^(-t / b)) / (a - b)): at 14 ms a twentieth of that with one time constant.
+TEST(SimulatedTracker, SmoothedNoise_HasItsSdAndSmallSteps) {
   TrackerModel model{.rate_hz = 1000.0 / 14.0, .white_mm = 0.0, .correlated_mm = 1.3, .correlation_s = 0.131};
   model.smoothing_s = 0.022;
   std::vector<double> places, steps;
@@ -51,7 +51,7 @@ TEST(SimulatedTracker, SmoothNoiseHasItsSizeAndNoSteps) {
   EXPECT_NEAR(root_mean_square(steps) / std::sqrt(2.0), 0.24, 0.06) << "0.21 mm were measured";
 }
 
-TEST(SimulatedTracker, TheBearingOfAReachIsOffByItsDeviation) {
+TEST(SimulatedTracker, TheBearingOfAReach_HasItsSd) {
   TrackerModel model{.white_mm = 0.0};
   model.bearing_sd_deg = 2.9;
   std::vector<double> errors_deg;
@@ -60,7 +60,7 @@ TEST(SimulatedTracker, TheBearingOfAReachIsOffByItsDeviation) {
   EXPECT_NEAR(root_mean_square(errors_deg), 2.9, 0.3);
 }
 
-TEST(SimulatedTracker, CreepsToTheFingerAfterTheStop) {
+TEST(SimulatedTracker, AStop_IsFollowedByCreep) {
   TrackerModel model{.rate_hz = 100.0, .white_mm = 0.0};
   model.creep_mm = 6.0;
   const auto samples = seen(model, 0, 2.5, slide);
@@ -69,12 +69,12 @@ TEST(SimulatedTracker, CreepsToTheFingerAfterTheStop) {
     return distance_mm(sample.position, slide(time_s));
   };
   EXPECT_EQ(off_mm(0.4), 0.0);
-  EXPECT_NEAR(off_mm(1.0), 6.0, 1.1);  // and the motion within a sample
+  EXPECT_NEAR(off_mm(1.0), 6.0, 1.1);  // includes the motion within a sample
   EXPECT_NEAR(off_mm(1.7), 6.0 * std::exp(-1.0), 0.4);
   EXPECT_LT(off_mm(2.4), 0.1);
 }
 
-TEST(SimulatedTracker, HandsAreLostAtTheEndInTheShareOfReaches) {
+TEST(SimulatedTracker, TheConfiguredFractionOfReaches_LosesTrackingAtTheEnd) {
   TrackerModel model{.rate_hz = 71.0, .white_mm = 0.0};
   model.end_loss_share = 0.14;
   model.excursions_hz = 1.0 / 12.0;

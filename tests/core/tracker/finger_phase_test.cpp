@@ -29,7 +29,7 @@ struct FingerWatch {
 };
 
 // It has left once the mean of three is 3.3 * 0.5 = 1.65 mm off: 1, 2 and 3 mm, at 0.53 s.
-TEST(FingerPhase, LeavesWithTheMeanOfThreeByHand) {
+TEST(FingerPhase, AMotion_IsDetectedByTheMeanOfThreePositions) {
   FingerWatch watch;
   watch.until(0.53);
   EXPECT_EQ(watch.finger.phase(), Phase::waiting);
@@ -43,7 +43,7 @@ TEST(FingerPhase, LeavesWithTheMeanOfThreeByHand) {
 }
 
 // The window is 0.11 + 2.5 * 0.5 / 15 = 0.193 s, and a rest's displacement in it at most 8.6 * 0.2 = 1.72 mm.
-TEST(FingerPhase, FindsAPauseAndDatesItBack) {
+TEST(FingerPhase, APause_IsDetectedAndDatedBack) {
   FingerWatch watch;
   watch.until(1.1);
   EXPECT_EQ(watch.finger.phase(), Phase::moving);
@@ -55,7 +55,7 @@ TEST(FingerPhase, FindsAPauseAndDatesItBack) {
   EXPECT_NEAR(watch.finger.rest_place().away_mm, 0.0, 0.2);
 }
 
-TEST(FingerPhase, AFingerAsSlowAsExpectedDoesNotPause) {
+TEST(FingerPhase, AFingerAsSlowAsExpected_DoesNotPause) {
   for (const double expected_mm_s : {10.0, 40.0}) {
     FingerPhase finger(PlatePoint{}, half_a_millimetre);
     bool paused = false;
@@ -68,7 +68,7 @@ TEST(FingerPhase, AFingerAsSlowAsExpectedDoesNotPause) {
 }
 
 // 30 mm after 10 ms is more than 0.6 m/s * 0.01 s + 5.7 * 0.5 = 8.85 mm.
-TEST(FingerPhase, IgnoresTwoWildPositionsAtRestAndBelievesTheThird) {
+TEST(FingerPhase, TwoOutliersAtRest_AreIgnoredAndTheThirdIsAccepted) {
   FingerWatch watch;
   watch.until(0.5);
   for (int n = 0; n < 2; ++n)
@@ -82,7 +82,7 @@ TEST(FingerPhase, IgnoresTwoWildPositionsAtRestAndBelievesTheThird) {
   EXPECT_EQ(watch.finger.rest_s(), 0.0);
 }
 
-TEST(FingerPhase, AFingerThatComesDownRestsWhereItComesDown) {
+TEST(FingerPhase, Touchdown_SetsTheRestPosition) {
   for (const double lifted_s : {0.3, 0.8}) {
     FingerWatch watch;
     watch.until(lifted_s);
@@ -98,7 +98,7 @@ TEST(FingerPhase, AFingerThatComesDownRestsWhereItComesDown) {
 }
 
 // A tremor that comes off by 3 mm for 50 ms.
-TEST(FingerPhase, AFingerThatIsSoonBackHasNotLeft) {
+TEST(FingerPhase, ADepartureOf50Ms_DoesNotEndTheRest) {
   FingerWatch watch;
   watch.until(0.4);
   for (int n = 0; n < 5; ++n) watch.see({13.0, -50.0});
@@ -109,7 +109,7 @@ TEST(FingerPhase, AFingerThatIsSoonBackHasNotLeft) {
 }
 
 // 60 mm up and down at 0.4 m/s: the line through a window about the turn is level.
-TEST(FingerPhase, AFingerThatTurnsBackDoesNotPause) {
+TEST(FingerPhase, AReversal_IsNoPause) {
   FingerWatch watch;
   watch.until(0.5);
   for (int n = 0; n < 30; ++n) {
@@ -118,7 +118,7 @@ TEST(FingerPhase, AFingerThatTurnsBackDoesNotPause) {
   }
 }
 
-TEST(FingerPhase, AGapRestartsTheDurationOfARest) {
+TEST(FingerPhase, AGap_RestartsTheDurationOfTheRest) {
   FingerWatch watch;
   watch.until(0.4);
   watch.finger.see(0.65, {10.0, -50.0});
@@ -127,7 +127,7 @@ TEST(FingerPhase, AGapRestartsTheDurationOfARest) {
 }
 
 // Ten seconds at rest, of 40 fingers each.
-TEST(FingerPhase, NoiseIsNoMotion) {
+TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {
       for (const bool known : {false, true}) {
@@ -148,7 +148,7 @@ TEST(FingerPhase, NoiseIsNoMotion) {
 
 // 100 mm, minimum jerk, after 0.5 s at rest: the motion is found, is not said to pause before nine tenths of its time,
 // and its end is found within half a second.
-TEST(FingerPhase, FollowsMotionsOfAnySpeedAndNoise) {
+TEST(FingerPhase, AnySpeedAndNoise_GivesMotionAndPause) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {
       for (const double duration_s : {0.6, 1.5, 3.0}) {

@@ -20,7 +20,7 @@ StructureFunction structure_of(double white_mm2, double correlated_mm2, double c
   return differences;
 }
 
-TEST(StructureFunction, SeparatesWhatItIsMadeOf) {
+TEST(StructureFunction, KnownParts_AreSeparated) {
   for (const double correlation_s : {0.03, 0.1, 0.3}) {
     const NoiseParts parts = separate(structure_of(1.0, 3.0, correlation_s), correlation_s);
     EXPECT_NEAR(parts.white_mm2, 1.0, 1e-6);
@@ -30,7 +30,7 @@ TEST(StructureFunction, SeparatesWhatItIsMadeOf) {
   }
 }
 
-TEST(StructureFunction, NoPartIsNegative) {
+TEST(StructureFunction, AnyStructureFunction_GivesNonnegativeParts) {
   StructureFunction falling;
   for (int lag = 0; lag < StructureFunction::lags; ++lag) falling.add(lag, 2.0 - 0.1 * lag, 0.01 * (1 << lag));
   EXPECT_EQ(separate(falling, 0.1).correlated_mm2, 0.0);
@@ -42,7 +42,7 @@ TEST(StructureFunction, NoPartIsNegative) {
 }
 
 // Two positions that are 2 mm apart to the right: 4 / 4 = 1 mm^2 of a coordinate.
-TEST(NoiseLearner, TakesDifferencesByHand) {
+TEST(NoiseLearner, TwoPositions_GiveTheHandCalculatedVariance) {
   RecentPlaces<PlatePoint> places;
   NoiseLearner<PlatePoint> learner;
   places.add(0.0, {0.0, 0.0});
@@ -54,7 +54,7 @@ TEST(NoiseLearner, TakesDifferencesByHand) {
 }
 
 // A middle place that is 3 mm off the line through its even neighbours: 9 / 1.5 in one coordinate and 0 in the other.
-TEST(NoiseLearner, TakesDeparturesOfAMotionByHand) {
+TEST(NoiseLearner, ABentMotion_GivesTheHandCalculatedVariance) {
   RecentPlaces<PlatePoint> places;
   NoiseLearner<PlatePoint> learner;
   for (int i = 0; i < 3; ++i) places.add(0.01 * i, {i == 1 ? 3.0 : 0.0, 5.0 * i});
@@ -63,7 +63,7 @@ TEST(NoiseLearner, TakesDeparturesOfAMotionByHand) {
   EXPECT_NEAR(learner.step_variance_mm2(), 3.0, 1e-12);
 }
 
-TEST(NoiseLearner, KeepsAKnownNoise) {
+TEST(NoiseLearner, AKnownNoise_IsUnchanged) {
   RecentPlaces<PlatePoint> places;
   NoiseLearner<PlatePoint> learner(TrackerNoise{2.0, 1.0, 0.2});
   for (int i = 0; i < 50; ++i) {
@@ -75,7 +75,7 @@ TEST(NoiseLearner, KeepsAKnownNoise) {
 }
 
 // Within a fifth and 0.3 mm after two seconds: what is assumed counts for less and less.
-TEST(NoiseLearner, LearnsTheNoiseOfARest) {
+TEST(NoiseLearner, TwoSecondsAtRest_GiveTheNoise) {
   for (const double rate_hz : {30.0, 90.0, 240.0}) {
     for (const double noise_mm : {0.3, 1.2, 2.5}) {
       for (const bool correlated : {false, true}) {

@@ -62,7 +62,7 @@ void expect_unknown(const RestNoise& noise) {
   EXPECT_FALSE(noise.correlation_s.known);
 }
 
-TEST(TrackerNoise, KnowsNothingFromNothing) {
+TEST(TrackerNoise, NoOrShortRests_GiveUnknownNoise) {
   expect_unknown(fit_rest_noise({}));
   const Rests empty(3);
   expect_unknown(fit_rest_noise(empty));
@@ -71,7 +71,7 @@ TEST(TrackerNoise, KnowsNothingFromNothing) {
 }
 
 // The correlated part goes with its time, and only if there is certainly one.
-TEST(TrackerNoise, IsToldToAControllerInPartsIfTheyAreKnown) {
+TEST(TrackerNoise, KnownParts_AreGivenToTheController) {
   RestNoise noise{.white_mm = {3.0, 2.0, 4.0, true},
                   .correlated_mm = {4.0, 3.0, 5.0, true},
                   .correlation_s = {0.2, 0.1, 0.3, true}};
@@ -90,31 +90,31 @@ TEST(TrackerNoise, IsToldToAControllerInPartsIfTheyAreKnown) {
   EXPECT_FALSE(known_noise(noise));
 }
 
-TEST(TrackerNoise, KnowsNothingFromAPlaceThatNeverChanges) {
+TEST(TrackerNoise, AConstantPosition_GivesUnknownNoise) {
   std::vector<TimedPoint> rest;
   for (int i = 0; i < 500; ++i) rest.push_back({0.01 * i, {100.0, 200.0}});
   expect_unknown(fit_rest_noise({&rest, 1}));
 }
 
-TEST(TrackerNoise, SeesAlternatingPlacesAsNoNoiseOfThisKind) {
+TEST(TrackerNoise, AlternatingPositions_GiveUnknownNoise) {
   std::vector<TimedPoint> rest;
   for (int i = 0; i < 500; ++i) rest.push_back({0.01 * i, {i % 2 ? 1.0 : -1.0, 0.0}});
   expect_unknown(fit_rest_noise({&rest, 1}));
 }
 
-TEST(TrackerNoise, SeesATremblingFingerAsNoNoiseOfThisKind) {
+TEST(TrackerNoise, ATremor_GivesUnknownNoise) {
   Rests rests = simulate_rests({"white", 0.3, 0.0, 0.1, 90.0}, 10, 1.0, 0);
   for (auto& rest : rests)
     for (TimedPoint& sample : rest) sample.position.right_mm += std::sin(6.283185307 * 10.0 * sample.time_s);
   expect_unknown(fit_rest_noise(rests));
 }
 
-TEST(TrackerNoise, WithholdsWhatIsBelowTheRounding) {
+TEST(TrackerNoise, NoiseBelowTheRounding_IsUnknown) {
   const SimulatedTracker tracker{"coarse", 0.3, 0.0, 0.1, 90.0, 0.0, 0.0, 2.0};
   expect_unknown(fit_rest_noise(simulate_rests(tracker, 20, 0.5, 0)));
 }
 
-TEST(TrackerNoise, DoesNotDependOnWhereOrInWhatUnitTheFingerRests) {
+TEST(TrackerNoise, AnotherPositionAndUnit_ScalesTheNoise) {
   const SimulatedTracker tracker{"mixed", 0.6, 1.04, 0.1, 90.0, 0.3};
   Rests rests = simulate_rests(tracker, 10, 0.5, 1);
   const RestNoise here = fit_rest_noise(rests);
@@ -128,7 +128,7 @@ TEST(TrackerNoise, DoesNotDependOnWhereOrInWhatUnitTheFingerRests) {
 }
 
 // White noise of n values is known to 1 / sqrt(2 n); the interval must be about as wide.
-TEST(TrackerNoise, IsAsSureOfWhiteNoiseAsItsVarianceAllows) {
+TEST(TrackerNoise, WhiteNoise_HasAnIntervalOfTheExpectedWidth) {
   const SimulatedTracker tracker{"white", 1.2, 0.0, 0.1, 90.0};
   const Rests rests = simulate_rests(tracker, 1, 20.0, 0);
   const RestNoise noise = fit_rest_noise(rests);
@@ -157,7 +157,7 @@ struct Coverage {
 };
 
 // 40 people; of a coverage of 95 % fewer than 32 have a probability of 0.1 %.
-TEST_P(TrackerNoiseCoverage, IntervalsCoverWhereverKnown) {
+TEST_P(TrackerNoiseCoverage, SimulatedTrackers_LieWithinTheKnownIntervals) {
   const SimulatedTracker& tracker = GetParam();
   constexpr int people = 40;
   Coverage white{std::hypot(tracker.white_mm, tracker.step_mm / std::sqrt(12.0))};

@@ -176,7 +176,7 @@ TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
     EXPECT_LE(std::stod(value(1 + i, "near_low_percent")), std::stod(value(1 + i, "near_percent")));
     EXPECT_GE(std::stod(value(1 + i, "near_high_percent")), std::stod(value(1 + i, "near_percent")));
   }
-  EXPECT_TRUE(has(rows[6], people_family("linear")->says));
+  EXPECT_TRUE(has(rows[6], people_family("linear")->description));
 }
 
 // At 0.8 s a first reach is over before the weight has shown.
@@ -230,7 +230,7 @@ TEST(StudyRobustness, TextAndHelpHaveTheFamilies) {
   const StudyRun text = run_study({"robustness", "--people", "1"}), help = run_study({"robustness", "--help"});
   for (const PeopleFamily& family : people_families()) {
     EXPECT_TRUE(has(text.out, std::string("\n") + family.name + ' ')) << family.name;
-    EXPECT_TRUE(has(help.out, std::string("  ") + family.name) && has(help.out, family.says)) << family.name;
+    EXPECT_TRUE(has(help.out, std::string("  ") + family.name) && has(help.out, family.description)) << family.name;
   }
 }
 
