@@ -19,7 +19,7 @@ constexpr double max_off_course_deg = 60.0;
 void ReachEnd::retarget(const PlatePoint& target, const PlatePoint& finger) {
   const bool jumps = distance_mm(target_, target) >= max_target_step_mm;
   target_ = target;
-  progress_.arrived = missed_ = false;  // until the next sample shows a finger that still rests there
+  progress_.arrived = missed_ = false;  // until the next sample
   if (!jumps) return;
   way_from_ = finger;
   retargeted_ = true;

@@ -1,12 +1,13 @@
-// Detects the end of a reach, under any controller, from the positions of the finger.
+// Detects the end of a reach, under either controller, from the positions of the finger.
 //
 // A reach can end once the finger was at the start or has moved. It ends
 //   near     after a rest of 0.4 s within a quarter of the path (at least 15 mm) of the real target, if the finger has
-//            covered nine tenths of the way
-//   missed   after a rest of 2 s at another position, if the finger has covered three tenths of the way, at most 60
-//            degrees off its course
-// The way begins at the start or, after a jump of the target, at the position of the finger at that time. People
-// correct themselves within 0.3 s of the end of a first motion, and pause for longer on the way.
+//            covered nine tenths of the path
+//   missed   after a rest of 2 s elsewhere, if the finger has covered three tenths of the path, at most 60 degrees off
+//            the direction of the target
+// The path begins at the start or, after a jump of the target, at the position of the finger at that time. The times
+// exceed the pauses of people: they begin a correction within 0.3 s of the end of a first motion, and pause for longer
+// only on the way.
 #pragma once
 
 #include "core/reach/finger_sample.h"
@@ -15,16 +16,16 @@
 
 namespace hrt {
 
-/// Within this of the start a finger is at it.
+/// A finger within this of the start is at the start.
 inline constexpr double at_start_mm = 15.0;
-/// A target that moves by less within one call of retarget() keeps the time of the rest.
+/// A target that moves by less in one call of retarget() does not restart the time of the rest.
 inline constexpr double max_target_step_mm = 2.0;
 
-/// Uses no heap, lock or exception.
+/// Detector for one reach. Uses no heap, lock or exception.
 class ReachEnd {
  public:
   ReachEnd() = default;
-  /// Begins a reach from `start` to a different point `target`. `start_is_felt`: the position of the first rest is the
+  /// Begins a reach from `start` to another point `target`. `start_is_felt`: the position of the first rest is the
   /// start.
   ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt)
       : start_(start), target_(target), way_from_(start), start_is_felt_(start_is_felt) {}
@@ -35,7 +36,8 @@ class ReachEnd {
   /// Processes a sample. `finger`: the finger, which has processed it.
   void observe(const FingerSample& sample, const FingerPhase& finger);
   const ReachProgress& progress() const { return progress_; }
-  /// True if the finger, first seen elsewhere, came to rest at the start with the last sample: the reach begins now.
+  /// True if the last sample completed a rest at the start by a finger that was first seen elsewhere: the reach begins
+  /// now.
   bool came_to_start() const { return came_to_start_; }
 
  private:

@@ -15,10 +15,10 @@ constexpr double min_path_mm = 1.0;
 
 }  // namespace
 
-// A step of the motion and its derivatives.
+// Quantities of one step of the motion, and its derivatives.
 struct PersonFilter::Step {
   double seconds, travel_mm, sine, cosine, turn_deg, phase;
-  double wander_kept, noise_kept, strayed_kept;  // fractions that are left of what decays
+  double wander_kept, noise_kept, strayed_kept;  // factors of decay in the step
   FeltShift felt;
   double travel_by_phase, travel_by_evenness;
   double own_by_habit, own_by_phase, own_by_strayed;
@@ -48,7 +48,7 @@ void PersonFilter::begin(double log_rate, double onset_sd_s, double place_sd_mm)
   keep_in_range();
   covariance_(X::phase, X::phase) = square(rate_ * onset_sd_s);
   covariance_(X::right, X::right) = covariance_(X::away, X::away) = square(place_sd_mm);
-  // psi = h V + B at the start, with h drawn for this reach.
+  // Initial direction psi = h V + B, where h is random in each reach.
   mean_(X::steered) = tuning_.first_direction * virtual_direction_deg_ + mean_(X::bias);
   covariance_.row(X::steered) = covariance_.row(X::bias);
   covariance_.col(X::steered) = covariance_.col(X::bias);
@@ -67,7 +67,7 @@ PersonFilter PersonFilter::with_wander(double change) const {
   return other;
 }
 
-// Derivative of o by y.
+// Derivative of o by y, deg/mm.
 double PersonFilter::strayed_deg_mm(double path_fraction) const {
   return -deg_per_rad / (path_mm_ * std::max(1.0 - path_fraction, tuning_.min_return_fraction));
 }
@@ -149,11 +149,12 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   unanswered_deg_ *= turn_kept(seconds);
 }
 
-// F P F', as (P F')' F': columns are contiguous. A step leaves the traits as they are. `f` is a copy, which writing
-// into P cannot change. Traits from felt_traits on are independent of all others.
+// P becomes F P F^T, computed as (P F^T)^T F^T, since columns are contiguous. Traits do not change in a step. `f` is a
+// copy, so that the compiler knows that writing into P does not change it. Traits from felt_traits on are independent
+// of all others.
 void PersonFilter::carry(Step f) {
   constexpr int motion = X::count - X::traits;
-  // A row times F'. Each line uses only what is not yet changed.
+  // Multiplies a row by F^T. Each statement uses only elements that are not yet changed.
   const auto transform = [&f](auto&& row) {
     const double along =
         f.travel_by_phase * row(X::phase) + f.travel_mm * row(X::log_rate) + f.travel_by_evenness * row(X::evenness);
@@ -191,7 +192,7 @@ void PersonFilter::move_state(const Step& step) {
   mean_(X::noise_away) *= step.noise_kept;
 }
 
-// Process noise: random walks, and the stationary part of what decays.
+// Process noise: of the random walks, and of the correlated quantities so that their variance is stationary.
 void PersonFilter::add_noise(const Step& step) {
   const auto add = [this](X::Index index, double variance) { covariance_(index, index) += variance; };
   add(X::steered, tuning_.direction_density_deg2_s * step.seconds);
@@ -259,20 +260,20 @@ void PersonFilter::place_at(const PlatePoint& position) {
 
 void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool answered) {
   const double turn_deg = virtual_direction_deg_ - virtual_direction_deg;
-  // Until the person answers, the motion continues.
+  // Until the person responds, the motion continues towards the former target.
   if (!answered) unanswered_deg_ += turn_deg;
   covariance_(X::steered, X::steered) += square(tuning_.turn_sd_fraction * turn_deg);
   virtual_direction_deg_ = virtual_direction_deg;
 
   const double left = 1.0 - pace(mean_(X::phase)).share;
   const double left_mm = std::max(path_mm_ * left + longer_mm, min_path_mm);
-  if (left_mm <= tuning_.max_stretch * path_mm_ * left) {  // the same motion, stretched or cut
+  if (left_mm <= tuning_.max_stretch * path_mm_ * left) {  // the same motion with a rescaled path
     const double stretch = left_mm / (path_mm_ * left);
     covariance_(X::log_rate, X::log_rate) += square(stretch - 1.0);
     path_mm_ *= stretch;
     return;
   }
-  // Another motion follows.
+  // Another motion.
   path_mm_ = std::max(path_mm_, left_mm);
   mean_(X::phase) = phase_at(mean_(X::evenness), 1.0 - left_mm / path_mm_, tuning_.pace_skew);
   loosen_clock(tuning_.new_motion_sd_s);

@@ -10,7 +10,8 @@
 namespace hrt {
 namespace {
 
-// A window whose ends are this many limits apart, or whose middle is this far from its ends, is not that of a rest.
+// A window is that of a motion if its ends are further apart, or its middle is further from them, than this many
+// limits.
 constexpr double clearly_moving_limits = 4.0;
 
 }  // namespace
@@ -25,7 +26,7 @@ PhaseDetector<Point>::PhaseDetector(const std::optional<Point>& start, const std
 template <class Point>
 double PhaseDetector<Point>::sigma_mm() const {
   double variance_mm2 = noise().variance_mm2();
-  // Until the noise is learnt its steps show it, with as much more as so few of them may hide.
+  // Until the noise is estimated, the steps between positions are used, with an allowance for their small number.
   if (noise_.steps() > 0 && !noise_.known())
     variance_mm2 =
         std::max(variance_mm2, noise_.step_variance_mm2() * square(1.0 + tuning_.hidden_share / noise_.steps()));
@@ -36,7 +37,7 @@ template <class Point>
 typename PhaseDetector<Point>::Seen PhaseDetector<Point>::see(double time_s, const Point& position) {
   if (at_rest()) {
     if (is_wild(time_s, position)) return Seen::ignored;
-    if (std::exchange(wild_, 0) > tuning_.max_wild) phase_ = Phase::lifted;  // too many to be outliers
+    if (std::exchange(wild_, 0) > tuning_.max_wild) phase_ = Phase::lifted;  // too many for outliers: a rest elsewhere
   }
   const double gap_s = places_.count() > 0 ? time_s - places_[0].time_s : 0.0;
   if (!places_.add(time_s, position)) return Seen::merged;
@@ -77,12 +78,12 @@ double PhaseDetector<Point>::leaving_mm() const {
   return std::max(tuning_.min_leaving_mm, tuning_.leaving_deviations * sigma_mm());
 }
 
-// The last place is one of the rest.
+// Adds the last position to the rest.
 template <class Point>
 void PhaseDetector<Point>::rest_on() {
   const Timed<Point>& seen = places_[0];
   if (rest_.places == 0) {
-    // A finger whose first sample is in motion began at the expected start.
+    // If the first sample is near the expected start, the rest position is the start: the finger may be moving already.
     if (!start_known_ || square_distance_mm2(seen.position, rest_.place) > square(tuning_.start_tolerance_mm))
       rest_.place = seen.position;
     rest_.places = rest_.seen = 1;
@@ -102,7 +103,7 @@ void PhaseDetector<Point>::rest_on() {
   rest_.place = rest_.place + std::min(share, 1.0) * (seen.position - rest_.place);
 }
 
-// A finger that comes down may be elsewhere.
+// Begins another rest where the finger is set down.
 template <class Point>
 void PhaseDetector<Point>::set_down() {
   places_.keep_last();
@@ -124,12 +125,12 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   const double window_s = places_[0].time_s - places_[count - 1].time_s;
   const double limit_mm = expected_mm_s ? std::min(allowed_mm, *expected_mm_s * window_s - noise_mm)
                                         : std::max(allowed_mm, tuning_.max_creep_mm_s * window_s);
-  // Most windows of a motion need no line.
+  // Most windows of a motion are recognised without a fit.
   if (limit_mm <= 0.0 ||
       square_distance_mm2(places_[0].position, places_[count - 1].position) > square(clearly_moving_limits * limit_mm))
     return false;
-  // Least squares of a parabola in orthogonal parts: slope and curvature are the moments of their weights over the
-  // spreads of these.
+  // Least-squares parabola with orthogonal polynomials: slope and curvature are the moments divided by the sums of
+  // squares.
   const Point zero = 0.0 * places_[0].position;
   Point moment = zero;
   Point bend = zero;
@@ -150,12 +151,12 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   if (sagitta_mm > clearly_moving_limits * limit_mm) return false;
   const Rest before = rest_;
   const double begun_s = places_[count - 1].time_s;
-  // In the first half of a long window the finger may still decelerate.
+  // In the first half of a long window the finger may still be braking.
   const int counted = expected_mm_s ? count : (count + 1) / 2;
   pause_at(begun_s, places_.mean_of_last(counted));
   rest_.places = counted;
   rest_.seen = count;
-  // A finger that returns to its rest position soon has not left: it was noise or a tremor.
+  // A finger that soon returns to its rest position had not left: the cause was noise or tremor.
   if (begun_s - moving_since_s_ < tuning_.max_departure_s &&
       square_distance_mm2(rest_.place, before.place) < square(leaving_mm()))
     rest_.since_s = before.since_s;

@@ -1,23 +1,24 @@
-// Phase of a tracked finger: it waits at the start, moves, pauses, or is lifted. This is the only detector of them.
+// Phase of a tracked finger: waiting at the start, moving, paused, or lifted. All parts of the library use this
+// detector.
 //
 //   waiting --left--> moving --still--> paused --left--> moving
 //   any --lift()--> lifted --next position--> waiting, or paused after a motion
 //
-// sigma is the noise of a coordinate: known, or learnt while the finger rests (noise_learner.h). Tests, with the
-// numbers of PhaseTuning:
+// sigma is the SD of the noise of a coordinate: known, or estimated while the finger rests (noise_learner.h). The
+// tests, with the numbers of PhaseTuning:
 //
 //   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this in 1 of
-//            10^7 means. After few steps, sigma is at least the SD of the steps times 1 + 2 / steps.
-//   still    Over the last T seconds, at least 10 positions and not before it left, the displacement d along the
-//            least-squares line is small, and the sagitta of the least-squares parabola is at most four times as
-//            large: a finger that turns back has no displacement. A line through n positions of white noise has
-//            d = sigma sqrt(12 / n), correlated noise up to sqrt(2) sigma. If the caller knows the motion's speed v:
+//            10^7 means. After few positions, sigma is at least the SD of the steps times 1 + 2 / steps.
+//   still    Over the last T seconds, with at least 10 positions that are later than the test "left", the displacement d
+//            along the least-squares line is small, and the sagitta of the least-squares parabola is at most four times
+//            as large: a finger that turns back has no displacement. A line through n positions of white noise has
+//            d = sigma sqrt(12 / n), correlated noise up to sqrt(2) sigma. If the speed v of the motion is known:
 //            T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma / (15 mm/s), so that a
-//            slow motion is not taken for a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a resting hand creeps.
-//   outlier  At rest, a position further from the last one than 600 mm/s * elapsed + 5.7 sigma (4 sigma of a
-//            difference) is ignored, at most twice in a row. The third is accepted as the rest position.
-//   rest     Its position is the running mean of positions within 3 sigma, with a memory of 1 s. It lasts until the
-//            finger leaves it for more than 0.5 s; a gap in tracking of more than 0.2 s restarts its duration.
+//            slow motion is not mistaken for a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a resting hand drifts.
+//   outlier  At rest, a position further from the last one than 600 mm/s * elapsed + 5.7 sigma (4 SDs of a difference)
+//            is ignored, at most twice in succession. The third is accepted as the rest position.
+//   rest     Its position is the running mean of positions within 3 sigma, with a memory of 1 s. It ends when the finger
+//            has been away for more than 0.5 s; a gap in tracking of more than 0.2 s restarts its duration.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,28 +32,29 @@
 
 namespace hrt {
 
-/// Numbers of the detector. `_deviations` are in SDs of the noise of a coordinate. Sources: [s] chosen on the simulated
-/// people of hrt-study robustness, [m] the model above.
+/// Parameters of the detector. Fields `..._deviations` are in SDs of the noise of a coordinate. Sources: [s] chosen by
+/// search on the simulated people of hrt-study robustness, [m] the model above.
 struct PhaseTuning {
-  double leaving_deviations = 3.3;       ///< [s] distance of the mean of 3 places from the rest place
-  double min_leaving_mm = 1.0;           ///< mm [s] smaller departures are tremor and skin
-  double hidden_share = 2.0;             ///< [s] factor of the SD of n steps: 1 + hidden_share / n
-  double still_places = 10;              ///< [s] window of the test for a rest, in places
-  double still_s = 0.11;                 ///< s [s] window of the test for a rest
-  double still_deviations = 2.5;         ///< [s] limit of the displacement over the window
-  double slow_mm_s = 15.0;               ///< mm/s [s] slower motions are taken for a rest
-  double max_creep_mm_s = 8.6;           ///< mm/s [s] a resting hand drifts by less
-  double max_start_speed_mm_s = 600.0;   ///< mm/s [s] no motion from rest is faster within a sample
-  double wild_deviations = 5.7;          ///< [m] 4 SDs of the difference of two positions
-  double max_wild = 2;                   ///< [s] outliers in a row that are ignored
-  double rest_place_deviations = 3.0;    ///< [m] places further away are not in the mean of the rest place
-  double place_memory_s = 1.0;           ///< s [s] memory of the mean of the rest place
-  double start_tolerance_mm = 15.0;      ///< mm [s] a first position further from the start is a rest elsewhere
-  double seen_at_rest_deviations = 1.0;  ///< [s] distance from the rest place at the time left_s()
-  double min_seen_at_rest_mm = 0.1;      ///< mm [s] lower limit of the same
-  double max_gap_s = 0.2;                ///< s [s] a longer gap restarts the duration of a rest
-  double max_departure_s = 0.5;          ///< s [s] a shorter departure does not end the rest
-  double min_place_sd_mm = 0.05;         ///< mm [s] lower limit of the SD of the rest place
+  double leaving_deviations = 3.3;  ///< [s] distance from the rest position at which the mean of 3 positions has left
+  double min_leaving_mm = 1.0;      ///< mm [s] lower limit of that distance: tremor and skin
+  double hidden_share = 2.0;        ///< [s] the SD of n steps is multiplied by 1 + hidden_share / n
+  double still_places = 10;         ///< [s] minimum number of positions in the test "still"
+  double still_s = 0.11;            ///< s [s] minimum duration of the test "still"
+  double still_deviations = 2.5;    ///< [s] limit of the displacement in the test "still"
+  double slow_mm_s = 15.0;          ///< mm/s [s] slower motions may be mistaken for a rest
+  double max_creep_mm_s = 8.6;      ///< mm/s [s] upper limit of the drift of a resting hand
+  double max_start_speed_mm_s = 600.0;  ///< mm/s [s] upper limit of the speed of a first motion from rest
+  double wild_deviations = 5.7;         ///< [m] 4 SDs of the difference of two positions
+  double max_wild = 2;                  ///< [s] number of successive outliers that are ignored
+  double rest_place_deviations = 3.0;   ///< [m] positions further away are not in the mean of the rest position
+  double place_memory_s = 1.0;          ///< s [s] memory of the mean of the rest position
+  double start_tolerance_mm = 15.0;     ///< mm [s] a first position further from the expected start is a rest elsewhere
+  /// [s] a position closer to the rest position shows that the finger still rests
+  double seen_at_rest_deviations = 1.0;
+  double min_seen_at_rest_mm = 0.1;  ///< mm [s] lower limit of that distance
+  double max_gap_s = 0.2;            ///< s [s] a longer gap restarts the duration of a rest
+  double max_departure_s = 0.5;      ///< s [s] a shorter departure does not end the rest
+  double min_place_sd_mm = 0.05;     ///< mm [s] lower limit of the SD of the rest position
 };
 
 /// Phase of the finger. The end of a reach also depends on position and duration of the rest: see reach_end.h.
@@ -63,32 +65,33 @@ enum class Phase {
   lifted,  ///< lifted from the plate
 };
 
-/// `Point` is PlatePoint, or Eigen::Vector3d for a tracked position off the plate (mm). Uses no heap, lock or
+/// Detector. `Point`: PlatePoint, or Eigen::Vector3d for a tracked position off the plate (mm). Uses no heap, lock or
 /// exception. One thread at a time.
 template <class Point>
 class PhaseDetector {
  public:
-  /// `start`: expected position of the first rest; none: the first position. `noise`: noise of the tracker, if it is
-  /// known.
+  /// `start`: expected position of the first rest; nullopt: unknown. `noise`: noise of the tracker, if it is known.
   explicit PhaseDetector(const std::optional<Point>& start = {}, const std::optional<TrackerNoise>& noise = {},
                          const PhaseTuning& tuning = {});
 
   enum class Seen {
-    ignored,  ///< an outlier at rest
-    merged,   ///< averaged into the last place; the phase is unchanged
-    place,    ///< a new place
-    set_down  ///< a new place, the first of another rest
+    ignored,  ///< an outlier during a rest
+    merged,   ///< averaged with the last position; the phase is unchanged
+    place,    ///< a new position
+    set_down  ///< a new position, the first of another rest
   };
-  /// Takes one position, not before the last one's. The phase may become moving, and after a lift waiting or paused.
+  /// Processes one position, not earlier than the last one. The phase may become moving, and after a lift waiting or
+  /// paused.
   Seen see(double time_s, const Point& position);
-  /// Looks for a rest within a motion; call it after see(). `expected_mm_s`: the speed that the motion would have if it
-  /// is known; a finger that is expected to be as slow does not pause. Returns true if the phase became paused.
+  /// Tests whether a moving finger has come to rest; call it after see(). `expected_mm_s`: speed that the motion is
+  /// expected to have, if known; a finger that is expected to be so slow does not pause. Returns true if the phase
+  /// became paused.
   bool find_pause(std::optional<double> expected_mm_s = {});
-  /// Both, at a time in nanoseconds.
+  /// Calls see() and find_pause(), with a time in nanoseconds.
   void observe(std::int64_t time_ns, const Point& position);
-  /// The finger is lifted from the plate.
+  /// Reports that the finger is lifted.
   void lift() { phase_ = Phase::lifted; }
-  /// Sets the phase: the finger rests at `place` from `time_s` on.
+  /// Sets the phase to paused: the finger rests at `place` from `time_s` on.
   void pause_at(double time_s, const Point& place);
 
   Phase phase() const { return phase_; }
@@ -96,13 +99,13 @@ class PhaseDetector {
   bool has_moved() const { return moved_; }
   /// Position of the present rest, or of the rest before the motion.
   const Point& rest_place() const { return rest_.place; }
-  /// SD of a coordinate of it.
+  /// SD of a coordinate of the rest position.
   double rest_place_sd_mm() const;
-  /// Mean of the last three places.
+  /// Mean of the last three positions.
   Point smoothed() const { return places_.mean_of_last(std::min(3, places_.count())); }
   /// Duration of the rest; 0 unless at_rest().
   double rest_s() const { return at_rest() && places_.count() > 0 ? places_[0].time_s - rest_.since_s : 0.0; }
-  /// The last time at which the finger was still at rest, as far as the noise shows.
+  /// Last time at which the finger was at rest, as far as the noise permits to determine it.
   double left_s() const { return rest_.seen_s; }
   const RecentPlaces<Point>& places() const { return places_; }
   const TrackerNoise& noise() const { return noise_.noise(); }
@@ -111,8 +114,8 @@ class PhaseDetector {
  private:
   struct Rest {
     Point place;
-    int places = 0;  // number of places in the mean
-    int seen = 0;    // places since the rest began
+    int places = 0;  // number of positions in the mean
+    int seen = 0;    // positions since the rest began
     double since_s = 0.0;
     double seen_s = 0.0;
   };
@@ -132,7 +135,7 @@ class PhaseDetector {
   bool start_known_;
   bool moved_ = false;
   double moving_since_s_ = 0.0;
-  int wild_ = 0;  // positions in a row
+  int wild_ = 0;  // successive outliers
 };
 
 using FingerPhase = PhaseDetector<PlatePoint>;

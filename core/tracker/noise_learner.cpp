@@ -8,19 +8,18 @@
 namespace hrt {
 namespace {
 
-// Weight of the assumed noise, in differences of neighbours: a rest of few correlation times shows only the white part.
+// Weights of the assumed noise, as numbers of differences. A rest of few time constants shows only the white part.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
-// A tracker that proves to be better than assumed gets a smaller prior of correlated noise, but at least this fraction.
+// If the noise is below the assumed one, the assumed correlated part is reduced, at least to this fraction.
 constexpr double min_assumed_share = 0.6;
-// Number of differences before which the assumed noise is used unchanged; after that every fourth one updates the
-// estimate.
+// Number of differences before the first estimate; later, every fourth difference updates it.
 constexpr int min_steps = 8;
 constexpr int steps_per_estimate = 4;
-// Larger noise is a motion of the finger; within a motion a departure counts for three SDs at most.
+// Upper limit of noise: more is a motion. During a motion, one departure counts as at most three SDs.
 constexpr double max_noise_mm = 4.0;
 constexpr double max_departure_deviations = 3.0;
-// Lower limit of each part: without noise, a filter takes every deviation for the person.
+// Lower limit of each part, since without noise a filter would attribute every deviation to the person.
 constexpr double min_part_mm = 0.02;
 
 }  // namespace
@@ -80,7 +79,7 @@ void NoiseLearner<Point>::learn(const RecentPlaces<Point>& places, int rested) {
   update();
 }
 
-// Distance of a position from the line through its neighbours: a uniform motion cancels, white noise remains.
+// Uses the distance of a position from the line through its neighbours, in which a uniform motion cancels.
 template <class Point>
 void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
   if (known_ || places.count() < 3) return;

@@ -1,13 +1,14 @@
-// A tracker's noise, white and correlated, from the differences between positions of a finger at rest.
+// Estimates the white and the correlated noise of a tracker from differences between positions of a finger at rest.
+// Model of each coordinate:
 //
-//   position = rest place + n + e,   n' = -n / tau + noise (stationary, variance c),   e white, variance w
+//   position = rest position + n + e,   dn/dt = -n / tau + noise (stationary, variance c),   e white, variance w
 //
-// in each coordinate. The mean square difference of positions that are t apart does not depend on the place:
+// Half of the mean square difference of positions that are t apart does not depend on the rest position:
 //
 //   D(t) = E (x(s + t) - x(s))^2 / 2 = w + c (1 - exp(-t / tau))
 //
-// (structure function; Kolmogorov 1941). White noise shows in neighbours, correlated noise in the growth of D. Tremor
-// and drift of a resting finger cannot be separated from noise and count as correlated noise.
+// (structure function; Kolmogorov 1941). Successive positions show the white noise, the growth of D the correlated
+// noise. Tremor and drift of a resting finger cannot be separated from noise, and count as correlated noise.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,19 +21,18 @@
 
 namespace hrt {
 
-/// White and correlated noise of a tracked coordinate, SDs, > 0. The defaults are assumed of an unknown
-/// tracker.
+/// Noise of a tracked coordinate: SDs > 0. Defaults: those assumed of an unknown tracker.
 struct TrackerNoise {
   double white_mm = 0.8;
   double correlated_mm = 0.9;
-  double correlation_s = 0.1;  ///< the correlated part decays to 1/e in this, > 0
+  double correlation_s = 0.1;  ///< time constant of the correlated part, > 0
 
   double variance_mm2() const { return white_mm * white_mm + correlated_mm * correlated_mm; }
 };
 
 inline double square_distance_mm2(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).squaredNorm(); }
 
-/// D at lags of 1, 2, 4, ... places, as sums: those of several rests may be added.
+/// Sums for D at lags of 1, 2, 4, ... positions. Those of several rests may be added.
 struct StructureFunction {
   static constexpr int lags = 6;
   static constexpr int places(int lag) { return 1 << lag; }
@@ -57,8 +57,8 @@ struct StructureFunction {
   void add(const StructureFunction& other, double sign);
 };
 
-/// w and c >= 0 that fit D for a given tau, by least squares of relative errors; a lag weighs as the number of its
-/// differences that do not overlap.
+/// Result of fitting w and c >= 0 to D for a given tau by least squares of relative errors. The weight of a lag is its
+/// number of differences that do not overlap.
 struct NoiseParts {
   double white_mm2;
   double correlated_mm2;
@@ -66,24 +66,24 @@ struct NoiseParts {
 };
 NoiseParts separate(const StructureFunction& differences, double correlation_s);
 
-/// Learns the white part always, the correlated part while the finger rests. `Point` is PlatePoint or Eigen::Vector3d.
-/// Uses no heap, lock or exception.
+/// Estimates the noise: the white part always, the correlated part while the finger rests. `Point`: PlatePoint or
+/// Eigen::Vector3d. Uses no heap, lock or exception.
 template <class Point>
 class NoiseLearner {
  public:
-  /// `known`: the configured noise, which is not estimated.
+  /// `known`: configured noise, which replaces the estimate.
   explicit NoiseLearner(const std::optional<TrackerNoise>& known = {})
       : noise_(known.value_or(TrackerNoise{})), known_(known.has_value()) {}
 
-  /// Takes the last of `places`, of which the last `rested` + 1 are of one rest.
+  /// Processes the last of `places`; the last `rested` + 1 positions belong to one rest.
   void learn(const RecentPlaces<Point>& places, int rested);
-  /// Takes the last of `places` of a finger that moves: shows white noise only.
+  /// Processes the last of `places` of a moving finger, which shows the white noise only.
   void learn_moving(const RecentPlaces<Point>& places);
 
-  /// Blend of the assumed and the learnt noise, by the number of differences seen.
+  /// Weighted mean of assumed and estimated noise; the weight is the number of differences.
   const TrackerNoise& noise() const { return noise_; }
   bool known() const { return known_; }
-  /// Number of differences of neighbours so far, and their D.
+  /// Number of differences of successive positions, and their D.
   int steps() const { return static_cast<int>(differences_.sums[0].count); }
   double step_variance_mm2() const { return differences_.sums[0].mean_mm2(); }
 

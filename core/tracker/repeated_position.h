@@ -1,6 +1,7 @@
-// A tracker that is slower than its application delivers the same position in several samples, with new times. A copy
-// is no measurement: taken as one, it is a finger that stops and jumps. A finger that rests on a tracker that rounds
-// its positions gives the same position too; after 50 ms, which trackers of 20 Hz and more do not exceed, it rests.
+// Detects copies of a position. A tracker that is slower than its application delivers the same position in several
+// samples with new times; as measurements, copies would look like a finger that stops and jumps. If a tracker rounds
+// positions, a resting finger also gives equal positions: after 50 ms, the longest period of trackers of 20 Hz and
+// more, it rests.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace hrt {
 template <class Point>
 class RepeatedPosition {
  public:
-  /// True if `position` equals the last measurement in all its numbers, less than 50 ms later. Times do not decrease.
+  /// Returns true if `position` equals the last measurement exactly, less than 50 ms after it. Times do not decrease.
   bool is_copy(std::int64_t time_ns, const Point& position) {
     if (last_ && last_->position == position) return elapsed_ns(last_->time_ns, time_ns) < max_copy_ns;
     last_ = {time_ns, position};

@@ -13,26 +13,27 @@ constexpr double block_s = 0.5;
 constexpr std::size_t min_blocks = 8;
 constexpr double max_correlation_s = 2.0;
 constexpr double min_correlation_s = 0.01;
-constexpr int times = 48;  // points of the grid, each 1.12 of the one before
-// A sample period that shows correlation: e^(-1 / 0.7) is about a quarter.
+constexpr int times = 48;  // points of the grid of correlation times
+// Smallest correlation time in sample periods: e^(-1 / 0.7) is about a quarter.
 constexpr double min_periods = 0.7;
-// The parts of noise that may decay within fewer periods cannot be separated.
+// If the correlation time may be shorter than this many periods, the parts cannot be separated.
 constexpr double min_separate_periods = 1.5;
-// An interval from 0 is informative if it ends below this fraction of all noise.
+// Upper limit of an informative interval from 0, as a fraction of the total SD.
 constexpr double little = 0.7;
-// A position further from the median of its rest than this many SDs is not noise.
+// Outliers are further from the median of their rest than this many SDs.
 constexpr double grossly_outlying = 6.0;
-// Median of the distances from the mean of normal noise in two coordinates, in SDs.
+// Median distance from the mean of normal noise in two coordinates, in SDs.
 constexpr double median_distance = 1.1774;
-// 97.5 % quantile of Student's t with a dozen degrees of freedom.
+// 97.5 % quantile of Student's t distribution with 12 degrees of freedom, since few blocks determine an SD poorly.
 constexpr double quantile = 2.18;
-// D does not have the assumed form if it deviates by more at any lag, in SDs and as a fraction of D.
+// The noise does not have the assumed form if at any lag D differs from the model by more than max_misfit_share * (w +
+// c) + max_misfit_deviations * (SD of D).
 constexpr double max_misfit_deviations = 5.0;
 constexpr double max_misfit_share = 0.1;
-// Coordinates nearer to each other than this are the same.
+// Coordinates that differ by less are equal.
 constexpr double same_coordinate_mm = 1e-6;
 
-// A block that is left out takes 10 us on a core of 3 GHz, the middle of a rest 20 us.
+// Leaving out one block takes 10 us on a core of 3 GHz, the median of a rest 20 us.
 constexpr int blocks_per_step = 25;
 constexpr int rests_per_noise_step = 16;
 
@@ -47,7 +48,7 @@ PlatePoint middle_of(const std::vector<TimedPoint>& rest) {
   return {median(std::move(right)), median(std::move(away))};
 }
 
-// A block's differences are those that end in it.
+// Assigns each difference to the block of its later position.
 std::vector<StructureFunction> blocks_of(const Rests& rests) {
   std::vector<StructureFunction> blocks;
   for (const std::vector<TimedPoint>& rest : rests) {
@@ -68,7 +69,7 @@ std::vector<StructureFunction> blocks_of(const Rests& rests) {
   return blocks;
 }
 
-// SD of a statistic of all blocks by those of all but one.
+// Jackknife SD of a statistic, from its values without one block each.
 double jackknifed(const std::vector<double>& without_one) {
   double mean = 0.0, squares = 0.0;
   const auto count = static_cast<double>(without_one.size());
@@ -77,7 +78,7 @@ double jackknifed(const std::vector<double>& without_one) {
   return std::sqrt((count - 1.0) / count * squares);
 }
 
-// The interval of an SD by that of its square.
+// Interval of an SD from that of its square.
 Interval deviation_interval(double variance_mm2, double sd_mm2, double total_mm) {
   const double half_mm2 = quantile * sd_mm2;
   Interval interval{std::sqrt(variance_mm2), std::sqrt(std::max(0.0, variance_mm2 - half_mm2)),
@@ -86,7 +87,7 @@ Interval deviation_interval(double variance_mm2, double sd_mm2, double total_mm)
   return interval;
 }
 
-// The step to which coordinates are rounded; infinite if all are the same.
+// Returns the step to which coordinates are rounded; infinite if all are equal.
 double quantum_mm(const Rests& rests) {
   double min_mm = HUGE_VAL;
   for (const std::vector<TimedPoint>& rest : rests)
@@ -133,7 +134,7 @@ void RestNoiseFit::screen() {
     std::erase_if(rests_[r], [&](const TimedPoint& s) { return !(distance_mm(middles_[r], s.position) <= max_mm); });
 }
 
-// False if the noise cannot be determined.
+// Returns false if the noise cannot be determined.
 bool RestNoiseFit::begin() {
   blocks_ = blocks_of(rests_);
   if (blocks_.size() < min_blocks) return false;

@@ -1,8 +1,8 @@
-// Noise of a tracker with intervals, from recorded rests, for a calibration.
+// Estimates the noise of a tracker, with intervals, from recorded rests, for a calibration.
 //
-// The structure function of all rests (noise_learner.h) gives the white part, the correlated part and, on a grid, the
-// correlation time. Intervals are of the jackknife (Efron, 1982) over blocks of half a second, which holds for noise of
-// any distribution and for blocks that are correlated within themselves. It allocates. Any thread.
+// The structure function of all rests (noise_learner.h) gives the white part, the correlated part and, by a search on a
+// grid, the correlation time. Intervals are by the jackknife (Efron, 1982) over blocks of half a second: they are valid
+// for noise of any distribution that is correlated within blocks. Allocates. Any thread.
 #pragma once
 
 #include <optional>
@@ -15,21 +15,21 @@
 
 namespace hrt {
 
-/// SDs of a coordinate, and the time in which the correlated part decays to 1/e. An end of 0
-/// says that there may be no such noise. `known` is false if the samples are too few, are rounded to more
-/// than their noise, or are not noise of this kind.
+/// SDs of a coordinate, and the time constant of the correlated part. An interval from 0 means that such noise may not
+/// exist. `known` is false if there are too few samples, if positions are rounded to more than their noise, or if the
+/// noise does not have this form.
 struct RestNoise {
-  Interval white_mm;  ///< includes the rounding of the tracker's numbers
+  Interval white_mm;  ///< includes rounding by the tracker
   Interval correlated_mm;
   Interval correlation_s;  ///< searched from 0.7 sample periods, at least 10 ms, to 2 s
 };
 
-/// The noise of all rests, each at a place of its own, in steps of bounded time. Positions that are grossly off are
-/// left out. Times increase within a rest; positions are finite.
+/// Fits the noise of all rests, each at its own position, in steps of bounded time. Outliers are excluded. Times
+/// increase within a rest; positions are finite.
 class RestNoiseFit {
  public:
   explicit RestNoiseFit(std::span<const std::vector<TimedPoint>> rests);
-  /// Returns true at the end; no calls after that.
+  /// Returns true when finished; do not call it again then.
   bool step();
   const RestNoise& noise() const { return noise_; }
 
@@ -46,21 +46,21 @@ class RestNoiseFit {
   void describe();
 
   std::vector<std::vector<TimedPoint>> rests_;
-  std::vector<PlatePoint> middles_;  // of the rests
-  std::vector<double> distances_;    // of all positions from them; empty once it is screened
+  std::vector<PlatePoint> middles_;  // median position of each rest
+  std::vector<double> distances_;    // distances of all positions from these; empty after screen()
   std::vector<StructureFunction> blocks_;
   StructureFunction all_;
-  double min_s_ = 0.0;          // the shortest correlation time to be found
+  double min_s_ = 0.0;          // lower limit of the correlation time
   Parts best_{};                // fit of all blocks
-  std::vector<Parts> without_;  // fits of all blocks except the first one, the second one, ...
+  std::vector<Parts> without_;  // fits without the first block, without the second, ...
   RestNoise noise_;
 };
 
-/// All steps of it.
+/// Runs all steps of a RestNoiseFit.
 RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 
-/// Noise for a controller. correlated_mm is 0 unless there is certainly such noise with a known time; white_mm then has
-/// all noise. None if the white part is unknown.
+/// Returns the noise for a controller; nullopt if the white part is unknown. If correlated noise is not certain, or its
+/// time constant is unknown, correlated_mm is 0, and white_mm includes all noise.
 std::optional<TrackerNoise> known_noise(const RestNoise& noise);
 
 }  // namespace hrt
