@@ -115,7 +115,7 @@ class _Call:
             self.take("string", name, "bytes", f"byte[] bytes = Utf8.Bytes({name}, nameof({name}));")
             self.passed.append("(ulong)bytes.Length")
         else:
-            self.take("string", name, f"Utf8.ZeroEnded({name}, nameof({name}))")
+            self.take("string", name, f"Utf8.NullTerminated({name}, nameof({name}))")
 
     def array(self, p: Value, name: str) -> None:
         element = self.element(p)

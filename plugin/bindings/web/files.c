@@ -1,5 +1,5 @@
-/* The log of the module, and its file system calls, which this C library does not map to WASI. index.mjs keeps written
- * files in memory; there are no files to read. */
+/* Connects the module to JavaScript: its log, and the file system calls that Emscripten's C library does not map to
+ * WASI. index.mjs keeps written files in memory; there are no files to read. */
 #include <errno.h>
 #include <fcntl.h>
 #include <haptic_retargeting/host.h>

@@ -21,7 +21,7 @@ class Keyboard {
   bool is_there_ = false;
 };
 
-/// Restores the terminal's mode from before the Keyboard, if one exists. Safe in a signal handler.
+/// Restores the terminal mode that a Keyboard changed, if it has not been restored. Async-signal-safe.
 void restore_terminal();
 
 }  // namespace hrt::app

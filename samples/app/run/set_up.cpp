@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "samples/app/base/at_end.h"
 #include "samples/app/base/exit_code.h"
+#include "samples/app/base/scope_exit.h"
 #include "samples/app/text/format.h"
 
 namespace hrt::app {
@@ -24,7 +24,7 @@ Hand hand_in_use(const Stage& stage, XrTime time) {
 
 }  // namespace
 
-bool asks_anew(const hrt_setup_step& asked, const hrt_setup_step& step) {
+bool is_new_instruction(const hrt_setup_step& asked, const hrt_setup_step& step) {
   return step.part != asked.part || step.number != asked.number || step.done != asked.done ||
          step.problem != asked.problem ||
          (step.instruction != asked.instruction && step.instruction != HRT_STEP_HOLD_STILL);
@@ -102,7 +102,7 @@ hrt_setup_step SetUp::update(Stage& stage, XrTime time) {
 void SetUp::lead(Stage& stage, XrTime* now, std::ostream* slides) {
   for (;; *now = next_frame(stage)) {
     const hrt_setup_step step = update(stage, *now);
-    if (asks_anew(asked_, step)) {
+    if (is_new_instruction(asked_, step)) {
       if (slides != nullptr && step.done > asked_.done)
         *slides << format("slide %3u  plate %6.1f deg\n", step.done,
                           std::remainder(asked_.plate_orientation_deg, 180.0))  // orientations repeat every 180 degrees
@@ -128,7 +128,7 @@ hrt_setup_result SetUp::run(Stage& stage, std::ostream* slides) {
   commanded_deg_.reset();
   asked_at_ = now;
   sightings_.emplace(stage.targets.start_m);
-  const AtEnd stop([&] {
+  const ScopeExit stop([&] {
     try {
       stage.plate.stop(now);
     } catch (const std::exception&) {

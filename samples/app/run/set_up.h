@@ -13,7 +13,7 @@
 namespace hrt::app {
 
 /// True if `step` requests something else than `asked` did. A finger that begins to hold still changes no request.
-bool asks_anew(const hrt_setup_step& asked, const hrt_setup_step& step);
+bool is_new_instruction(const hrt_setup_step& asked, const hrt_setup_step& step);
 
 /// Request in words. `mark_names`: the marks' names for the user.
 std::string request_of(const hrt_setup_step& step, const std::vector<std::string>& mark_names);

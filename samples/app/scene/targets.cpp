@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "samples/app/base/at_end.h"
 #include "samples/app/base/exit_code.h"
+#include "samples/app/base/scope_exit.h"
 #include "samples/app/text/format.h"
 #include "samples/app/text/text.h"
 
@@ -37,7 +37,7 @@ TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_
   hrt_scene scene{};
   if (plugin.hrt_scene_load(scene_file.c_str(), nullptr, 0, &scene) != HRT_OK)
     throw Failure(ExitCode::scene, std::string("the scene cannot be loaded: ") + plugin.hrt_last_error());
-  const AtEnd registered([&] { plugin.hrt_scene_destroy(scene); });
+  const ScopeExit registered([&] { plugin.hrt_scene_destroy(scene); });
   hrt_scene_info info{.struct_size = sizeof info};
   plugin.check(plugin.hrt_scene_get_info(scene, &info));
   TargetSet set{.plate_pose = to_xr(info.plate_position_m, info.plate_rotation),

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <iostream>
 
-#include "samples/app/base/at_end.h"
 #include "samples/app/base/exit_code.h"
 #include "samples/app/base/interrupt.h"
+#include "samples/app/base/scope_exit.h"
 #include "samples/app/run/make_plate.h"
 #include "samples/app/run/set_up.h"
 #include "samples/app/text/format.h"
@@ -365,7 +365,7 @@ void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::
   if (in_world) session_.place_plate(session_.steady_space(), app::world);
   const XrTime began = frame();
   for (XrTime time = began; next; time = frame()) {
-    if (app::asks_anew(step, *next) && next->text[0] != '\0' && next->instruction != HRT_STEP_FINISH) {
+    if (app::is_new_instruction(step, *next) && next->text[0] != '\0' && next->instruction != HRT_STEP_FINISH) {
       prompt_.ask(app::request_of(*next, names_of(marks_)));
       const bool slides = next->instruction == HRT_STEP_SLIDE;
       const app::Point goal_m{next->place_m[0], 0.0, next->place_m[2]};
@@ -404,7 +404,7 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
                              order.distance_m,     order.radius_m,    at(order.virtual_deg), at(order.real_deg),
                              order.virtual_target, order.real_target};
   const hrt_session own = std::exchange(targets_.session, order.session);
-  const app::AtEnd of_own([&] {
+  const app::ScopeExit of_own([&] {
     targets_.session = own;
     stage_.on_frame = nullptr;
     felt_deg_.reset();

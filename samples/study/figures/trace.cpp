@@ -180,7 +180,7 @@ std::string moving_picture(const Trace& trace) {
          "height=\"522\" "
          "font-family=\"sans-serif\" font-size=\"7\">\n<title>A simulated reach from above: the plate turns, "
          "the finger arrives at "
-         "the real target, and its owner feels it at the virtual one</title>\n<rect x=\"-105\" y=\"-82\" "
+         "the real target, and the perceived path ends at the virtual one</title>\n<rect x=\"-105\" y=\"-82\" "
          "width=\"210\" "
          "height=\"174\" fill=\"#ffffff\"/>\n<circle r=\"75\" fill=\"#eef1f5\" stroke=\"#8794a3\"/>\n" +
          ridges(samples) + circle(real, "fill=\"#8fb0d6\" stroke=\"#08306b\" stroke-width=\"1.4\"") +

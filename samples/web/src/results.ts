@@ -44,7 +44,7 @@ export class Results {
 /** Describes the result of a reach in a sentence. */
 export function resultText(result: Readonly<ReachResult>): string {
   const end =
-    `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the cylinder; its owner feels it ` +
+    `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the cylinder; the simulated person feels it ` +
     `${result.feltToGlass_mm.toFixed(1)} mm from the glass.`;
   if (result.controller === "off") return `${end} The plate did not move.`;
   return Math.abs(result.bearingError_deg) <= arrived_deg ? `Arrived. ${end}` : `Missed. ${end}`;

@@ -16,7 +16,7 @@ func _ready() -> void:
 	if plate.begin(real, felt) != OK:
 		stop("the reach does not begin")
 
-# Integers that are divided once give the same doubles on every host.
+# Passes sample i. One division of integers is rounded correctly: every host gets equal doubles.
 func _process(_delta: float) -> void:
 	i += 1
 	if i > 170:

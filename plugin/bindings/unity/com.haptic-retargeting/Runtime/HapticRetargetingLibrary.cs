@@ -63,7 +63,7 @@ namespace Hrt
         {
             Load();
             var report = new ReplayReport { structSize = SizeOf<ReplayReport>.Value };
-            Check(Native.hrt_recording_replay(Utf8.ZeroEnded(path, nameof(path)), null, 0, ref report));
+            Check(Native.hrt_recording_replay(Utf8.NullTerminated(path, nameof(path)), null, 0, ref report));
             return report;
         }
 

@@ -23,7 +23,7 @@ namespace Hrt
             : base(value => PlateNative.hrt_plate_close(new PlateHandle { value = value }))
         {
             Load();
-            byte[] name = Utf8.ZeroEnded(device, nameof(device));
+            byte[] name = Utf8.NullTerminated(device, nameof(device));
             options.structSize = SizeOf<PlateOptions>.Value;
             Own((out ulong created) => PlateNative.hrt_plate_open(name, ref options, out created));
         }

@@ -66,7 +66,7 @@ namespace Hrt
         /// their ids in the order of the file.</summary>
         public TargetId[] LoadScene(string path)
         {
-            Check(Native.hrt_scene_load(Utf8.ZeroEnded(path, nameof(path)), null, 0, out SceneHandle scene));
+            Check(Native.hrt_scene_load(Utf8.NullTerminated(path, nameof(path)), null, 0, out SceneHandle scene));
             try
             {
                 var info = new SceneInfo { structSize = SizeOf<SceneInfo>.Value };

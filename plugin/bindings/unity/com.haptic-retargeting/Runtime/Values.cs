@@ -35,12 +35,13 @@ namespace Hrt
 
     internal static class Utf8
     {
-        /// <summary>Encodes a text as UTF-8 with a terminating zero. Throws for a text that contains a zero, because
-        /// it would be cut there.</summary>
-        internal static byte[] ZeroEnded(string text, string argument)
+        /// <summary>Encodes a text as UTF-8 with a terminating NUL. Throws for a text that contains a NUL, where C
+        /// would end it.</summary>
+        internal static byte[] NullTerminated(string text, string argument)
         {
             byte[] bytes = Bytes(text, argument);
-            if (Array.IndexOf(bytes, (byte)0) >= 0) throw new ArgumentException("The text has a zero in it", argument);
+            int at = Array.IndexOf(bytes, (byte)0);
+            if (at >= 0) throw new ArgumentException($"The text has a NUL character (U+0000) at byte {at}; remove it", argument);
             Array.Resize(ref bytes, bytes.Length + 1);
             return bytes;
         }
@@ -48,7 +49,7 @@ namespace Hrt
         /// <summary>Encodes a name as words of eight bytes, the first byte lowest.</summary>
         internal static ulong[] Words(string text, string argument)
         {
-            byte[] bytes = ZeroEnded(text, argument);
+            byte[] bytes = NullTerminated(text, argument);
             if (bytes.Length > Constants.NameSize)
                 throw new ArgumentException(
                     $"\"{text}\" has {bytes.Length - 1} bytes of UTF-8; allowed: at most {Constants.NameSize - 1}", argument);

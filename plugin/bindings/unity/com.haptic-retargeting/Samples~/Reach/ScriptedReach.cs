@@ -57,7 +57,7 @@ namespace HrtSamples
             return seed % 1001 - 500;
         }
 
-        // Integers that are divided once give the same doubles on every host.
+        // Returns sample i. One division of integers is rounded correctly: every host gets equal doubles.
         Sample Scripted(int i, double plateDeg)
         {
             long moved = Math.Min(Math.Max(i - 10, 0), 120), distanceUm = moved * moved * (180 - moved) * 25 / 216;

@@ -7,12 +7,12 @@ namespace hrt::app {
 
 /// Runs `action` when it is destroyed. Requires that the action does not throw.
 template <class Action>
-class AtEnd {
+class ScopeExit {
  public:
-  explicit AtEnd(Action action) : action_(std::move(action)) {}
-  ~AtEnd() { action_(); }
-  AtEnd(const AtEnd&) = delete;
-  AtEnd& operator=(const AtEnd&) = delete;
+  explicit ScopeExit(Action action) : action_(std::move(action)) {}
+  ~ScopeExit() { action_(); }
+  ScopeExit(const ScopeExit&) = delete;
+  ScopeExit& operator=(const ScopeExit&) = delete;
 
  private:
   Action action_;
