@@ -55,8 +55,7 @@ void run_trace(const TrialOptions& options) {
   condition.virtual_direction_deg = options.condition.virtual_direction_deg;
   const Trace trace = trace_reach(condition, options.reach, options.seed, options.trial);
   workshop.write("trace.csv", trace_csv(trace));
-  workshop.write("reach.svg", moving_picture(trace));
-  workshop.draw({trace_figure(trace)});
+  workshop.draw(trace_figures(trace));
   workshop.publish();
 }
 

@@ -47,11 +47,9 @@ Trace trace_reach(const PersonCondition& condition, int reach, std::uint64_t see
 /// A row a sample; a column a state, beside it its deviation.
 std::string trace_csv(const Trace& trace);
 
-/// Every state of a traced reach over time, with two deviations to both sides.
-Figure trace_figure(const Trace& trace);
-
-/// The reach from above, moving, as one SVG: plate and ridges, the finger and its path, and where it is felt.
-std::string moving_picture(const Trace& trace);
+/// "reach", the reach from above as one moving picture: plate and ridges, the finger and its path, and where it is
+/// felt; and "trace", every state of the filter over time, with two deviations to both sides.
+std::vector<Figure> trace_figures(const Trace& trace);
 
 /// A temporary folder that collects the files of one result until all are made: they appear whole or not at all.
 class Workshop {

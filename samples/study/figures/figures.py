@@ -1,6 +1,7 @@
 """Draws figures.json, a list of figures with name, title and data, as NAME.svg. hrt-study contains this script and runs it."""
 import itertools
 import json
+import math
 
 import matplotlib
 import numpy
@@ -134,11 +135,63 @@ def draw_trace(figure, data):
         axes.set_title(state["name"].replace("_", " "))
 
 
+PLATE_MM, START_MM, FRAMES_S = 75, 50, 25
+
+
+def animation(opening, values):
+    """The values of an attribute over the picture's time, the last one held for 1.2 s."""
+    total_s = len(values) / FRAMES_S + 1.2
+    times = "".join(f"{i / FRAMES_S / total_s:.4f};" for i in range(len(values)))
+    return f'{opening} dur="{total_s:.2f}s" repeatCount="indefinite" values="{";".join(values)};{values[-1]}" keyTimes="{times}1"/>'
+
+
+def moving(places, line, dot):
+    """A path that is drawn as the finger comes along, and the dot at its end."""
+    done_mm = list(itertools.accumulate([0.0, *(math.dist(a, b) for a, b in zip(places, places[1:]))]))
+    xs, ys = ([f"{place[i]:.1f}" for place in places] for i in range(2))
+    animate = lambda name, values: animation(f'<animate attributeName="{name}"', values)
+    return (f'<polyline fill="none" stroke-width="1.4" {line} stroke-dasharray="{done_mm[-1]:.1f} 999" points="'
+            + "".join(f"{x},{y} " for x, y in zip(xs, ys)) + '">' + animate("stroke-dashoffset", [f"{done_mm[-1] - done:.1f}" for done in done_mm])
+            + f'</polyline>\n<circle r="3.2" {dot}>' + animate("cx", xs) + animate("cy", ys) + "</circle>\n")
+
+
+def moving_picture(data):
+    """The reach from above: plate and ridges, the finger and its path, and where it is felt, from a quarter of a second before the motion."""
+    place = lambda point: (point[0], START_MM - point[1])  # to the right, and down towards the person
+    target = lambda deg: place((-data["distance_mm"] * math.sin(math.radians(deg)), data["distance_mm"] * math.cos(math.radians(deg))))
+    times = data["time_s"]
+    first_s = max(times[0], next(time for time, finger in zip(times, data["finger_mm"]) if math.hypot(*finger) > 1) - 0.25)
+    frames = numpy.searchsorted(times, first_s + numpy.arange(int((times[-1] - first_s) * FRAMES_S) + 1) / FRAMES_S)
+    finger, felt = ([place(data[name][i]) for i in frames] for name in ("finger_mm", "felt_mm"))
+    real, virtual = target(data["real_deg"]), target(data["virtual_deg"])
+    halves = {across: math.sqrt(PLATE_MM**2 - across**2) for across in range(5 - PLATE_MM, PLATE_MM, 10)}
+    circle = lambda at, look: f'<circle cx="{at[0]:.1f}" cy="{at[1]:.1f}" r="6" {look}/>\n'
+    label = lambda x, y, anchor, color, text: f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{color}">{text}</text>\n'
+    side, outside, inside = (-9, "end", "start") if real[0] < virtual[0] else (9, "start", "end")
+    return ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="-105 -82 210 174" width="630" height="522" font-family="sans-serif" font-size="7">\n'
+            "<title>A simulated reach from above: the plate turns, the finger arrives at the real target, and the perceived path ends at the virtual one</title>\n"
+            '<rect x="-105" y="-82" width="210" height="174" fill="#ffffff"/>\n<circle r="75" fill="#eef1f5" stroke="#8794a3"/>\n'
+            '<g stroke="#b9c4d0" stroke-width="1.1">'
+            + animation('<animateTransform attributeName="transform" type="rotate"', [f"{-data['plate_deg'][i]:.1f}" for i in frames])
+            + '<path d="' + "".join(f"M{-half:.1f} {across:.1f}h{2 * half:.1f}" for across, half in halves.items()) + '"/></g>\n'
+            + circle(real, 'fill="#8fb0d6" stroke="#08306b" stroke-width="1.4"')
+            + circle(virtual, 'fill="none" stroke="#c45a00" stroke-width="1.4" stroke-dasharray="3 2"')
+            + moving(felt, 'stroke="#c45a00" stroke-opacity="0.75"', 'fill="none" stroke="#c45a00" stroke-width="1.2"')
+            + moving(finger, 'stroke="#08306b"', 'fill="#08306b" stroke="#ffffff" stroke-width="0.6"')
+            + label(real[0] + side, real[1], outside, "#08306b", "real target")
+            + label(virtual[0] - side, virtual[1], inside, "#c45a00", "virtual target")
+            + label(0, 85, "middle", "#56616e", "simulated: where the finger is (blue), where it is felt (orange)") + "</svg>\n")
+
+
 DRAWINGS = {"fig1c": (draw_ridges, 640, 560), "table1": (draw_table1, 560, 1160), "calibration": (draw_calibration, 640, 1000), "trace": (draw_trace, 1200, 900)}
 
 with open("figures.json", encoding="utf-8") as file:
     figures = json.load(file)
 for given in figures:
+    if given["name"] == "reach":
+        with open("reach.svg", "w", encoding="utf-8") as file:
+            file.write(moving_picture(given["data"]))
+        continue
     draw, width_px, height_px = DRAWINGS.get(given["name"], (draw_paths, 560, 1600))
     figure = matplotlib.pyplot.figure(figsize=(width_px / 72, height_px / 72), constrained_layout=True)
     figure.suptitle(given["title"] + " (simulation)", fontsize=11)

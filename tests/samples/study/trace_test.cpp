@@ -17,12 +17,6 @@ Trace traced(const char* family, int reach) {
   return trace_reach(draw_person(*people_family(family), 1.5, 1, 0), reach, 1, 0);
 }
 
-std::size_t count(std::string_view text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
-
 TEST(StudyTrace, EndsWhereTheReachDoes) {
   const Trace trace = traced("linear", 5);
   const TracedSample& last = trace.samples.back();
@@ -55,36 +49,31 @@ TEST(StudyTrace, TableHasAColumnAStateAndItsDeviation) {
   std::string line;
   std::getline(table, line);
   EXPECT_NE(line.find(",bias_deg,bias_deg_sd,"), line.npos) << line;
-  const std::size_t commas = count(line, ",");
+  const std::size_t commas = occurrences(line, ",");
   EXPECT_EQ(commas, 7u + 2 * std::size_t{PersonState::count});
   int rows = 0;
   for (; std::getline(table, line); ++rows) {
-    ASSERT_EQ(count(line, ","), commas) << line;
+    ASSERT_EQ(occurrences(line, ","), commas) << line;
     ASSERT_EQ(line.find("nan"), line.npos) << line;
   }
   EXPECT_GT(rows, 100);
 }
 
-TEST(StudyTrace, MovingPictureRunsOneTimeThroughout) {
-  const std::string picture = moving_picture(traced("linear", 5));
+TEST(StudyTrace, CommandWritesTableAndPictures) {
+  const TemporaryFolder folder;
+  expect_exit(0, run_study({"trial", "--trace", folder.path.string(), "--family", "bias-3", "--reach", "2"}));
+  for (const char* file : {"trace.csv", "trace.svg"})
+    EXPECT_GT(std::filesystem::file_size(folder.path / file), 1000u) << file;
+  // The picture runs one time throughout.
+  const std::string picture = read_file(folder / "reach.svg");
   EXPECT_TRUE(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
-  const std::size_t animated = count(picture, "<animate");
+  const std::size_t animated = occurrences(picture, "<animate");
   EXPECT_EQ(animated, 7u);  // ridges; of two paths the line, and x and y of the dot
   const std::size_t at = picture.find("keyTimes=\"");
-  const std::string times = picture.substr(at, picture.find('"', at + 10) - at);
-  EXPECT_EQ(count(picture, times), animated);
-  EXPECT_EQ(count(picture, ">"), count(picture, "<"));
-}
-
-TEST(StudyTrace, CommandWritesTableAndPictures) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "study_trace";
-  std::filesystem::remove_all(folder);
-  expect_exit(0, run_study({"trial", "--trace", folder.string(), "--family", "bias-3", "--reach", "2"}));
-  for (const char* file : {"trace.csv", "trace.svg", "reach.svg"})
-    EXPECT_GT(std::filesystem::file_size(folder / file), 1000u) << file;
-  EXPECT_EQ(run_study({"trial", "--trace", folder.string(), "--motor-variance", "2"}).exit_code, 2);
-  EXPECT_EQ(run_study({"trial", "--trace", folder.string(), "--family", "linear,place"}).exit_code, 2);
-  std::filesystem::remove_all(folder);
+  EXPECT_EQ(occurrences(picture, picture.substr(at, picture.find('"', at + 10) - at)), animated);
+  EXPECT_EQ(occurrences(picture, ">"), occurrences(picture, "<"));
+  EXPECT_EQ(run_study({"trial", "--trace", folder.path.string(), "--motor-variance", "2"}).exit_code, 2);
+  EXPECT_EQ(run_study({"trial", "--trace", folder.path.string(), "--family", "linear,place"}).exit_code, 2);
 }
 
 }  // namespace
