@@ -5,7 +5,6 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
-#include "samples/study/figures/ridges.h"
 #include "samples/study/paper/table1.h"
 
 namespace hrt::study {
@@ -22,7 +21,7 @@ void run(const ReportOptions& options) {
   Workshop workshop("--out", options.out);
   const Table1 table = simulate_table1(options.table);
   std::vector<Figure> figures = path_figures(options.table.seed);
-  figures.insert(figures.begin(), ridges_figure(simulate_ridges({.seed = options.table.seed})));
+  figures.insert(figures.begin(), ridges_figure(options.table.seed));
   figures.push_back(
       {.name = "table1",
        .title = "Table I: paper and model",

@@ -1,13 +1,112 @@
-// hrt-study ridges: the paper's Fig. 1c.
-#include "samples/study/figures/ridges.h"
-
+// hrt-study ridges: the paper's Fig. 1c, slides straight ahead over a plate that rests at each of five angles.
+#include <cmath>
 #include <memory>
 
+#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
+#include "samples/study/figures/figures.h"
+#include "samples/study/paper/paper.h"
 
 namespace hrt::study {
 namespace {
+
+struct RidgeOptions {
+  std::vector<double> plate_angles_deg{-60.0, -30.0, 0.0, 30.0, 60.0};  // those of the paper's [2]
+  double tactile_weight = 0.15;
+  double motor_variance_deg2 = 0.5;
+  std::uint64_t trials = 50;
+  std::uint64_t seed = 1;
+};
+
+struct RidgeAngle {
+  double plate_deg;
+  double rest_deg;  // where what is felt is straight ahead: -w T / (1 - w)
+  double mean_deg;  // of the final directions
+  double sd_deg;
+  std::vector<std::vector<double>> directions_deg;  // of the finger in each step of each trial
+};
+
+struct Ridges {
+  RidgeOptions options;
+  std::vector<RidgeAngle> angles;
+};
+
+RidgeAngle simulate(const RidgeOptions& options, double plate_deg, std::uint32_t number) {
+  const double weight = options.tactile_weight;
+  RidgeAngle angle{.plate_deg = plate_deg,
+                   .rest_deg = -weight * plate_deg / (1.0 - weight),
+                   .mean_deg = 0.0,
+                   .sd_deg = 0.0,
+                   .directions_deg = {}};
+  Condition condition = make_condition(options.motor_variance_deg2, weight, 0.0, 0.0);
+  condition.controller.mode = ControlMode::fixed_plate;
+  condition.controller.fixed_plate_orientation_deg = condition.plate_orientation_deg = plate_deg;
+  double squares = 0.0;
+  for (std::uint32_t trial = 0; trial < options.trials; ++trial) {
+    std::vector<TrialStep> steps;
+    const TrialOutcome outcome =
+        simulate_trial(condition, {.seed = options.seed, .condition = number, .trial = trial}, &steps);
+    std::vector<double>& directions_deg = angle.directions_deg.emplace_back();
+    for (const TrialStep& step : steps) directions_deg.push_back(step.finger_direction_deg);
+    angle.mean_deg += outcome.final_direction_deg;
+    squares += outcome.final_direction_deg * outcome.final_direction_deg;
+  }
+  const auto n = static_cast<double>(options.trials);
+  angle.mean_deg /= n;
+  angle.sd_deg = std::sqrt(std::max(squares / n - angle.mean_deg * angle.mean_deg, 0.0));
+  return angle;
+}
+
+Ridges simulate_ridges(const RidgeOptions& options) {
+  Ridges ridges{.options = options, .angles = {}};
+  for (const double plate_deg : options.plate_angles_deg)
+    ridges.angles.push_back(simulate(options, plate_deg, static_cast<std::uint32_t>(ridges.angles.size())));
+  return ridges;
+}
+
+std::string ridges_text(const Ridges& ridges) {
+  std::string page =
+      wrapped("The paper's Fig. 1c: " + std::to_string(ridges.options.trials) +
+                  " simulated slides straight ahead over a plate that rests at each angle, weight of touch " +
+                  number(ridges.options.tactile_weight) + ", motor variance " +
+                  number(ridges.options.motor_variance_deg2) +
+                  " deg^2. Ridges that lead to the left by touch (positive) bend the path to the right. There was "
+                  "no human trial here.",
+              110) +
+      '\n' + "\nplate, deg  final direction, deg: mean      SD  at rest\n";
+  for (const RidgeAngle& angle : ridges.angles)
+    page += right(number(angle.plate_deg), 10) + right(fixed(angle.mean_deg, 1), 29) +
+            right(fixed(angle.sd_deg, 1), 8) + right(fixed(angle.rest_deg, 1), 9) + '\n';
+  return page;
+}
+
+Results ridges_results(const Ridges& ridges) {
+  Results found{.about = {{"simulation", true},
+                          {"trials", ridges.options.trials},
+                          {"seed", ridges.options.seed},
+                          {"tactile_weight", ridges.options.tactile_weight},
+                          {"motor_variance_deg2", ridges.options.motor_variance_deg2}},
+                .rows = {}};
+  for (const RidgeAngle& angle : ridges.angles)
+    found.rows.push_back({{"plate_deg", angle.plate_deg},
+                          {"mean_deg", angle.mean_deg},
+                          {"sd_deg", angle.sd_deg},
+                          {"rest_deg", angle.rest_deg}});
+  return found;
+}
+
+Figure figure_of(const Ridges& ridges) {
+  Row data;
+  for (const RidgeAngle& angle : ridges.angles)
+    data["angles"].push_back({{"plate_deg", angle.plate_deg}, {"directions_deg", angle.directions_deg}});
+  return {.name = "fig1c",
+          .title = "Fig. 1c: straight ahead over a plate at rest",
+          .caption =
+              "Simulated paths of a participant who goes straight ahead, and their median, over a plate that rests. "
+              "The color is that of the plate's angle.",
+          .data = data};
+}
 
 struct RidgesOptions {
   RidgeOptions ridges;
@@ -18,11 +117,13 @@ struct RidgesOptions {
 Ridges simulated(const RidgesOptions& options) {
   const Output plot("--plot", options.plot);
   Ridges ridges = simulate_ridges(options.ridges);
-  if (!options.plot.empty()) plot.write(draw_beside("--plot", options.plot, ridges_figure(ridges)));
+  if (!options.plot.empty()) plot.write(draw_beside("--plot", options.plot, figure_of(ridges)));
   return ridges;
 }
 
 }  // namespace
+
+Figure ridges_figure(std::uint64_t seed) { return figure_of(simulate_ridges({.seed = seed})); }
 
 void add_ridges(CLI::App& app) {
   const auto options = std::make_shared<RidgesOptions>();

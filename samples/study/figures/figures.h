@@ -21,6 +21,9 @@ struct Figure {
   Row data;
 };
 
+/// Fig. 1c of the paper: paths straight ahead over a plate at rest.
+Figure ridges_figure(std::uint64_t seed);
+
 /// Figs. 4 to 8 of the paper: true paths, perceived paths, plate orientation of one trial.
 std::vector<Figure> path_figures(std::uint64_t seed);
 

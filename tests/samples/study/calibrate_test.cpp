@@ -1,5 +1,3 @@
-#include "samples/study/figures/calibration.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
