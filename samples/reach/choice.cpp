@@ -28,7 +28,7 @@ double asked_eye_height_m(Prompt& prompt) {
       0.3, 2.5);
   if (answer) return *answer;
   throw Failure(ExitCode::usage,
-                "the OpenXR runtime knows no floor, so the height of the plate is unknown: give the height of the eyes "
+                "the OpenXR runtime has no floor space, so the plate's height is unknown: give the height of the eyes "
                 "above the floor (--eye-height METRES), or register the plate (--register FILE)");
 }
 
@@ -37,11 +37,11 @@ std::string words_of(const ScenePlace& place, double above_floor_m) {
   const char* from = place.space == XR_REFERENCE_SPACE_TYPE_STAGE
                          ? "the centre of the runtime's room"
                          : "where you were when the runtime last centred its view";
-  return format("The plate is assumed where the scene has it: %.2f m above the floor, ", above_floor_m) +
+  return format("The plate is assumed at the scene's position: %.2f m above the floor, ", above_floor_m) +
          format("%.2f m to the %s and ", std::abs(static_cast<double>(at.x)), at.x < 0.0f ? "left" : "right") +
          format("%.2f m %s, seen from ", std::abs(static_cast<double>(at.z)), at.z > 0.0f ? "behind" : "ahead") + from +
          " (" + name_of(place.space) +
-         " space). If it is elsewhere, start again with --register FILE, which finds it by touches.";
+         " space). If it is elsewhere, start again with --register FILE, which measures its pose by touches.";
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
   app.add_option("--plate", words.plate,
                  "What turns the plate: runtime (the one that a runtime simulates), servo[:SPEED] (one that this\n"
                  "program simulates, degrees a second, [400]), serial:LINE, dynamixel:LINE or\n"
-                 "plate.json, as hrt_plate_open() of haptic_retargeting/plate.h takes them [runtime]")
+                 "the path of a plate.json; hrt_plate_open() describes them [runtime]")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             if (parse_plate(text)) return "";
@@ -73,11 +73,11 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
 
 void add_controller(CLI::App& app, Options& options, Words& words) {
   app.add_option("--controller", words.controller,
-                 "people: learns how the user feels and moves, and aims at the target's place at arrival; or paper:\n"
-                 "takes the share of touch as known and aims in a fixed direction [people]")
+                 "people: estimates the parameters of the user, and steers to the target's position; or paper:\n"
+                 "assumes a known tactile weight, and steers in a fixed direction [people]")
       ->check(CLI::IsMember({"people", "paper"}));
   app.add_option("--tactile-weight", options.tactile_weight,
-                 "Share of touch that the controller assumes, at first [people: 0.2, paper: 0.15]")
+                 "Tactile weight w_T: initial estimate for people [0.2], constant for paper [0.15]")
       ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
   app.add_option("--motor-variance", options.motor_variance_deg2,
                  "Variance of motor noise that the paper's controller assumes, degrees squared a step [0.5]")
@@ -85,19 +85,19 @@ void add_controller(CLI::App& app, Options& options, Words& words) {
 }
 
 void add_place(CLI::App& app, Options& options) {
-  CLI::Option* register_to = app.add_option(
-      "--register", options.register_to,
-      "Ask a person to touch the plate's marks, find the plate by them, and keep its place in this file");
+  CLI::Option* register_to =
+      app.add_option("--register", options.register_to,
+                     "Ask a person to touch the plate's marks, fit its pose to the touches, and write it to this file");
   app.add_option("--registered", options.registered,
-                 "The plate is where this file has it; a touch of one mark checks that")
+                 "Read the plate's pose from this file, and ask for a touch of one mark that checks it")
       ->excludes(register_to);
   app.add_flag("--fingertip", options.fingertip,
-               "When registering, find first where the skin of the --hand touches, from the joint that is\n"
-               "tracked, for a hand that does not keep one attitude; the file keeps it")
+               "Before the registration, measure the offset from the tracked joint of the --hand to the skin,\n"
+               "so that the hand may be held in any attitude; it is written to the same file")
       ->needs(register_to);
   app.add_flag("--measure-tracker", options.measure_tracker,
                "Ask for 20 slides between two dimples 100 mm apart, in place of reaches, and print the error of\n"
-               "the tracker's bearing and the share of reaches that it allows")
+               "the tracker's bearing and the percentage of reaches on target that it allows")
       ->excludes(register_to, "--registered");
   app.add_flag("--check-each", options.check_each,
                "Ask for the touch that checks a registered plate before every reach, not only the first");
@@ -105,8 +105,8 @@ void add_place(CLI::App& app, Options& options) {
                  "CSV file of the marks to touch: name,x_m,y_m,z_m [the scene's start and five on the rim]")
       ->needs(register_to);
   app.add_option("--eye-height", options.eye_height_m,
-                 "How high the eyes are above the floor, metres, for a runtime that knows no floor, whose LOCAL\n"
-                 "space begins at the eyes [asked on the terminal]")
+                 "Height of the eyes above the floor in metres, for a runtime without a floor space, whose LOCAL\n"
+                 "space has its origin at the eyes [asked on the terminal]")
       ->check(between(0.3, 2.5, "a number from 0.3 to 2.5"));
 }
 
@@ -117,10 +117,10 @@ void add_files(CLI::App& app, Options& options) {
       ->excludes("--tactile-weight");
   CLI::Option* calibrate =
       app.add_option("--calibrate", options.calibrate,
-                     "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
-                     "write their profile into this file")
+                     "Instead of reaches, guide the user through slides that measure their response to the ridges,\n"
+                     "and write their profile into this file")
           ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
-  app.add_option("--max-slides", options.max_slides, "Most slides of a calibration [40]")
+  app.add_option("--max-slides", options.max_slides, "Maximum number of slides of a calibration [40]")
       ->check(CLI::Range(16, 200))
       ->needs(calibrate);
 }
@@ -133,7 +133,7 @@ void add_person(CLI::App& app, Options& options, Words& words) {
          "evdev:/dev/input/by-id/NAME?width_mm=W&... (README). Tested with an emulated device only")
       ->needs("--person")
       ->excludes("--register", "--registered");
-  CLI::Option* aloud = app.add_flag("--speak", words.speak, "Speak what a person is asked, with espeak-ng");
+  CLI::Option* aloud = app.add_flag("--speak", words.speak, "Speak all requests and results by espeak-ng");
   app.add_option("--speak-with", options.speak_with,
                  "Speak with this program: its name and arguments, separated by spaces; each text is a line\n"
                  "on its standard input")

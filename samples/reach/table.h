@@ -70,7 +70,7 @@ struct Tally {
 
 void print_summary(std::ostream& out, const Tally& tally);
 
-/// True if the share of touch is known as precisely as a set-up requires by default.
+/// True if the tactile weight is known as precisely as a set-up requires by default.
 bool is_enough(const hrt_setup_result& result);
 
 /// Result in lines to be printed or spoken. `config`: configuration of the session, updated by the result.

@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
 
   printf("hash 0x%016" PRIx64 "\n", hash);
   printf("samples %d, of these dropped %d\n", (int)summary.counts.samples, (int)summary.counts.dropped_samples);
-  printf("ended %.2f deg beside the real target, felt error %.2f deg at most (scripted)\n", summary.miss_deg,
+  printf("ended %.2f deg from the real target, perceived-direction error up to %.2f deg (scripted)\n", summary.miss_deg,
          summary.peak_felt_error_deg);
   return 0;
 }

@@ -20,9 +20,9 @@ _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "
 # Array types that several structs use.
 _ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name"}
 _SHARED = {
-    "Double3": ("double", "x y z", "Three numbers, as the library has them: a position in metres, x right, y up, z towards the user, right-handed."),
-    "Double4": ("double", "x y z w", "Four numbers, as the library has them: a unit quaternion in right-handed axes."),
-    "Name": ("ulong", " ".join(f"word{i}" for i in range(8)), "A name of at most 63 bytes of UTF-8, ended by a zero."),
+    "Double3": ("double", "x y z", "Three numbers, as the library uses them: a position in metres, x right, y up, z towards the user, right-handed."),
+    "Double4": ("double", "x y z w", "Four numbers, as the library uses them: a unit quaternion in right-handed axes."),
+    "Name": ("ulong", " ".join(f"word{i}" for i in range(8)), "A name of at most 63 bytes of UTF-8, followed by a NUL."),
 }
 _WIDTH = 110
 

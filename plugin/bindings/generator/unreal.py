@@ -231,7 +231,7 @@ def render_types(abi: Abi, notice: str) -> str:
     target = ("/** Names a target of one component. */\nUSTRUCT(BlueprintType)\nstruct FHapticTarget\n{\n\tGENERATED_BODY()\n\n"
               '\tUPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")\n\tint64 Id = 0;\n};\n')
     return (f"// {notice}\n//\n"
-            "// What Blueprints see of the plugin. Everything is in Unreal's terms: centimetres, seconds, and yaw, which is\n"
+            "// Types of the plugin for Blueprints, in Unreal's terms: centimetres, seconds, and yaw, which is\n"
             "// positive to the right (clockwise seen from above); the C interface has metres, nanoseconds, and directions\n"
             "// that are positive to the left. Directions are measured from the plate's mid-line, its X axis, straight away\n"
             "// from the user.\n#pragma once\n\n"

@@ -17,7 +17,7 @@ _FRAME_TYPES = {"double": ("view.setFloat64(at + {0}, {1}, true)", "view.getFloa
 def render_script(abi: Abi, notice: str) -> str:
     text = f"// {notice}\n"
     text += "".join(f"export const {c.name} = {c.value};\n" for c in abi.constants)
-    text += "\n// Where each field of a struct is, in bytes; `length` of a fixed array. i64 and u64 are BigInt.\n"
+    text += "\n// Offset of each field of a struct, in bytes; `length` of a fixed array. i64 and u64 are BigInt.\n"
     text += "export const structs = Object.freeze({\n"
     for struct in (s for s in abi.structs if s.size):
         text += f"  {struct.name}: {{ size: {struct.size}, fields: {{\n"

@@ -108,8 +108,8 @@ export interface Session {
   retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
   /** True if the plate's pose at the last beginReach() came from a registration. */
   readonly registered: boolean;
-  /** Reports contact of the finger with the real object, by default at the real target's near side: later reaches correct the
-   *  tracker's frame, relative to a registration. Allowed once per reach, also after its end. */
+  /** Reports contact of the finger with the real object, by default at the real target's near side. Later reaches use it
+   *  to correct the tracker's frame. Requires a registration. Allowed once per reach, also after its end. */
   reachTouched(contact?: Input<hrt_contact>): void;
   /** Ends the reach without a summary and discards its estimates. */
   cancelReach(): void;

@@ -197,7 +197,7 @@ class Session {
     this.#native.call("hrt_reach_cancel");
     this.#log();
   }
-  /** Writes what a reach may not write. */
+  /** Writes the log of events in a reach, in which no call may block. */
   #log() {
     this.#native.call("hrt_host_set_log", 0);
   }

@@ -21,7 +21,7 @@ namespace hrt::app {
   X(plate,           9, "the plate's device failed")                                                  \
   X(output,         10, "a file, or the standard output, cannot be written")                          \
   X(runtime_blocked, 11, "the runtime did not return from a call in time")                            \
-  X(registration,   12, "the touches do not fit the plate's marks, or the plate's place is unknown")  \
+  X(registration,   12, "the touches do not fit the plate's marks, or the plate's pose is unknown")   \
   X(calibration,    13, "the slides of a calibration do not determine the user; nothing was written") \
   X(tracker,        14, "the touch frame cannot be opened, or is gone")                                 \
   X(internal,       70, "anything else")                                                              \

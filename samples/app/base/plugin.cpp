@@ -13,7 +13,7 @@ template <class Function>
 void load(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(dlsym(library, name));
   if (function == nullptr)
-    throw Failure(ExitCode::plugin, "the plugin has no function " + std::string(name) + "; is it too old?");
+    throw Failure(ExitCode::plugin, "the plugin has no function " + std::string(name) + ": install a newer plugin");
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ TEST(UnrealPlate, MayHaveAnyPose) {
   const FHapticCommand here = slide_on(FTransform());
   const FHapticCommand there = slide_on(somewhere());
   EXPECT_GT(here.BearingYaw, 3) << "a finger that goes right";
-  EXPECT_LT(here.PlateYaw, -5) << "the plate turns left of what is felt to send the hand right";
+  EXPECT_LT(here.PlateYaw, -5) << "the plate turns left to deflect the hand to the right";
   EXPECT_GT(here.DistanceToGo, 0.1);
   EXPECT_LT(here.DistanceToGo, 0.5) << "centimetres";
   EXPECT_NEAR(there.BearingYaw, here.BearingYaw, 1e-6);

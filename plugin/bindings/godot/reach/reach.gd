@@ -51,7 +51,7 @@ func finish() -> void:
 		return stop("the reach does not end")
 	var summary: Dictionary = plate.get_summary()
 	print("hash 0x%08x%08x" % [(fnv >> 32) & 0xffffffff, fnv & 0xffffffff])
-	print("ended %.1f mm from the real target, %.2f deg beside it (scripted)" % [
+	print("ended %.1f mm from the real target, %.2f deg off its bearing (scripted)" % [
 			summary.distance_to_target_m * 1000, abs(summary.miss_deg)])
 	set_process(false)
 	get_tree().quit(0)

@@ -38,7 +38,7 @@ def main() -> None:
         record = session.run_reach(cylinder, cup, samples)
     print(f"hash 0x{fnv1a(record.commands):016x}")
     print(f"updates {len(samples)}; ended {1000 * record.summary.distance_to_target_m:.1f} mm from the real target, "
-          f"{abs(record.summary.miss_deg):.2f} deg beside it (simulated)")
+          f"{abs(record.summary.miss_deg):.2f} deg off its bearing (simulated)")
     if len(sys.argv) == 3:
         from haptic_retargeting import plot
 

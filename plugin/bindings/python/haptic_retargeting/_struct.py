@@ -248,7 +248,7 @@ def _text(kind: Any, value: Any) -> bytes:
     if len(text) >= kind._length_:
         raise ValueError(f"{len(text)} bytes; fewer than {kind._length_} are allowed")
     if b"\0" in text:
-        raise ValueError("a text must not have a zero in it")
+        raise ValueError("the text contains a NUL character: remove it")
     return text
 
 

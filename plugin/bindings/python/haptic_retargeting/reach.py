@@ -138,8 +138,8 @@ class Reach:
     def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
                 world_position_m: Numbers | None = None) -> None:
         """Reports contact of the finger with the real object: at the near side of the real target, or at a position on the
-        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). Later reaches
-        correct the tracker's frame. Allowed once per reach, also after its end."""
+        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). Later
+        reaches use it to correct the tracker's frame. Requires a registration. Allowed once per reach, also after its end."""
         contact = Contact(sd_m=sd_m)
         contact.flags = ContactFlag(_given(contact, "position_m", position_m, ContactFlag.PLATE_POSITION)
                                     | _given(contact, "position_m", world_position_m, ContactFlag.WORLD_POSITION))
@@ -158,7 +158,7 @@ class Reach:
         return self._summary
 
     def _log(self) -> None:
-        """Writes what a reach may not write."""
+        """Writes the log of events in a reach, in which no call may block."""
         check(library().hrt_host_set_log(self._session, byref(LOG)))
 
     def __enter__(self) -> Reach:

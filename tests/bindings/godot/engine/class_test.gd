@@ -73,7 +73,7 @@ func test_axes() -> void:
 		outputs.append(each.get_command())
 		check_equal(each.end(), OK, "end")
 	check(outputs[0].bearing_deg > 2, "a finger that goes left has a positive direction")
-	check(outputs[0].plate_orientation_deg < -5, "the plate turns right to send the hand left of what is felt")
+	check(outputs[0].plate_orientation_deg < -5, "the plate turns right to deflect the hand to the left of the perceived path")
 	for field: String in outputs[0]:
 		check_near(outputs[1][field], outputs[0][field], field + " on the turned plate", 0.01)
 
@@ -133,7 +133,7 @@ func test_refusals() -> void:
 	check_equal(plate.update(Vector3(), 3000), OK, "a property set during a reach waits")
 	check_equal(plate.end(), OK, "end")
 
-# The estimate of a reach is carried over, beside a property that is set during the reach.
+# The estimate of a reach is kept for the next reach, together with a property that is set during the reach.
 func test_adaptation() -> void:
 	var plate := new_plate()
 	check_equal(plate.begin_for(plate.add_real_target("real", -5.0, 0.1), plate.add_virtual_target("felt", 5.0, 0.1), 0.0), OK, "begin")

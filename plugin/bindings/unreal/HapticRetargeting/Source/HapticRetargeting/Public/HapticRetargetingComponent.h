@@ -108,8 +108,8 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
 
-	/** Reports contact with the real object, at a position with the SD Deviation (cm; 0: the real target's radius): later reaches
-	 *  correct the tracker's frame, relative to a registration. Allowed once per reach, at Arrived or after EndReach. */
+	/** Reports contact with the real object, at a position with the SD Deviation (cm; 0: the real target's radius). Later
+	 *  reaches use it to correct the tracker's frame. Requires a registration. Allowed once per reach, at Arrived or after EndReach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool ReachTouched(const FVector& Location, double Deviation = 0.0);
 
@@ -132,7 +132,7 @@ public:
 	FHapticCommand GetCommand() const;
 
 	/** Begins a set-up of What: the plate's pose, the offset of the skin from a joint, the user. Until it is over, it uses the
-	 *  samples of updates and broadcasts OnPlateCommanded. A registration moves the component to the touched plate. At the step
+	 *  samples of updates and broadcasts OnPlateCommanded. A registration sets the component's transform to the plate's pose. At the step
 	 *  Finish the user waits for a fit, which takes at most 1 ms of each update. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool BeginSetup(UPARAM(meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticSetupFlags")) int32 What);
