@@ -96,8 +96,8 @@ namespace Hrt
         public bool TryUpdate(Sample sample, out Command command) =>
             Exchange(ref sample, out command) == Result.Ok;
 
-        /// <summary>Writes to the log what a reach may not write, for example that a clock or unit is probably wrong: a call
-        /// for after a reach, which is not real-time.</summary>
+        /// <summary>Writes log messages that updates have stored because they must not block, for example that a clock or
+        /// unit is probably wrong. Call it after a reach; it is not real-time.</summary>
         public void WriteLog()
         {
             var none = new Host { structSize = SizeOf<Host>.Value };
