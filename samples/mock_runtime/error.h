@@ -1,35 +1,54 @@
-// Refusals: a function throws an Error, which the barrier around every entry point (entry.h) turns into the
-// call's result and a line of the call log.
+// Errors of calls. A function throws an Error; the wrapper of every entry point (entry.h) converts it to the result of
+// the call and a line of the call log.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
+#include <utility>
 
 #include "samples/mock_runtime/openxr_all.h"
 
 namespace hrt::mock {
 
-/// Name such as "XR_SUCCESS"; the number of a result without a name.
-inline std::string result_name(XrResult result) {
-#define HRT_MOCK_NAME(name, number) \
-  if (result == name) return #name;
-  HRT_RESULTS_OF_1_1(HRT_MOCK_NAME)
-  XR_LIST_ENUM_XrResult(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-      return std::to_string(result);
-}
+// Defines name_of(Enum), which returns a name such as "XR_SUCCESS", or the number of a value without a name.
+#define HRT_MOCK_CASE(name, number) \
+  if (value == name) return #name;
+#define HRT_MOCK_NAME_OF(Enum) \
+  inline std::string name_of(Enum value) { XR_LIST_ENUM_##Enum(HRT_MOCK_CASE) return std::to_string(value); }
+HRT_MOCK_NAME_OF(XrResult)
+HRT_MOCK_NAME_OF(XrStructureType)
+HRT_MOCK_NAME_OF(XrReferenceSpaceType)
+HRT_MOCK_NAME_OF(XrViewConfigurationType)
+HRT_MOCK_NAME_OF(XrFormFactor)
+HRT_MOCK_NAME_OF(XrEnvironmentBlendMode)
+HRT_MOCK_NAME_OF(XrSessionState)
+HRT_MOCK_NAME_OF(XrActionType)
+#undef HRT_MOCK_NAME_OF
+#undef HRT_MOCK_CASE
 
 struct Error {
   XrResult result;
-  std::string why;
+  std::string why;  ///< what is wrong, with the value; what is allowed; what to do next
 };
 
-inline void require(bool holds, XrResult otherwise, const char* why) {
-  if (!holds) throw Error{otherwise, why};
+/// Throws an Error unless `holds`. `why` is a format string of {fmt} for `args`.
+template <typename... Args>
+void require(bool holds, XrResult otherwise, fmt::format_string<Args...> why, Args&&... args) {
+  if (!holds) throw Error{otherwise, fmt::format(why, std::forward<Args>(args)...)};
+}
+
+/// Throws XR_ERROR_VALIDATION_FAILURE unless `holds`: the result of most arguments that are out of range.
+template <typename... Args>
+void require_valid(bool holds, fmt::format_string<Args...> why, Args&&... args) {
+  require(holds, XR_ERROR_VALIDATION_FAILURE, why, std::forward<Args>(args)...);
 }
 
 template <typename Value>
 void require_pointer(const Value* pointer, const char* name) {
-  if (pointer == nullptr) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " is null"};
+  require_valid(pointer != nullptr, "{} is null; it must point to valid memory", name);
 }
+
+inline void require_time(XrTime time) { require(time > 0, XR_ERROR_TIME_INVALID, "time is {}; must be > 0", time); }
 
 }  // namespace hrt::mock

@@ -1,8 +1,10 @@
-// Every function of the runtime, once: OpenXR name, implementation, extension or version that it needs (core:
-// none), and what the implementation returns (void: XR_SUCCESS, unless it throws an Error). Declarations,
-// dispatch table, call log and fault injection derive from this list.
+// The functions and extensions of the runtime. Declarations, dispatch table, call log and fault injection are generated
+// from the list of functions.
 #pragma once
 
+#include <array>
+#include <bitset>
+#include <cstdint>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -11,6 +13,8 @@
 #include "samples/mock_runtime/openxr_all.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 
+// Each function: OpenXR name, implementation, the extension that it needs, and the type that the implementation returns
+// (void: the call returns XR_SUCCESS unless the implementation throws an Error).
 // clang-format off
 #define HRT_MOCK_FUNCTIONS(X)                                                                                \
   X(xrGetInstanceProcAddr,                  get_instance_proc_addr,                  core,          void)    \
@@ -37,7 +41,6 @@
   X(xrCreateReferenceSpace,                 create_reference_space,                  core,          void)    \
   X(xrGetReferenceSpaceBoundsRect,          get_reference_space_bounds_rect,         core,          XrResult)\
   X(xrLocateSpace,                          locate_space,                            core,          void)    \
-  X(xrLocateSpaces,                         locate_spaces,                           version_1_1,   void)    \
   X(xrDestroySpace,                         destroy_space,                           core,          void)    \
   X(xrWaitFrame,                            wait_frame,                              core,          void)    \
   X(xrBeginFrame,                           begin_frame,                             core,          XrResult)\
@@ -98,10 +101,10 @@ enum class FunctionId {
       count
 };
 
-/// Parameter type of an implementation: the object instead of its handle.
+// Overloads whose result is the parameter type of an implementation: the object instead of its handle.
 #define HRT_MOCK_OBJECT(Handle, Type) \
   class Type;                         \
-  std::type_identity<Type&> taken_for(Handle);
+  std::type_identity<Type&> parameter_for(Handle);
 HRT_MOCK_OBJECT(XrInstance, Instance)
 HRT_MOCK_OBJECT(XrSession, Session)
 HRT_MOCK_OBJECT(XrSpace, Space)
@@ -111,27 +114,74 @@ HRT_MOCK_OBJECT(XrSwapchain, Swapchain)
 HRT_MOCK_OBJECT(XrHandTrackerEXT, HandTracker)
 #undef HRT_MOCK_OBJECT
 template <typename Argument>
-std::type_identity<Argument> taken_for(const Argument&);
+std::type_identity<Argument> parameter_for(const Argument&);
 
-/// Implementations that look up their objects: these accept lost or null handles, or look up again after a wait.
+/// True for functions whose implementation receives handles and looks up their objects itself, because it accepts lost
+/// or null handles, or must look up again after a wait.
 constexpr bool takes_handles(std::string_view name) {
   return name.starts_with("xrDestroy") || name == "xrWaitFrame" || name == "xrGetInstanceProcAddr" ||
          name == "xrGetCallLogHRTX";
 }
 template <typename Argument, bool handles>
-using Taken = typename std::conditional_t<handles, std::type_identity<Argument>,
-                                          decltype(taken_for(std::declval<Argument>()))>::type;
+using Parameter = typename std::conditional_t<handles, std::type_identity<Argument>,
+                                              decltype(parameter_for(std::declval<Argument>()))>::type;
 
 template <typename Returned, typename Function, bool handles>
 struct Implementation;
 template <typename Returned, typename... Args, bool handles>
 struct Implementation<Returned, XrResult (*)(Args...), handles> {
-  using Type = Returned(Taken<Args, handles>...);
+  using Type = Returned(Parameter<Args, handles>...);
 };
 
 #define HRT_MOCK_DECLARE(name, implementation, extension, returned) \
   Implementation<returned, PFN_##name, takes_handles(#name)>::Type implementation;
 HRT_MOCK_FUNCTIONS(HRT_MOCK_DECLARE)
 #undef HRT_MOCK_DECLARE
+
+// Enumerator, and OpenXR's prefixes of the macros for the extension's name and version.
+#define HRT_MOCK_EXTENSIONS(X)                                            \
+  X(headless, XR_MND_HEADLESS, XR_MND_headless)                           \
+  X(hand_tracking, XR_EXT_HAND_TRACKING, XR_EXT_hand_tracking)            \
+  X(timespec, XR_KHR_CONVERT_TIMESPEC_TIME, XR_KHR_convert_timespec_time) \
+  X(local_floor, XR_EXT_LOCAL_FLOOR, XR_EXT_local_floor)                  \
+  X(vulkan_enable2, XR_KHR_VULKAN_ENABLE2, XR_KHR_vulkan_enable2)         \
+  X(ridged_plate, XR_HRTX_RIDGED_PLATE, XR_HRTX_ridged_plate)             \
+  X(mock_control, XR_HRTX_MOCK_CONTROL, XR_HRTX_mock_control)
+
+enum class Extension {
+  core,  ///< OpenXR 1.0 itself
+#define HRT_MOCK_ID(extension, upper, lower) extension,
+  HRT_MOCK_EXTENSIONS(HRT_MOCK_ID)
+#undef HRT_MOCK_ID
+      count
+};
+
+using ExtensionSet = std::bitset<static_cast<std::size_t>(Extension::count)>;
+
+struct ExtensionInfo {
+  const char* name;
+  std::uint32_t version;
+};
+
+/// Indexed by Extension; the entry of `core` is empty.
+inline constexpr std::size_t first_extension = 1;
+inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::count)> extensions{
+    {{nullptr, 0},
+#define HRT_MOCK_INFO(extension, upper, lower) {upper##_EXTENSION_NAME, lower##_SPEC_VERSION},
+     HRT_MOCK_EXTENSIONS(HRT_MOCK_INFO)
+#undef HRT_MOCK_INFO
+    }};
+
+struct FunctionInfo {
+  const char* name;
+  Extension needed;
+};
+
+/// Indexed by FunctionId.
+inline constexpr FunctionInfo functions[] = {
+#define HRT_MOCK_INFO(name, implementation, extension, returned) {#name, Extension::extension},
+    HRT_MOCK_FUNCTIONS(HRT_MOCK_INFO)
+#undef HRT_MOCK_INFO
+};
 
 }  // namespace hrt::mock

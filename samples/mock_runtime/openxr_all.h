@@ -10,4 +10,11 @@
 #include <openxr/openxr_platform.h>
 #include <openxr/openxr_reflection.h>
 
-#include "samples/mock_runtime/openxr_1_1.h"
+// Debian 12's header 1.0.20 lacks this extension. The values are those of the Khronos registry.
+#ifndef XR_EXT_local_floor
+#define XR_EXT_local_floor_SPEC_VERSION 1
+#define XR_EXT_LOCAL_FLOOR_EXTENSION_NAME "XR_EXT_local_floor"
+#endif
+#ifndef XR_API_VERSION_1_1
+inline constexpr auto XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR = static_cast<XrReferenceSpaceType>(1000426000);
+#endif

@@ -1,7 +1,7 @@
 /*
-** XR_HRTX_mock_control: lets a test control the mock runtime without the application's knowledge.
+** XR_HRTX_mock_control: lets a test control the simulation and read the calls of the application.
 **
-** A vendor extension of the mock runtime in this folder; SCRIPTS.md has the format of scripts.
+** This is a vendor extension of the mock runtime. SCRIPTS.md describes the format of scripts.
 ** Enable it in XrInstanceCreateInfo::enabledExtensionNames and fetch its functions with
 ** xrGetInstanceProcAddr. The author tag HRTX and the number of its structure type are not registered
 ** with Khronos. Every function may be called from any thread. In addition to the results named
@@ -34,24 +34,24 @@ extern "C" {
 typedef struct XrCallRecordHRTX {
   XrStructureType type; /* XR_TYPE_CALL_RECORD_HRTX */
   void* XR_MAY_ALIAS next;
-  XrTime time; /* runtime's clock when the call returned; 0 without an instance */
+  XrTime time; /* time of the runtime's clock when the call returned; 0 if there was no instance */
   XrResult result;
   char function[XR_MAX_CALL_NAME_SIZE_HRTX]; /* "xrCreateSession" */
-  char reason[XR_MAX_CALL_REASON_SIZE_HRTX]; /* reason of the error; empty on success */
-  uint32_t thread;                           /* calling thread, numbered from 1 in order of first calls */
+  char reason[XR_MAX_CALL_REASON_SIZE_HRTX]; /* cause of the error and remedy; empty on success */
+  uint32_t thread; /* number of the calling thread, from 1 in the order in which threads first called */
 } XrCallRecordHRTX;
 
-/* Replaces the script from the next session on, and restarts the counts of calls and sessions.
+/* Replaces the script for sessions that are created later, and restarts the counts of calls and sessions.
 ** XR_ERROR_CALL_ORDER_INVALID while a session exists. XR_ERROR_VALIDATION_FAILURE for an invalid script: the call
 ** log names the mistake and the allowed values, and the previous script remains in effect. */
 typedef XrResult(XRAPI_PTR* PFN_xrApplyScriptHRTX)(XrInstance instance, const char* json);
 
-/* Advances a manual clock by `duration`, 0 to one hour; events that become due occur.
+/* Advances the manual clock by `duration`, from 0 to one hour, and executes the events of the script that are then due.
 ** XR_ERROR_CALL_ORDER_INVALID with the real-time clock. */
 typedef XrResult(XRAPI_PTR* PFN_xrAdvanceTimeHRTX)(XrInstance instance, XrDuration duration);
 
-/* Returns the calls so far, oldest first, in the two-call idiom, without xrGetInstanceProcAddr and this function.
-** The log keeps the latest 100,000. */
+/* Returns the latest 100,000 calls, oldest first, by the two-call idiom. Calls of xrGetInstanceProcAddr and of this
+** function are not included. */
 typedef XrResult(XRAPI_PTR* PFN_xrGetCallLogHRTX)(XrInstance instance, uint32_t capacity, uint32_t* count,
                                                   XrCallRecordHRTX* records);
 

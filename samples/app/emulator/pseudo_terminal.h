@@ -50,9 +50,9 @@ class Pty {
     }
     return text;
   }
-  void type(const std::string& bytes) const {
-    if (!bytes.empty()) [[maybe_unused]]
-      const ssize_t ignored = write(own_, bytes.data(), bytes.size());
+  /// Sends bytes to the other end. Returns false if the terminal has no space for all of them.
+  bool type(const std::string& bytes) const {
+    return write(own_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
   }
   void unplug() {
     if (own_ >= 0) close(own_);

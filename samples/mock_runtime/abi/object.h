@@ -1,5 +1,5 @@
-// The tree of objects behind the application's handles: an instance owns its sessions, a session its
-// spaces, and so on. Destroying an object destroys all below it.
+// Objects behind the application's handles. They form a tree: an instance owns its sessions, a session its spaces and
+// swapchains. Destroying an object destroys its descendants.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -25,8 +25,8 @@ class Object {
   Object* parent() const { return parent_; }
   std::uint64_t id() const { return id_; }
 
-  /// XR_SUCCESS; after a loss XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST, which every call with this object or one
-  /// below it returns.
+  /// XR_SUCCESS, or XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST after a loss. Every call with this object or one of
+  /// its descendants then returns that error.
   XrResult lost = XR_SUCCESS;
 
  private:
@@ -39,12 +39,12 @@ class Object {
 
 template <typename Handle>
 std::uint64_t id_of(Handle handle) {
-  static_assert(sizeof(Handle) == sizeof(std::uint64_t), "handles are 64 bits here");
+  static_assert(sizeof(Handle) == sizeof(std::uint64_t), "handles must have 64 bits");
   return reinterpret_cast<std::uint64_t>(handle);
 }
 
-/// Every existing object by its handle. A handle is a number that is never reused and never dereferenced, so null,
-/// foreign and destroyed handles are recognised.
+/// Finds an existing object by its handle. A handle is a number that is never reused and never dereferenced, so null,
+/// invalid and destroyed handles are detected.
 class Registry {
  public:
   template <typename T, typename Parent, typename... Args>
@@ -53,30 +53,34 @@ class Registry {
     T& created = *object;
     created.id_ = next_id_++;
     objects_.emplace(created.id_, &created);
-    Object* above = parent;
-    (above != nullptr ? above->children_ : roots_).push_back(std::move(object));
+    Object* owner = parent;
+    (owner != nullptr ? owner->children_ : roots_).push_back(std::move(object));
     return created;
   }
 
-  /// Object of a handle. Throws XR_ERROR_HANDLE_INVALID, or the error of a lost object or parent.
+  /// Returns the object of a handle. Throws XR_ERROR_HANDLE_INVALID, or the error of a lost object or ancestor.
   template <typename T, typename Handle>
   T& get(Handle handle) const {
     T& object = get_even_lost<T>(handle);
-    for (const Object* above = &object; above != nullptr; above = above->parent())
-      require(above->lost == XR_SUCCESS, above->lost, "the session or instance of this handle is lost");
+    for (const Object* ancestor = &object; ancestor != nullptr; ancestor = ancestor->parent())
+      require(ancestor->lost == XR_SUCCESS, ancestor->lost,
+              "the session or instance of this handle is lost; destroy it and create a new one");
     return object;
   }
 
-  /// Same as get(), but accepts lost objects, for functions that destroy them.
+  /// Returns the object of a handle even if it is lost, for functions that destroy objects.
   template <typename T, typename Handle>
   T& get_even_lost(Handle handle) const {
     const auto found = objects_.find(id_of(handle));
-    require(found != objects_.end(), XR_ERROR_HANDLE_INVALID, "no such handle, or it has been destroyed");
-    require(found->second->type() == T::object_type, XR_ERROR_HANDLE_INVALID, "a handle of another type");
+    require(found != objects_.end(), XR_ERROR_HANDLE_INVALID,
+            "handle {:#x} is null, destroyed or was never returned by this runtime", id_of(handle));
+    require(found->second->type() == T::object_type, XR_ERROR_HANDLE_INVALID,
+            "handle {:#x} has XrObjectType {}; the function needs XrObjectType {}", id_of(handle),
+            static_cast<int>(found->second->type()), static_cast<int>(T::object_type));
     return static_cast<T&>(*found->second);
   }
 
-  /// The children of one type, oldest first.
+  /// Returns the children of one type, oldest first.
   template <typename T>
   std::vector<T*> children(const Object& parent) const {
     std::vector<T*> found;
@@ -90,6 +94,10 @@ class Registry {
                        [&](const auto& child) { return child->type() == type; });
   }
 
+  template <typename T, typename Handle>
+  void destroy(Handle handle) {
+    destroy(get_even_lost<T>(handle));
+  }
   void destroy(Object& object) {
     forget(object);
     auto& siblings = object.parent_ != nullptr ? object.parent_->children_ : roots_;
@@ -102,7 +110,7 @@ class Registry {
     objects_.erase(object.id_);
   }
 
-  // Far from 0 and from small integers, which a broken application is likely to pass.
+  // The first handle is far from 0 and small integers, which a faulty application is likely to pass.
   std::uint64_t next_id_ = 0x4852'5458'0000'0001;
   std::unordered_map<std::uint64_t, Object*> objects_;
   std::vector<std::unique_ptr<Object>> roots_;

@@ -1,6 +1,7 @@
-// Structures of the API, which carry their type and are chained with `next`.
+// OpenXR structures: each begins with its type and with `next`, a pointer to the next structure of a chain.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -10,23 +11,17 @@
 
 namespace hrt::mock {
 
-/// Value of the member `type` of a structure of the API, and both names; other types have empty names.
+/// Required value of the member `type` of an OpenXR structure, and the structure's name; null for other types.
 struct StructureType {
   XrStructureType type = XR_TYPE_UNKNOWN;
   const char* name = nullptr;
-  const char* type_name = nullptr;
 };
 template <typename Struct>
 inline constexpr StructureType structure_type{};
 #define HRT_MOCK_TYPE(Struct, type) \
   template <>                       \
-  inline constexpr StructureType structure_type<Struct>{type, #Struct, #type};
+  inline constexpr StructureType structure_type<Struct>{type, #Struct};
 XR_LIST_STRUCTURE_TYPES(HRT_MOCK_TYPE)
-#ifndef XR_API_VERSION_1_1
-HRT_MOCK_TYPE(XrSpacesLocateInfo, XR_TYPE_SPACES_LOCATE_INFO)
-HRT_MOCK_TYPE(XrSpaceLocations, XR_TYPE_SPACE_LOCATIONS)
-HRT_MOCK_TYPE(XrSpaceVelocities, XR_TYPE_SPACE_VELOCITIES)
-#endif
 HRT_MOCK_TYPE(XrPlatePlacementHRTX, XR_TYPE_PLATE_PLACEMENT_HRTX)
 HRT_MOCK_TYPE(XrReachInstructionHRTX, XR_TYPE_REACH_INSTRUCTION_HRTX)
 HRT_MOCK_TYPE(XrReachTruthHRTX, XR_TYPE_REACH_TRUTH_HRTX)
@@ -36,14 +31,14 @@ HRT_MOCK_TYPE(XrCallRecordHRTX, XR_TYPE_CALL_RECORD_HRTX)
 template <typename Struct>
 concept Typed = structure_type<std::remove_cv_t<Struct>>.name != nullptr;
 
-/// Valid usage: "pointer must be a pointer to a valid structure", of which only the type can be checked.
+/// Throws XR_ERROR_VALIDATION_FAILURE unless `pointer` points to a structure with the right type. The specification
+/// requires "a pointer to a valid structure", of which only the type can be checked.
 template <Typed Struct>
 void require_struct(const Struct* pointer) {
   constexpr StructureType expected = structure_type<Struct>;
   require_pointer(pointer, expected.name);
   if (pointer->type != expected.type)
-    throw Error{XR_ERROR_VALIDATION_FAILURE,
-                std::string(expected.name) + " has a type other than " + expected.type_name};
+    require_valid(false, "{}::type is {}; must be {}", expected.name, name_of(pointer->type), name_of(expected.type));
 }
 
 /// First structure of this type in a chain; null if the chain has no such structure.
@@ -55,10 +50,33 @@ Struct* chained(Chain* chain) {
   return nullptr;
 }
 
-/// Text in a character array of the API, which may lack its terminator.
+/// Text in a character array of an OpenXR structure, which may lack its terminating null character.
 template <std::size_t size>
 std::string_view text_in(const char (&array)[size]) {
   return {array, strnlen(array, size)};
+}
+
+/// Implements "Buffer Size Parameters" of the specification: `count` receives the number of elements; a capacity of 0
+/// requests nothing else; with a capacity that is too small the call returns XR_ERROR_SIZE_INSUFFICIENT and leaves the
+/// buffer unchanged. `copy(element, source)` fills one element. Elements that are structures must have their types.
+template <typename Source, typename Element, typename Copy>
+void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Element* elements, Copy copy) {
+  if constexpr (Typed<Element>)
+    for (std::uint32_t i = 0; i < capacity && elements != nullptr; ++i) require_struct(&elements[i]);
+  require_pointer(count, "the output for the number of elements");
+  if (capacity > 0) require_pointer(elements, "the buffer, whose capacity is above 0,");
+  const auto needed = static_cast<std::uint32_t>(source.size());
+  *count = needed;
+  if (capacity == 0) return;
+  require(capacity >= needed, XR_ERROR_SIZE_INSUFFICIENT, "the capacity is {}; must be 0 or at least {}", capacity,
+          needed);
+  std::size_t i = 0;
+  for (const auto& value : source) copy(elements[i++], value);
+}
+
+template <typename Source, typename Element>
+void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Element* elements) {
+  two_call(source, capacity, count, elements, [](Element& to, const auto& from) { to = from; });
 }
 
 }  // namespace hrt::mock

@@ -1,4 +1,4 @@
-// Action sets and actions. The runtime simulates no controllers: their calls are checked, and every action is inactive.
+// Action sets and actions. The runtime simulates no controllers: it checks the calls, and every action is inactive.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -33,5 +33,12 @@ class Action : public Object {
   XrActionType action_type;
   std::vector<XrPath> subactions;
 };
+
+/// Throws XR_ERROR_ACTION_TYPE_MISMATCH unless the action is of this type.
+void require_type(const Action& action, XrActionType type);
+
+/// Throws XR_ERROR_PATH_INVALID or XR_ERROR_PATH_UNSUPPORTED unless `path` is XR_NULL_PATH or a subaction path with
+/// which the action was created.
+void require_subaction(const Action& action, XrPath path);
 
 }  // namespace hrt::mock

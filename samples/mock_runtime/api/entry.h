@@ -1,4 +1,5 @@
-// The barrier around every entry point: takes the lock, and lets no exception out.
+// Wrapper of every entry point: holds the lock, injects faults, resolves handles, checks pointers, converts exceptions
+// to results and logs the call.
 #pragma once
 
 #include <mutex>
@@ -14,42 +15,42 @@
 
 namespace hrt::mock {
 
-/// Number of the calling thread, from 1, in order of first calls.
-inline std::uint32_t thread_number(Runtime& the) {
-  static thread_local const std::uint32_t number = ++the.threads;
+/// Number of the calling thread. Threads are numbered from 1 in the order in which they first call the runtime.
+inline std::uint32_t thread_number(Runtime& shared) {
+  static thread_local const std::uint32_t number = ++shared.threads;
   return number;
 }
 
 /// Converts a handle to its object; returns any other argument unchanged.
-template <typename Given, typename Argument>
-Given given(Argument& argument) {
-  if constexpr (std::is_same_v<Given, Argument>)
+template <typename Target, typename Argument>
+Target resolve(Argument& argument) {
+  if constexpr (std::is_same_v<Target, Argument>)
     return argument;
   else
-    return runtime().registry.get<std::remove_reference_t<Given>>(argument);
+    return runtime().registry.get<std::remove_reference_t<Target>>(argument);
 }
 
 template <typename T>
-concept Complete = requires { sizeof(T); };
+concept Complete = requires { sizeof(T); };  // false for the types behind handles, which are declared only
 
-/// Structures that an application may omit (null).
+/// True for structures for which an application may pass null.
 template <typename Struct>
 concept Optional =
     std::same_as<Struct, XrFrameWaitInfo> || std::same_as<Struct, XrFrameBeginInfo> ||
     std::same_as<Struct, XrSwapchainImageAcquireInfo> || std::same_as<Struct, XrSwapchainImageReleaseInfo>;
 
-/// Checks that pointers are not null and that structures have their types. The implementation checks texts, and
-/// two_call() checks the arguments that follow a capacity.
+/// Checks that pointers are not null and that structures have their types. Not checked here: strings, which the
+/// implementation checks, and the arguments after a capacity (a uint32_t), which two_call() checks.
 template <typename... Args>
 void require_arguments(const Args&... args) {
-  bool counted = false;
+  bool after_capacity = false;
   std::size_t number = 0;
   const auto check = [&]<typename Argument>(const Argument& argument) {
     using Target = std::remove_cv_t<std::remove_pointer_t<Argument>>;
     ++number;
-    counted = counted || std::same_as<Argument, std::uint32_t>;
+    after_capacity = after_capacity || std::same_as<Argument, std::uint32_t>;
     if constexpr (std::is_pointer_v<Argument> && Complete<Target> && !std::same_as<Argument, const char*>) {
-      if (counted || (Optional<Target> && argument == nullptr)) return;
+      if (after_capacity || (Optional<Target> && argument == nullptr)) return;
       if constexpr (Typed<Target>)
         require_struct(argument);
       else
@@ -65,25 +66,13 @@ struct Entry;
 template <FunctionId id, typename... Args, bool handles, auto implementation>
 struct Entry<id, XrResult (*)(Args...), handles, implementation> {
   static XRAPI_ATTR XrResult XRAPI_CALL call(Args... args) noexcept {
-    Runtime& the = runtime();
-    std::unique_lock lock(the.mutex);
+    Runtime& shared = runtime();
+    std::unique_lock lock(shared.mutex);
     CallRecord record{.function = name_of(id), .result = XR_SUCCESS};
     try {
-      if (const auto fault = the.next_fault(id)) {
-        if (fault->blocks) {
-          record.result = XR_TIMEOUT_EXPIRED;
-          record.why = "the script blocks this call";
-          log(the, record);
-        }
-        lock.unlock();
-        if (fault->held != nullptr) flockfile(fault->held);
-        do std::this_thread::sleep_for(fault->blocks ? std::chrono::hours(1) : fault->delay);
-        while (fault->blocks);
-        lock.lock();
-        if (fault->result) throw Error{*fault->result, "the script orders this error"};
-      }
+      if (const auto fault = shared.next_fault(id)) inject(shared, *fault, lock, record);
       fire_due_events();
-      const std::tuple<Taken<Args, handles>...> all{given<Taken<Args, handles>>(args)...};
+      const std::tuple<Parameter<Args, handles>...> all{resolve<Parameter<Args, handles>>(args)...};
       if constexpr (!handles) require_arguments(args...);
       if constexpr (std::is_void_v<decltype(std::apply(implementation, all))>)
         std::apply(implementation, all);
@@ -94,23 +83,40 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
       record.why = error.why;
     } catch (const std::bad_alloc&) {
       record.result = XR_ERROR_OUT_OF_MEMORY;
-    } catch (...) {
+    } catch (const std::exception& error) {
       record.result = XR_ERROR_RUNTIME_FAILURE;
+      record.why = error.what();
     }
     const XrResult result = record.result;
-    // Not logged: a loader looks up every function, and the log must not grow between the two calls that
-    // read it.
+    // Two functions are not logged: a loader looks up every function, and the log must not grow between the two calls
+    // that read it.
     if constexpr (id != FunctionId::xrGetInstanceProcAddr && id != FunctionId::xrGetCallLogHRTX)
-      log(the, std::move(record));
+      log(shared, std::move(record));
     return result;
   }
 
  private:
-  static void log(Runtime& the, CallRecord record) noexcept {
+  // Delays or blocks the call without the lock, or throws the error that the script sets. A blocked call is logged
+  // first, since it never returns.
+  static void inject(Runtime& shared, const CallFault& fault, std::unique_lock<std::mutex>& lock, CallRecord record) {
+    if (fault.blocks) {
+      record.result = XR_TIMEOUT_EXPIRED;
+      record.why = "the script blocks this call";
+      log(shared, std::move(record));
+    }
+    lock.unlock();
+    if (fault.held != nullptr) flockfile(fault.held);
+    do std::this_thread::sleep_for(fault.blocks ? std::chrono::hours(1) : fault.delay);
+    while (fault.blocks);
+    lock.lock();
+    if (fault.result) throw Error{*fault.result, "the script sets this error for this call"};
+  }
+
+  static void log(Runtime& shared, CallRecord record) noexcept {
     try {
-      record.thread = thread_number(the);
-      record.time = the.now();
-      the.log.append(std::move(record));
+      record.thread = thread_number(shared);
+      record.time = shared.now();
+      shared.log.append(std::move(record));
     } catch (const std::bad_alloc&) {
       // The call proceeds without a record.
     }

@@ -6,16 +6,20 @@
 #include <cstring>
 #include <string_view>
 
-#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/abi/structure.h"
 
 namespace hrt::mock {
 namespace {
 
-std::size_t known_extension(const char* name) {
-  require_pointer(name, "an extension name");
+// Returns the index of an extension. Throws XR_ERROR_EXTENSION_NOT_PRESENT.
+std::size_t find_extension(const char* name) {
+  require_pointer(name, "an element of enabledExtensionNames");
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
     if (!runtime().script.hides(i) && std::strcmp(extensions[i].name, name) == 0) return i;
-  throw Error{XR_ERROR_EXTENSION_NOT_PRESENT, name};
+  throw Error{XR_ERROR_EXTENSION_NOT_PRESENT,
+              fmt::format("extension \"{}\" is unknown, withheld by the script, or needs the real-time clock; "
+                          "xrEnumerateInstanceExtensionProperties lists those present",
+                          name)};
 }
 
 }  // namespace
@@ -26,7 +30,7 @@ void enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count
 
 void enumerate_instance_extension_properties(const char* layer, std::uint32_t capacity, std::uint32_t* count,
                                              XrExtensionProperties* properties) {
-  require(layer == nullptr, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no API layers");
+  require(layer == nullptr, XR_ERROR_API_LAYER_NOT_PRESENT, "layerName must be null: the runtime has no API layers");
   std::vector<ExtensionInfo> present;
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
     if (!runtime().script.hides(i)) present.push_back(extensions[i]);
@@ -37,19 +41,22 @@ void enumerate_instance_extension_properties(const char* layer, std::uint32_t ca
 }
 
 void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
-  require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
+  require_valid(info->createFlags == 0, "createFlags is {:#x}; must be 0", info->createFlags);
   const std::string_view name = text_in(info->applicationInfo.applicationName);
-  require(!name.empty() && name.size() < XR_MAX_APPLICATION_NAME_SIZE, XR_ERROR_NAME_INVALID, "applicationName");
+  require(!name.empty() && name.size() < XR_MAX_APPLICATION_NAME_SIZE, XR_ERROR_NAME_INVALID,
+          "applicationName must have 1 to {} characters and end with a null character",
+          XR_MAX_APPLICATION_NAME_SIZE - 1);
   const XrVersion version = info->applicationInfo.apiVersion;
-  require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) <= 1, XR_ERROR_API_VERSION_UNSUPPORTED,
-          "apiVersion must be 1.0 or 1.1");
+  require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) == 0, XR_ERROR_API_VERSION_UNSUPPORTED,
+          "apiVersion is {}.{}; this runtime supports OpenXR 1.0", XR_VERSION_MAJOR(version),
+          XR_VERSION_MINOR(version));
   if (info->enabledExtensionCount > 0) require_pointer(info->enabledExtensionNames, "enabledExtensionNames");
-  require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED, "an instance exists already; one is allowed");
+  require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED,
+          "one instance is allowed, and it exists; call xrDestroyInstance first");
   if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
   ExtensionSet enabled;
-  enabled.set(static_cast<std::size_t>(Extension::version_1_1), XR_VERSION_MINOR(version) >= 1);
   for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
-    enabled.set(known_extension(info->enabledExtensionNames[i]));
+    enabled.set(find_extension(info->enabledExtensionNames[i]));
   auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock, enabled);
   runtime().instance = &instance;
   runtime().clock = &instance.clock;
@@ -77,22 +84,16 @@ XrResult poll_event(Instance& instance, XrEventDataBuffer* buffer) {
 }
 
 void result_to_string(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
-  const std::string name = result_name(value);
-  if (name.starts_with("XR_"))
-    std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s", name.c_str());
-  else
-    std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "XR_UNKNOWN_%s_%d", value < 0 ? "FAILURE" : "SUCCESS", value);
+  const std::string name = name_of(value);
+  const char* unknown = value < 0 ? "XR_UNKNOWN_FAILURE_" : "XR_UNKNOWN_SUCCESS_";
+  std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s%s", name.starts_with("XR_") ? "" : unknown, name.c_str());
 }
 
 void structure_type_to_string(Instance&, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
-  // Names in newer headers may be longer than the buffer.
-  const auto write = [&](std::string_view name) { buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0'; };
-#define HRT_MOCK_NAME(name, number) \
-  if (value == name) return write(#name);
-  HRT_STRUCTURE_TYPES_OF_1_1(HRT_MOCK_NAME)
-  XR_LIST_ENUM_XrStructureType(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-      std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
+  const std::string name = name_of(value);
+  std::string text = (name.starts_with("XR_") ? "" : "XR_UNKNOWN_STRUCTURE_TYPE_") + name;
+  text.resize(std::min<std::size_t>(text.size(), XR_MAX_STRUCTURE_NAME_SIZE - 1));  // newer headers have longer names
+  std::strcpy(buffer, text.c_str());
 }
 
 void string_to_path(Instance& instance, const char* text, XrPath* path) {

@@ -6,21 +6,21 @@
 #include <vector>
 
 #include "samples/mock_runtime/api/runtime.h"
-#include "samples/mock_runtime/extensions.h"
+#include "samples/mock_runtime/functions.h"
 #include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/world/clock.h"
 
 namespace hrt::mock {
 
-/// Id of the only system, a head-mounted display.
+/// Id of the only XrSystemId, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
 
-/// Graphics choices that an application makes before it creates a session.
+/// Vulkan objects and functions that the application passes before it creates a session.
 struct GraphicsSetup {
-  bool vulkan_asked = false;  ///< the requirements have been requested
-  PFN_vkGetInstanceProcAddr get_vulkan = nullptr;
-  VkInstance vulkan_instance = nullptr;
-  VkPhysicalDevice vulkan_device = nullptr;  ///< device given to the application
+  bool requirements_requested = false;  ///< xrGetVulkanGraphicsRequirements2KHR has been called
+  PFN_vkGetInstanceProcAddr get_proc_addr = nullptr;
+  VkInstance instance = nullptr;
+  VkPhysicalDevice physical_device = nullptr;  ///< result of xrGetVulkanGraphicsDevice2KHR
 };
 
 /// The instance; at most one exists.
@@ -32,7 +32,6 @@ class Instance : public Object {
       : Object(object_type, parent), clock(kind), extensions_(enabled) {}
 
   bool enabled(Extension extension) const { return extensions_[static_cast<std::size_t>(extension)]; }
-  bool version_1_1() const { return enabled(Extension::version_1_1); }
 
   template <typename Event>
   void push_event(const Event& event) {
@@ -51,12 +50,13 @@ class Instance : public Object {
   ExtensionSet extensions_;
 };
 
+/// Throws XR_ERROR_SYSTEM_INVALID unless `system` is the only system.
 void require_system(XrSystemId system);
 
-/// Throws unless the system has views of this type.
+/// Throws XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED unless the type is stereo.
 void require_view_configuration(XrViewConfigurationType type);
 
-/// The two views of the display.
+/// Recommended and largest width and height of an image in pixels, and the field of view of both eyes in rad.
 inline constexpr std::uint32_t view_image_size = 1024;
 inline constexpr std::uint32_t max_image_size = 4096;
 inline constexpr XrFovf field_of_view{-0.785F, 0.785F, 0.785F, -0.785F};

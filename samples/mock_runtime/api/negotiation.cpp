@@ -1,4 +1,4 @@
-// Entry into the runtime: negotiation with a loader, and xrGetInstanceProcAddr over the table of all functions.
+// Start of the runtime: negotiation with a loader, and xrGetInstanceProcAddr, which looks up all other functions.
 #include "samples/mock_runtime/abi/negotiation.h"
 
 #include <algorithm>
@@ -10,27 +10,25 @@
 namespace hrt::mock {
 namespace {
 
-// Reads the script before xrCreateInstance, so that a fault of that call can be injected. xrCreateInstance reports a
-// mistake in the script, since the negotiation cannot.
+// Reads the script before xrCreateInstance, so that the script can inject a fault into that call. The negotiation has
+// no text for a mistake in the script; xrCreateInstance reports it.
 void load_script() {
-  Runtime& the = runtime();
-  const std::lock_guard lock(the.mutex);
-  the.script_error.clear();
-  the.log.open();
+  Runtime& shared = runtime();
+  const std::lock_guard lock(shared.mutex);
+  shared.script_error.clear();
+  shared.log.open();
   try {
-    // An unchanged script continues: its faults occur once per process.
+    // A loader negotiates for every instance. An unchanged script keeps its counts: its faults occur once per process.
     const std::string text = script_from_environment();
-    if (text != the.script_text) the.apply(text);
+    if (text != shared.script_text) shared.apply(text);
   } catch (const Error& error) {
-    the.script_error = std::string(std::getenv("HRT_MOCK_SCRIPT")) + ": " + error.why;
-    std::fprintf(stderr, "mock runtime: HRT_MOCK_SCRIPT: %s\n", the.script_error.c_str());
+    shared.script_error = fmt::format("HRT_MOCK_SCRIPT: {}: {}", std::getenv("HRT_MOCK_SCRIPT"), error.why);
+    std::fprintf(stderr, "mock runtime: %s\n", shared.script_error.c_str());
   }
 }
 
 XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* request) {
-  if (!agrees(loader, request) || loader->min_api_version > max_api_version ||
-      loader->max_api_version < min_api_version)
-    return XR_ERROR_INITIALIZATION_FAILED;
+  if (!is_compatible(loader, request)) return XR_ERROR_INITIALIZATION_FAILED;
   load_script();
   request->runtime_interface_version = interface_version;
   request->runtime_api_version = std::min(max_api_version, loader->max_api_version);
@@ -63,18 +61,19 @@ void get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidFunct
   if (handle != XR_NULL_HANDLE)
     instance = &runtime().registry.get_even_lost<Instance>(handle);
   else
-    require(needs_no_instance(name), XR_ERROR_HANDLE_INVALID, "this function needs an instance");
+    require(needs_no_instance(name), XR_ERROR_HANDLE_INVALID, "{} needs an instance; the handle is null", name);
   const auto id = find_function(name);
-  require(id.has_value(), XR_ERROR_FUNCTION_UNSUPPORTED, "no such function");
+  require(id.has_value(), XR_ERROR_FUNCTION_UNSUPPORTED, "this runtime has no function {}", name);
   const Extension needed = functions[static_cast<std::size_t>(*id)].needed;
-  require(needed == Extension::core || instance->enabled(needed), XR_ERROR_FUNCTION_UNSUPPORTED,
-          "its extension or version is not enabled");
+  if (needed != Extension::core)
+    require(instance->enabled(needed), XR_ERROR_FUNCTION_UNSUPPORTED, "{} needs the extension {}; enable it", name,
+            extensions[static_cast<std::size_t>(needed)].name);
   *function = entries[static_cast<std::size_t>(*id)];
 }
 
 }  // namespace hrt::mock
 
-/// The only exported symbol, which a loader calls first.
+/// The only exported symbol. A loader calls it first.
 extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL xrNegotiateLoaderRuntimeInterface(
     const hrt::mock::NegotiateLoaderInfo* loader, hrt::mock::NegotiateRuntimeRequest* request) {
   try {

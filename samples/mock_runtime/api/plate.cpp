@@ -6,14 +6,13 @@
 namespace hrt::mock {
 namespace {
 
-constexpr double max_m = 10.0;
-
-void require_length(double length_m, const char* why) {
-  require(length_m > 0.0 && length_m <= max_m, XR_ERROR_VALIDATION_FAILURE, why);
+void require_length(double length_m, const char* field) {
+  require_valid(length_m > 0.0 && length_m <= 10.0, "{} is {} m; must be > 0 and at most 10", field, length_m);
 }
 
-void require_hand(XrHandEXT hand) {
-  require(hand == XR_HAND_LEFT_EXT || hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE, "no such hand");
+void require_angle(double angle_deg, double max_deg, const char* field) {
+  require_valid(std::abs(angle_deg) <= max_deg, "{} is {} degrees; must be from -{} to {}", field, angle_deg, max_deg,
+                max_deg);
 }
 
 }  // namespace
@@ -21,9 +20,9 @@ void require_hand(XrHandEXT hand) {
 void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
   const Space& space = space_of(session, placement->space);
   const Pose pose = checked_pose(placement->pose);
-  require_length(placement->radius, "radius must be in (0, 10] m");
+  require_length(placement->radius, "radius");
   const auto in_world = space.in_world(session.instance().clock.now());
-  require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");
+  require_valid(in_world.has_value(), "space is that of an action, which is not tracked; pass a reference space");
   session.world().place_plate(*in_world * pose);
 }
 
@@ -32,25 +31,25 @@ void set_simulation_seed(Session& session, std::uint64_t seed, std::uint32_t nex
 }
 
 void set_plate_orientation(Session& session, double orientation_deg) {
-  require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE, "orientation must be within 360 degrees");
+  require_angle(orientation_deg, 360.0, "orientation");
   session.world().command_plate(orientation_deg);
 }
 
 void get_plate_orientation(Session& session, XrTime time, double* orientation_deg) {
-  require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  require_time(time);
   *orientation_deg = session.world().plate_orientation_deg(time);
 }
 
 void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction) {
   require_hand(instruction->hand);
   const Eigen::Vector3d start_m = from_xr(instruction->start);
-  require(start_m.allFinite() && start_m.norm() <= max_m, XR_ERROR_VALIDATION_FAILURE,
-          "start must be within 10 m of the plate");
-  require(std::abs(instruction->goalDirection) <= 180.0, XR_ERROR_VALIDATION_FAILURE,
-          "goalDirection must be within 180 degrees");
-  require_length(instruction->pathLength, "pathLength must be in (0, 10] m");
+  require_valid(start_m.allFinite() && start_m.norm() <= 10.0, "start is {} m from the plate's centre; at most 10",
+                start_m.norm());
+  require_angle(instruction->goalDirection, 180.0, "goalDirection");
+  require_length(instruction->pathLength, "pathLength");
   World& world = session.world();
-  require(world.plate_is_placed(), XR_ERROR_CALL_ORDER_INVALID, "the plate has not been placed");
+  require(world.plate_is_placed(), XR_ERROR_CALL_ORDER_INVALID,
+          "the plate has not been placed; call xrPlacePlateHRTX first");
   world.instruct(instruction->hand, {{start_m.x(), start_m.z()}, instruction->goalDirection, instruction->pathLength},
                  start_m.y(), session.instance().clock.now());
 }
@@ -59,7 +58,7 @@ void get_reach_truth(Session& session, XrHandEXT hand, XrReachTruthHRTX* truth) 
   require_hand(hand);
   World& world = session.world();
   const Reach* reach = world.reach(hand);
-  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
+  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has made no reach; call xrInstructReachHRTX first");
   *truth = {truth->type,
             truth->next,
             reach->true_direction_deg(),

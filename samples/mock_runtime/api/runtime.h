@@ -1,56 +1,53 @@
-// State that the entry points share: lock, objects, instance, script.
+// State that all entry points share: lock, objects, instance, script.
 #pragma once
 
 #include <condition_variable>
 #include <mutex>
 
 #include "samples/mock_runtime/abi/object.h"
-#include "samples/mock_runtime/calls/call_log.h"
+#include "samples/mock_runtime/calls/calls.h"
 #include "samples/mock_runtime/script/script.h"
 
 namespace hrt::mock {
 
 struct Runtime {
-  /// Every entry point holds this lock, except during waits of xrWaitFrame and of the script.
+  /// Held during every call, except while xrWaitFrame waits or the script delays or blocks the call.
   std::mutex mutex;
-  /// Notified when a frame begins and when a session ends or is lost, for xrWaitFrame.
+  /// Wakes xrWaitFrame: notified when a frame begins, an event of the script occurs, or a session ends or is destroyed.
   std::condition_variable_any frame_begun;
   Registry registry;
   Object* instance = nullptr;    ///< the existing instance, or null
-  const Clock* clock = nullptr;  ///< clock of the instance
+  const Clock* clock = nullptr;  ///< clock of the instance, or null
   CallLog log;
-  std::uint32_t threads = 0;  ///< number of threads that have called
+  std::uint32_t threads = 0;  ///< number of threads that have called the runtime
   Script script;
-  std::string script_text;     ///< source text of `script`; empty at first
+  std::string script_text;     ///< JSON text of `script`; empty before the first script is read
   Faults faults;               ///< faults of the script, with counts of calls
-  std::uint64_t sessions = 0;  ///< number of sessions since the script took effect
-  std::string script_error;    ///< mistake in the environment's script; empty if valid
+  std::uint64_t sessions = 0;  ///< number of sessions created since the script took effect
+  std::string script_error;    ///< mistake in the script that HRT_MOCK_SCRIPT names; empty if it is valid
 
-  /// Puts a script into effect and restarts the counts of calls and sessions. Throws as parse_script(), without any
-  /// change.
+  /// Puts a script into effect and restarts the counts of calls and sessions. Throws as parse_script() does; the
+  /// previous script then remains in effect.
   void apply(const std::string& text) {
     script = parse_script(text);
     script_text = text;
     faults = Faults(script.calls);
     sessions = 0;
   }
-  /// Number of the session that a call belongs to, from 1: the existing session, or else the next.
-  std::uint64_t session_of_call() const {
-    const bool in_session = instance != nullptr && registry.has_child(*instance, XR_OBJECT_TYPE_SESSION);
-    return sessions + (in_session ? 0 : 1);
-  }
-  /// Counts a call and returns its fault, if any.
+  /// Counts a call and returns its fault, if any. Outside of a session the call counts for the next session.
   std::optional<CallFault> next_fault(FunctionId function) {
-    return faults.empty() ? std::nullopt : faults.next(function, session_of_call());
+    if (faults.empty()) return std::nullopt;
+    const bool in_session = instance != nullptr && registry.has_child(*instance, XR_OBJECT_TYPE_SESSION);
+    return faults.next(function, in_session ? sessions : sessions + 1);
   }
-  /// Present time; 0 without an instance.
+  /// Returns the time of the instance's clock; 0 without an instance.
   XrTime now() const { return clock == nullptr ? 0 : clock->now(); }
 };
 
 inline Runtime& runtime() {
   // Never destroyed: a thread may be within a call when the process ends.
-  static Runtime& the_runtime = *new Runtime;
-  return the_runtime;
+  static Runtime& only = *new Runtime;
+  return only;
 }
 
 }  // namespace hrt::mock

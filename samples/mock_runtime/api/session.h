@@ -13,16 +13,24 @@
 
 namespace hrt::mock {
 
-/// State of the frame loop.
+/// State of the frame loop. Frames are numbered from 1 over the life of the session, in the order of xrWaitFrame.
 struct FrameLoop {
-  bool waited = false;             ///< a frame has been waited for and not begun
-  bool begun = false;              ///< a frame has been begun and not ended
-  std::int64_t waited_number = 0;  ///< number of that frame, over all runs
-  std::int64_t begun_number = 0;
-  std::int64_t since_begin = 0;           ///< frames waited for since xrBeginSession
-  XrTime next_start = 0;                  ///< start of the next frame interval
-  XrTime last_display = 0;                ///< predicted display time of the latest frame
-  std::optional<XrTime> ordered_display;  ///< display time set by the script for the next frame
+  bool waited = false;                     ///< xrWaitFrame has returned a frame that has not begun
+  bool begun = false;                      ///< a frame has begun and not ended
+  std::int64_t waited_number = 0;          ///< number of the latest frame that xrWaitFrame returned
+  std::int64_t begun_number = 0;           ///< number of the latest frame that has begun
+  std::int64_t since_begin = 0;            ///< frames that xrWaitFrame returned since xrBeginSession
+  XrTime next_start = 0;                   ///< start of the next frame interval
+  XrTime last_display = 0;                 ///< predicted display time of the latest frame
+  std::optional<XrTime> scripted_display;  ///< display time that the script sets for the next frame
+};
+
+/// A change of the origin of a reference space, as when a user recentres the view.
+struct Recenter {
+  XrReferenceSpaceType space;  ///< LOCAL or STAGE
+  XrDuration delay_ns;         ///< time from the event to the change
+  Pose pose;                   ///< pose of the new origin in the old space
+  bool pose_valid;             ///< the application receives the pose
 };
 
 /// A session; at most one exists.
@@ -34,47 +42,51 @@ class Session : public Object {
 
   Instance& instance() const { return static_cast<Instance&>(*parent()); }
 
-  /// Simulated world, advanced to the present time.
+  /// Returns the simulated world, after advancing it to the present time.
   World& world();
 
-  /// Enters a state and queues its event. A state is never reported twice in a row.
+  /// Enters a state and queues its event. No effect if the session is in that state already.
   void enter(XrSessionState state);
   XrSessionState state() const { return state_; }
-  /// Enters a state through the states in between. No effect on a session that is not running or whose loss is
+  /// Queues an event with the present state.
+  void report_state();
+  /// Enters a state by way of the states in between. No effect unless the session is running, or if its loss is
   /// pending.
   void go_to(XrSessionState state);
+  /// Executes the script's event session_state. EXITING means that the user ends the application.
+  void change_state(XrSessionState state);
+  void recenter(const Recenter& change);
 
-  /// Runs the events of the script that are due in this session.
+  /// Executes the events of the script that are due in this session.
   void fire_due_events();
 
   const std::shared_ptr<GraphicsDevice> graphics;  ///< null for a headless session
-  bool running = false;
+  bool running = false;                            ///< between xrBeginSession and xrEndSession
   bool exit_requested = false;
-  std::int64_t frame_number = 0;  ///< number of the latest xrWaitFrame, over all runs
+  std::int64_t frame_number = 0;  ///< number of calls of xrWaitFrame that have waited
   FrameLoop frames;
-  std::int64_t picture_from = 0;  ///< first frame that may give the next picture; 0: no picture pending
+  std::int64_t picture_from = 0;  ///< first frame that may be the next picture; 0: no picture is pending
   /// Ids of the attached action sets; unset before xrAttachSessionActionSets.
   std::optional<std::set<std::uint64_t>> action_sets;
 
  private:
-  void happen(const Happening& what);
-  void happen(const Recenter& recenter);
-  void happen(const HandEvent& event);
-  void serve_plate();
-  void report_state();
+  void run_firmware();
 
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   XrTime created_;
   std::vector<ScriptEvent> events_;  // pending events
   World world_;
   std::optional<PlateTerminal> plate_;
-  std::jthread server_;  // runs the plate's firmware
+  std::jthread firmware_thread_;
 };
 
-/// Graphics device of the session; null for a headless one. Throws an Error for an unusable binding.
+/// Returns the graphics device of a new session; null for a headless one. Throws an Error for an invalid binding.
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info);
 
-/// Runs the events of the script that are due, in every session.
+/// Throws XR_ERROR_SESSION_NOT_RUNNING unless the session is running.
+void require_running(const Session& session);
+
+/// Executes the events of the script that are due, in the existing session.
 void fire_due_events();
 
 }  // namespace hrt::mock

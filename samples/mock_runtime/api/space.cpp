@@ -1,37 +1,30 @@
 #include "samples/mock_runtime/api/space.h"
 
-#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/abi/structure.h"
+#include "samples/mock_runtime/world/hand_model.h"
 
 namespace hrt::mock {
 namespace {
 
-// Area within a seated user's reach.
+// Width and depth of the STAGE area.
 constexpr XrExtent2Df stage_bounds_m{2.0F, 2.0F};
 
 std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {
   std::vector types{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
   if (runtime().script.stage) types.push_back(XR_REFERENCE_SPACE_TYPE_STAGE);
-  if (session.instance().version_1_1() || session.instance().enabled(Extension::local_floor))
-    types.push_back(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR);
+  if (session.instance().enabled(Extension::local_floor)) types.push_back(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR);
   return types;
 }
 
 void require_reference_space(const Session& session, XrReferenceSpaceType type) {
   const auto types = reference_spaces(session);
   require(std::find(types.begin(), types.end(), type) != types.end(), XR_ERROR_REFERENCE_SPACE_UNSUPPORTED,
-          "reference spaces are VIEW, LOCAL, STAGE and, of OpenXR 1.1 or XR_EXT_local_floor, LOCAL_FLOOR");
+          "referenceSpaceType is {}; supported are VIEW, LOCAL, STAGE (unless the script removes it), and LOCAL_FLOOR "
+          "with XR_EXT_local_floor",
+          name_of(type));
 }
 
-// Clears chained velocities: they have no valid bit.
-template <typename Location>
-void write_location(const Space& space, const Space& base, XrTime time, Location& location) {
-  const auto of = space.in_world(time), in = base.in_world(time);
-  const bool seen = space.is_in_room() == base.is_in_room() || base.can_see_room();
-  location.locationFlags = !of || !in ? 0 : seen ? all_location_flags : position_inferred;
-  location.pose = to_xr(of && in ? inverse(*in) * *of : Pose{});
-}
-
-// Pose of eye 0 (left) or 1 (right).
+// Returns the pose of eye 0 (left) or 1 (right). The eyes are 63 mm apart.
 Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
   constexpr double half_distance_m = 0.0315;
   return session.world().head(time) * Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
@@ -41,7 +34,7 @@ Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
 
 Space& space_of(const Session& session, XrSpace handle) {
   auto& space = runtime().registry.get<Space>(handle);
-  require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  require_valid(space.parent() == &session, "the space belongs to another session");
   return space;
 }
 
@@ -52,9 +45,9 @@ std::optional<Pose> Space::in_world(XrTime time) const {
   return (is_view ? world.head(time) : world.origins.in_world(*reference_, time)) * offset_;
 }
 
-bool Space::is_in_room() const { return reference_ && *reference_ != XR_REFERENCE_SPACE_TYPE_VIEW; }
+bool Space::is_fixed_to_room() const { return reference_ && *reference_ != XR_REFERENCE_SPACE_TYPE_VIEW; }
 
-bool Space::can_see_room() const { return !session().world().head_is_lost(); }
+bool Space::head_is_tracked() const { return !session().world().head_is_lost(); }
 
 void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::uint32_t* count,
                                 XrReferenceSpaceType* types) {
@@ -69,12 +62,8 @@ void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* 
 
 void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
   const auto& action = runtime().registry.get<Action>(info->action);
-  require(action.action_type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH, "not a pose action");
-  if (info->subactionPath != XR_NULL_PATH) {
-    session.instance().paths.text(info->subactionPath);
-    require(action.has_subaction(info->subactionPath), XR_ERROR_PATH_UNSUPPORTED,
-            "the action has no such subaction path");
-  }
+  require_type(action, XR_ACTION_TYPE_POSE_INPUT);
+  require_subaction(action, info->subactionPath);
   const Pose pose = checked_pose(info->poseInActionSpace);
   *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, std::nullopt, pose));
 }
@@ -86,41 +75,25 @@ XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType 
   return bounded ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
 }
 
+// Velocities in the chain have no valid bit: the runtime does not compute them.
 void locate_space(Space& space, Space& base, XrTime time, XrSpaceLocation* location) {
-  require(space.parent() == base.parent(), XR_ERROR_VALIDATION_FAILURE, "the spaces are of different sessions");
-  require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  require_valid(space.parent() == base.parent(), "space and baseSpace belong to different sessions");
+  require_time(time);
   if (auto* velocity = chained<XrSpaceVelocity>(location->next))
     *velocity = {.type = velocity->type, .next = velocity->next};
-  write_location(space, base, time, *location);
+  const auto located = space.in_world(time), origin = base.in_world(time);
+  const bool tracked = space.is_fixed_to_room() == base.is_fixed_to_room() || base.head_is_tracked();
+  location->locationFlags = !located || !origin ? 0 : tracked ? all_location_flags : position_inferred;
+  location->pose = to_xr(located && origin ? inverse(*origin) * *located : Pose{});
 }
 
-void locate_spaces(Session& session, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
-  require(info->spaceCount > 0, XR_ERROR_VALIDATION_FAILURE, "spaceCount is 0");
-  require_pointer(info->spaces, "spaces");
-  require(locations->locationCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE, "locationCount is not spaceCount");
-  require_pointer(locations->locations, "locations");
-  auto* velocities = chained<XrSpaceVelocities>(locations->next);
-  if (velocities != nullptr) {
-    require(velocities->velocityCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE,
-            "velocityCount is not spaceCount");
-    require_pointer(velocities->velocities, "velocities");
-    std::fill_n(velocities->velocities, velocities->velocityCount, XrSpaceVelocityData{});
-  }
-  const Space& base = space_of(session, info->baseSpace);
-  require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  std::vector<const Space*> spaces;
-  for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&space_of(session, info->spaces[i]));
-  for (std::uint32_t i = 0; i < info->spaceCount; ++i)
-    write_location(*spaces[i], base, info->time, locations->locations[i]);
-}
-
-void destroy_space(XrSpace handle) { runtime().registry.destroy(runtime().registry.get_even_lost<Space>(handle)); }
+void destroy_space(XrSpace handle) { runtime().registry.destroy<Space>(handle); }
 
 void locate_views(Session& session, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
                   std::uint32_t* count, XrView* views) {
   const Space& space = space_of(session, info->space);
   require_view_configuration(info->viewConfigurationType);
-  require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  require_time(info->displayTime);
   const auto in_world = space.in_world(info->displayTime);
   two_call(std::array{0U, 1U}, capacity, count, views, [&](XrView& view, std::uint32_t eye) {
     view.pose = to_xr(in_world ? inverse(*in_world) * eye_in_world(session, eye, info->displayTime) : Pose{});
@@ -130,7 +103,63 @@ void locate_views(Session& session, const XrViewLocateInfo* info, XrViewState* s
   if (!in_world) return;
   state->viewStateFlags =
       XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
-  if (!space.is_in_room() || space.can_see_room()) state->viewStateFlags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
+  if (!space.is_fixed_to_room() || space.head_is_tracked()) state->viewStateFlags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
+}
+
+namespace {
+
+void require_joint_count(std::uint32_t count) {
+  require_valid(count == XR_HAND_JOINT_COUNT_EXT, "jointCount is {}; must be {}, the size of the default set", count,
+                XR_HAND_JOINT_COUNT_EXT);
+}
+
+}  // namespace
+
+void require_hand(XrHandEXT hand) {
+  require_valid(hand == XR_HAND_LEFT_EXT || hand == XR_HAND_RIGHT_EXT, "hand is {}; must be 1 (left) or 2 (right)",
+                static_cast<int>(hand));
+}
+
+void create_hand_tracker(Session& session, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
+  require_hand(info->hand);
+  require_valid(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, "handJointSet is {}; must be 0, the default set",
+                static_cast<int>(info->handJointSet));
+  require(runtime().script.hand_tracking, XR_ERROR_FEATURE_UNSUPPORTED,
+          "the script sets hand_tracking to false; XrSystemHandTrackingPropertiesEXT reports it");
+  *tracker = handle_of<XrHandTrackerEXT>(runtime().registry.create<HandTracker>(&session, info->hand));
+}
+
+void destroy_hand_tracker(XrHandTrackerEXT handle) { runtime().registry.destroy<HandTracker>(handle); }
+
+void locate_hand_joints(HandTracker& tracker, const XrHandJointsLocateInfoEXT* info,
+                        XrHandJointLocationsEXT* locations) {
+  const Space& base = space_of(tracker.session(), info->baseSpace);
+  require_time(info->time);
+  require_joint_count(locations->jointCount);
+  require_pointer(locations->jointLocations, "jointLocations");
+  auto* velocities = chained<XrHandJointVelocitiesEXT>(locations->next);
+  if (velocities != nullptr) {
+    require_joint_count(velocities->jointCount);
+    require_pointer(velocities->jointVelocities, "jointVelocities");
+    std::fill_n(velocities->jointVelocities, velocities->jointCount, XrHandJointVelocityEXT{});
+  }
+
+  World& world = tracker.session().world();
+  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
+  // input focus."
+  const bool focused = tracker.session().state() == XR_SESSION_STATE_FOCUSED;
+  const auto hand = world.hand(tracker.hand, info->time);
+  const auto base_in_world = base.in_world(info->time);
+  locations->isActive = XrBool32{focused && hand && base_in_world};
+  std::fill_n(locations->jointLocations, locations->jointCount, XrHandJointLocationEXT{0, to_xr(Pose{}), 0.0F});
+  if (locations->isActive == XR_FALSE) return;
+  const Pose from_world = inverse(*base_in_world);
+  const XrSpaceLocationFlags flags =
+      base.is_fixed_to_room() && !base.head_is_tracked() ? position_inferred : all_location_flags;
+  const HandJoints joints = place_hand(tracker.hand, hand->index_tip_m, hand->orientation);
+  std::transform(joints.begin(), joints.end(), locations->jointLocations, [&](const HandJoint& joint) {
+    return XrHandJointLocationEXT{flags, to_xr(from_world * joint.pose), static_cast<float>(joint.radius_m)};
+  });
 }
 
 }  // namespace hrt::mock

@@ -18,26 +18,30 @@ class Space : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SPACE;
 
-  /// `of`: unset for the space of an action.
-  Space(Session* session, std::optional<XrReferenceSpaceType> of, Pose at)
-      : Object(object_type, session), reference_(of), offset_(std::move(at)) {}
+  /// `type`: unset for the space of an action. `pose`: pose of the origin in the reference space.
+  Space(Session* session, std::optional<XrReferenceSpaceType> type, Pose pose)
+      : Object(object_type, session), reference_(type), offset_(std::move(pose)) {}
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  /// World pose at a time; unset for the space of an action, since there are no controllers.
+  /// Returns the pose in the world at a time. Unset for the space of an action, since there are no controllers.
   std::optional<Pose> in_world(XrTime time) const;
 
-  /// True for a reference space other than VIEW. Positions in it are inferred while the headset is not tracked.
-  bool is_in_room() const;
-  bool can_see_room() const;
+  /// True for a reference space other than VIEW. Positions in it are inferred, not tracked, while head tracking is
+  /// lost.
+  bool is_fixed_to_room() const;
+  bool head_is_tracked() const;
 
  private:
   std::optional<XrReferenceSpaceType> reference_;
   Pose offset_;
 };
 
-/// The space of a handle. Throws XR_ERROR_VALIDATION_FAILURE if it is of another session.
+/// Returns the space of a handle. Throws XR_ERROR_VALIDATION_FAILURE if it belongs to another session.
 Space& space_of(const Session& session, XrSpace handle);
+
+/// Throws XR_ERROR_VALIDATION_FAILURE unless `hand` is left or right.
+void require_hand(XrHandEXT hand);
 
 class HandTracker : public Object {
  public:

@@ -1,51 +1,62 @@
-// Swapchains: specification, "Rendering". A headless session has no swapchains.
+// Swapchains: "Rendering" of the specification. A headless session has no swapchains.
 #include "samples/mock_runtime/api/swapchain.h"
 
 #include <algorithm>
 #include <bit>
 
-#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/abi/structure.h"
 
 namespace hrt::mock {
 namespace {
 
 constexpr XrSwapchainUsageFlags known_usages = 0xFF;
+constexpr XrSwapchainCreateFlags protected_content = XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT;
+
+void require_size(std::uint32_t size, std::uint32_t max, const char* field) {
+  require_valid(size > 0 && size <= max, "{} is {}; must be from 1 to {}", field, size, max);
+}
 
 void require_possible(const XrSwapchainCreateInfo& info, const Session& session) {
   require(session.graphics != nullptr, XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED,
-          "a headless session has no swapchain formats");
-  require(
-      (info.createFlags & ~(XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT | XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT)) == 0 &&
-          (info.usageFlags & ~known_usages) == 0,
-      XR_ERROR_VALIDATION_FAILURE, "createFlags or usageFlags have unknown bits");
-  require(info.width > 0 && info.height > 0 && info.sampleCount > 0 && info.arraySize > 0 && info.mipCount > 0 &&
-              (info.faceCount == 1 || info.faceCount == 6),
-          XR_ERROR_VALIDATION_FAILURE, "sizes and counts are above 0, faceCount is 1 or 6");
-  require(info.width <= max_image_size && info.height <= max_image_size, XR_ERROR_VALIDATION_FAILURE,
-          "width or height is above that of XrSystemGraphicsProperties");
-  require(info.mipCount <= static_cast<std::uint32_t>(std::bit_width(std::max(info.width, info.height))),
-          XR_ERROR_FEATURE_UNSUPPORTED, "mipCount is above that of the whole chain");
-  require(info.faceCount == 1 && info.sampleCount == 1 &&
-              (info.createFlags & XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT) == 0,
-          XR_ERROR_FEATURE_UNSUPPORTED, "images have one face, one sample and no protected content");
+          "a headless session has no swapchain formats; create the session with a graphics binding");
+  require_valid((info.createFlags & ~(protected_content | XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT)) == 0,
+                "createFlags is {:#x}; only bits 0 and 1 are defined", info.createFlags);
+  require_valid((info.usageFlags & ~known_usages) == 0, "usageFlags is {:#x}; only bits 0 to 7 are defined",
+                info.usageFlags);
+  require_size(info.width, max_image_size, "width");
+  require_size(info.height, max_image_size, "height");
+  require_size(info.sampleCount, UINT32_MAX, "sampleCount");
+  require_size(info.arraySize, UINT32_MAX, "arraySize");
+  require_size(info.mipCount, UINT32_MAX, "mipCount");
+  require_valid(info.faceCount == 1 || info.faceCount == 6, "faceCount is {}; must be 1 or 6", info.faceCount);
+  const int mips = std::bit_width(std::max(info.width, info.height));
+  require(info.mipCount <= static_cast<std::uint32_t>(mips), XR_ERROR_FEATURE_UNSUPPORTED,
+          "mipCount is {}; images of {} x {} have at most {}", info.mipCount, info.width, info.height, mips);
+  require(info.faceCount == 1 && info.sampleCount == 1 && (info.createFlags & protected_content) == 0,
+          XR_ERROR_FEATURE_UNSUPPORTED,
+          "faceCount is {}, sampleCount is {}, createFlags is {:#x}; this runtime supports one face, one sample and no "
+          "protected content",
+          info.faceCount, info.sampleCount, info.createFlags);
   const auto formats = session.graphics->formats();
   require(std::find(formats.begin(), formats.end(), info.format) != formats.end(),
-          XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "format is not one of xrEnumerateSwapchainFormats");
+          XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "format is {}; xrEnumerateSwapchainFormats lists the supported ones",
+          info.format);
 }
 
 }  // namespace
 
-Swapchain::Swapchain(Session* session, const XrSwapchainCreateInfo& of)
+Swapchain::Swapchain(Session* session, const XrSwapchainCreateInfo& create_info)
     : Object(object_type, session),
-      info(of),
-      count_((of.createFlags & XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT) != 0 ? 1 : 3) {
+      info(create_info),
+      count_((info.createFlags & XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT) != 0 ? 1 : 3) {
   info.next = nullptr;
   images = session->graphics->create_images(info, count_);
 }
 
 std::uint32_t Swapchain::acquire() {
-  require(acquired_.size() < count_, XR_ERROR_CALL_ORDER_INVALID, "all images are acquired");
-  require(count_ > 1 || acquisitions_ == 0, XR_ERROR_CALL_ORDER_INVALID, "a static image is acquired only once");
+  require(acquired_.size() < count_, XR_ERROR_CALL_ORDER_INVALID, "all {} images are acquired; release one first",
+          count_);
+  require(count_ > 1 || acquisitions_ == 0, XR_ERROR_CALL_ORDER_INVALID, "a static image may be acquired only once");
   const std::uint32_t index = acquisitions_ % count_;
   if (acquisitions_ < count_) images->prepare(index);
   ++acquisitions_;
@@ -54,13 +65,13 @@ std::uint32_t Swapchain::acquire() {
 }
 
 void Swapchain::wait() {
-  require(!acquired_.empty(), XR_ERROR_CALL_ORDER_INVALID, "no image is acquired");
-  require(!waited_, XR_ERROR_CALL_ORDER_INVALID, "an image has been waited for and not released");
+  require(!acquired_.empty(), XR_ERROR_CALL_ORDER_INVALID, "no image is acquired; call xrAcquireSwapchainImage first");
+  require(!waited_, XR_ERROR_CALL_ORDER_INVALID, "the image has been waited for already; release it first");
   waited_ = true;
 }
 
 void Swapchain::release() {
-  require(waited_, XR_ERROR_CALL_ORDER_INVALID, "no image has been waited for");
+  require(waited_, XR_ERROR_CALL_ORDER_INVALID, "no image has been waited for; call xrWaitSwapchainImage first");
   released = acquired_.front();
   acquired_.pop_front();
   waited_ = false;
@@ -77,9 +88,7 @@ void create_swapchain(Session& session, const XrSwapchainCreateInfo* info, XrSwa
   *swapchain = handle_of<XrSwapchain>(runtime().registry.create<Swapchain>(&session, *info));
 }
 
-void destroy_swapchain(XrSwapchain handle) {
-  runtime().registry.destroy(runtime().registry.get_even_lost<Swapchain>(handle));
-}
+void destroy_swapchain(XrSwapchain handle) { runtime().registry.destroy<Swapchain>(handle); }
 
 void enumerate_swapchain_images(Swapchain& swapchain, std::uint32_t capacity, std::uint32_t* count,
                                 XrSwapchainImageBaseHeader* images) {

@@ -16,14 +16,14 @@ class Swapchain : public Object {
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  // These functions throw XR_ERROR_CALL_ORDER_INVALID.
+  // These functions throw XR_ERROR_CALL_ORDER_INVALID unless they are called in this order.
   std::uint32_t acquire();
   void wait();
   void release();
 
   XrSwapchainCreateInfo info;
   std::unique_ptr<SwapchainImages> images;
-  std::optional<std::uint32_t> released;  ///< latest released image
+  std::optional<std::uint32_t> released;  ///< index of the latest released image
 
  private:
   std::uint32_t count_;
@@ -32,13 +32,14 @@ class Swapchain : public Object {
   bool waited_ = false;                 // the oldest acquired image has been waited for
 };
 
-/// Throws an Error for a layer that is not valid.
+/// Throws an Error if a composition layer is invalid.
 void require_layers(const XrFrameEndInfo& info, const Session& session);
 
-/// The image of an eye (0 left, 1 right) in the first projection of valid layers; black without one.
+/// Returns the image of an eye (0 left, 1 right) in the first projection layer; black without one. Requires valid
+/// layers.
 Picture picture_of_eye(const XrFrameEndInfo& info, std::uint32_t eye);
 
-/// Keeps the pictures of a frame that ends, if the script wants them.
-void keep_pictures(const XrFrameEndInfo& info, Session& session);
+/// Writes the pictures of a frame that ends, if the script selects the frame.
+void write_pictures(const XrFrameEndInfo& info, Session& session);
 
 }  // namespace hrt::mock

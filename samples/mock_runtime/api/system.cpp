@@ -1,20 +1,24 @@
-// The system, its blend modes and its views.
+// The only system, a head-mounted display: its properties, blend modes and views.
 #include <cstdio>
 
-#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/instance.h"
 
 namespace hrt::mock {
-void require_system(XrSystemId system) { require(system == the_system, XR_ERROR_SYSTEM_INVALID, "no such system"); }
+
+void require_system(XrSystemId system) {
+  require(system == the_system, XR_ERROR_SYSTEM_INVALID, "systemId is {}; must be {}, which xrGetSystem returns",
+          system, the_system);
+}
 
 void require_view_configuration(XrViewConfigurationType type) {
   require(type == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED,
-          "the only view configuration is primary stereo");
+          "view configuration {} is not supported; must be XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO", name_of(type));
 }
 
 void get_system(Instance&, const XrSystemGetInfo* info, XrSystemId* system) {
   require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
-          "the only form factor is a head-mounted display");
+          "formFactor is {}; must be XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY", name_of(info->formFactor));
   *system = the_system;
 }
 

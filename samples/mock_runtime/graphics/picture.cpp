@@ -7,6 +7,7 @@
 #include "samples/mock_runtime/error.h"
 
 namespace hrt::mock {
+
 std::string hash_of(const Picture& picture) {
   std::uint64_t hash = 14695981039346656037U;
   const auto add = [&](std::uint8_t byte) { hash = (hash ^ byte) * 1099511628211U; };
@@ -26,7 +27,7 @@ void write_png(const Picture& picture, const std::string& path) {
   image.format = PNG_FORMAT_RGBA;
   image.flags = PNG_IMAGE_FLAG_FAST;
   if (png_image_write_to_file(&image, path.c_str(), 0, picture.rgba.data(), 0, nullptr) == 0)
-    throw Error{XR_ERROR_RUNTIME_FAILURE, path + ": " + image.message};
+    throw Error{XR_ERROR_RUNTIME_FAILURE, path + ": cannot be written: " + image.message};
 }
 
 }  // namespace hrt::mock

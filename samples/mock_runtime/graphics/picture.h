@@ -1,4 +1,4 @@
-// Pictures of 8 bits a channel, as a display shows them: sRGB.
+// Pictures with 8 bits per channel in sRGB.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ struct Picture {
   const std::uint8_t* at(std::uint32_t x, std::uint32_t y) const { return &rgba[4 * (std::size_t{y} * width + x)]; }
 };
 
-/// FNV-1a of size and pixels, in 16 hexadecimal digits.
+/// Returns the FNV-1a hash of size and pixels in 16 hexadecimal digits.
 std::string hash_of(const Picture& picture);
 
-/// Throws an Error with the reason if the file cannot be written.
+/// Writes a PNG file. Throws an Error with the reason if the file cannot be written.
 void write_png(const Picture& picture, const std::string& path);
 
 }  // namespace hrt::mock

@@ -1,8 +1,8 @@
-// Swapchains of the application's own Vulkan device.
+// Swapchain images on the application's Vulkan device.
 #include <array>
 #include <cstring>
 
-#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/graphics/device.h"
 
 namespace hrt::mock {
@@ -27,13 +27,13 @@ struct VulkanFunctions {
 };
 
 void check_vulkan(VkResult result, const char* what) {
-  if (result == VK_SUCCESS) return;
   const bool memory = result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
-  throw Error{memory ? XR_ERROR_OUT_OF_MEMORY : XR_ERROR_RUNTIME_FAILURE,
-              std::string(what) + " returns VkResult " + std::to_string(result)};
+  require(result == VK_SUCCESS, memory ? XR_ERROR_OUT_OF_MEMORY : XR_ERROR_RUNTIME_FAILURE, "{} returns VkResult {}",
+          what, static_cast<int>(result));
 }
 
-// Formats with four bytes a pixel. Depth images are never read, but Godot requires a depth format to begin a session.
+// All formats have four bytes per pixel. Depth images are never read, but Godot begins no session without a depth
+// format.
 constexpr std::array vulkan_formats{VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB, VK_FORMAT_D32_SFLOAT};
 
 bool is_depth(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT; }
@@ -47,7 +47,7 @@ VkImageLayout layout_of(VkFormat format) {
 }
 
 VkImageUsageFlags usage_of(XrSwapchainUsageFlags flags) {
-  VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;  // pictures read images back
+  VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;  // for pictures
   constexpr std::array<std::pair<XrSwapchainUsageFlags, VkImageUsageFlags>, 6> same{
       {{XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT},
        {XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT},
@@ -65,7 +65,7 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
   VulkanDevice(const XrGraphicsBindingVulkanKHR& binding, PFN_vkGetInstanceProcAddr get)
       : physical_(binding.physicalDevice), device_(binding.device) {
     const auto fetch = [](auto& function, PFN_vkVoidFunction found, const char* name) {
-      if (found == nullptr) throw Error{XR_ERROR_GRAPHICS_DEVICE_INVALID, std::string("no ") + name};
+      require(found != nullptr, XR_ERROR_GRAPHICS_DEVICE_INVALID, "the Vulkan device has no function {}", name);
       function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(found);
     };
 #define HRT_VULKAN_FETCH(name) fetch(vk.name, get(binding.instance, #name), #name);
@@ -75,7 +75,9 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
     HRT_VULKAN_DEVICE_FUNCTIONS(HRT_VULKAN_FETCH)
 #undef HRT_VULKAN_FETCH
     vk.vkGetDeviceQueue(device_, binding.queueFamilyIndex, binding.queueIndex, &queue_);
-    require(queue_ != nullptr, XR_ERROR_GRAPHICS_DEVICE_INVALID, "the device has no such queue");
+    require(queue_ != nullptr, XR_ERROR_GRAPHICS_DEVICE_INVALID,
+            "the device has no queue {} of family {}; create it in xrCreateVulkanDeviceKHR", binding.queueIndex,
+            binding.queueFamilyIndex);
     const VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr,
                                        VK_COMMAND_POOL_CREATE_TRANSIENT_BIT, binding.queueFamilyIndex};
     check_vulkan(vk.vkCreateCommandPool(device_, &pool, nullptr, &pool_), "vkCreateCommandPool");
@@ -109,7 +111,9 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
       check_vulkan(vk.vkAllocateMemory(device_, &info, nullptr, &memory), "vkAllocateMemory");
       return memory;
     }
-    throw Error{XR_ERROR_RUNTIME_FAILURE, "the device has no memory of the kind that is needed"};
+    throw Error{
+        XR_ERROR_RUNTIME_FAILURE,
+        fmt::format("the device has no memory type of {:#x} with the properties {:#x}", needed.memoryTypeBits, wanted)};
   }
 
   // Records and submits commands, and waits until they have finished.
@@ -130,7 +134,7 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
     VkResult result = vk.vkQueueSubmit(queue_, 1, &submit, VK_NULL_HANDLE);
     if (result == VK_SUCCESS) result = vk.vkQueueWaitIdle(queue_);
     vk.vkFreeCommandBuffers(device_, pool_, 1, &buffer);
-    check_vulkan(result, "the queue");
+    check_vulkan(result, "vkQueueSubmit or vkQueueWaitIdle");
   }
 
   void barrier(VkCommandBuffer buffer, VkImage image, VkImageSubresourceRange range, VkImageLayout from,
@@ -247,14 +251,16 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
   image.mipLevels = info.mipCount;
   image.arrayLayers = info.arraySize;
   image.samples = VK_SAMPLE_COUNT_1_BIT;
-  // Images are in the layout of an attachment, independent of the application's usage.
+  // The specification guarantees the layout of an attachment, whichever usage the application requests.
   image.usage = usage_of(info.usageFlags) | (is_depth(image.format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
                                                                     : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   VkImageFormatProperties limits{};
   const VkResult possible = vk.vkGetPhysicalDeviceImageFormatProperties(
       physical_, image.format, image.imageType, image.tiling, image.usage, image.flags, &limits);
   require(possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels && info.arraySize <= limits.maxArrayLayers,
-          XR_ERROR_FEATURE_UNSUPPORTED, "the device has no images of this format with these usages, mips and layers");
+          XR_ERROR_FEATURE_UNSUPPORTED,
+          "the Vulkan device has no images of format {} with usageFlags {:#x}, {} mips and {} layers", info.format,
+          info.usageFlags, info.mipCount, info.arraySize);
   return std::make_unique<VulkanImages>(shared_from_this(), image, count);
 }
 
@@ -264,7 +270,9 @@ std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkan
                                                    PFN_vkGetInstanceProcAddr get_proc_addr) {
   require(binding.instance != nullptr && binding.physicalDevice != nullptr && binding.device != nullptr &&
               get_proc_addr != nullptr,
-          XR_ERROR_GRAPHICS_DEVICE_INVALID, "instance, physicalDevice and device must not be null");
+          XR_ERROR_GRAPHICS_DEVICE_INVALID,
+          "instance, physicalDevice and device of XrGraphicsBindingVulkanKHR must not be null, and "
+          "xrCreateVulkanInstanceKHR must have been called");
   return std::make_shared<VulkanDevice>(binding, get_proc_addr);
 }
 

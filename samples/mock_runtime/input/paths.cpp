@@ -8,15 +8,18 @@ namespace hrt::mock {
 namespace {
 
 void require_well_formed(std::string_view path) {
-  const auto refuse = [](const char* why) { throw Error{XR_ERROR_PATH_FORMAT_INVALID, why}; };
-  if (path.empty() || path.front() != '/') refuse("a path begins with a slash");
-  if (path.size() >= XR_MAX_PATH_LENGTH) refuse("a path is at most 255 characters long");
+  const auto require_format = [&](bool holds, const char* rule) {
+    require(holds, XR_ERROR_PATH_FORMAT_INVALID, "path \"{}\": {}", path.substr(0, XR_MAX_PATH_LENGTH), rule);
+  };
+  require_format(path.starts_with('/'), "must begin with a slash");
+  require_format(path.size() < XR_MAX_PATH_LENGTH, "must be at most 255 characters long");
   for (std::size_t begin = 1; begin <= path.size();) {
     const std::size_t end = std::min(path.find('/', begin), path.size());
-    if (!is_path_component(path.substr(begin, end - begin))) refuse("a component is empty or has other characters");
+    require_format(is_path_component(path.substr(begin, end - begin)),
+                   "each component must have one or more of a-z, 0-9, '-', '_' and '.', and not periods only");
     begin = end + 1;
   }
-  if (path.back() == '/') refuse("a path does not end with a slash");
+  require_format(!path.ends_with('/'), "must not end with a slash");
 }
 
 }  // namespace
@@ -31,13 +34,14 @@ bool is_path_component(std::string_view name) {
 
 XrPath PathTable::intern(std::string_view text) {
   require_well_formed(text);
-  const auto [found, is_new] = atoms_.try_emplace(std::string(text), texts_.size() + 1);
+  const auto [found, is_new] = paths_.try_emplace(std::string(text), texts_.size() + 1);
   if (is_new) texts_.emplace_back(text);
   return found->second;
 }
 
 const std::string& PathTable::text(XrPath path) const {
-  require(path >= 1 && path <= texts_.size(), XR_ERROR_PATH_INVALID, "no such path");
+  require(path >= 1 && path <= texts_.size(), XR_ERROR_PATH_INVALID, "XrPath {} was never returned by xrStringToPath",
+          path);
   return texts_[path - 1];
 }
 

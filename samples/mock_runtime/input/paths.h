@@ -1,4 +1,4 @@
-// Path atoms, and the paths of the core interaction profiles.
+// XrPath values and their texts, and the input and output paths of the interaction profiles.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -11,30 +11,28 @@
 
 namespace hrt::mock {
 
-/// True for a name that may be a component of a path: a-z, 0-9, '-', '_' and '.', not periods alone.
+/// True if `name` may be a component of a path: one or more of a-z, 0-9, '-', '_' and '.', but not periods only.
 bool is_path_component(std::string_view name);
 
-/// The path atoms of an instance.
+/// Maps the XrPath values of an instance to their texts and back.
 class PathTable {
  public:
-  /// The atom of a string. Throws XR_ERROR_PATH_FORMAT_INVALID.
+  /// Returns the path of a text. Throws XR_ERROR_PATH_FORMAT_INVALID if the text is not well formed.
   XrPath intern(std::string_view text);
 
-  /// Text of a path. Throws XR_ERROR_PATH_INVALID unless the path is an atom of this instance.
+  /// Returns the text of a path. Throws XR_ERROR_PATH_INVALID unless intern() has returned the path.
   const std::string& text(XrPath path) const;
 
  private:
-  std::vector<std::string> texts_;  // text of path 1, 2, ...
-  std::unordered_map<std::string, XrPath> atoms_;
+  std::vector<std::string> texts_;  // element i is the text of path i + 1
+  std::unordered_map<std::string, XrPath> paths_;
 };
 
-/// The top level user paths that actions can be bound to.
-const std::vector<std::string>& top_level_paths();
-
-/// Top level user path, such as "/user/hand/left" of "/user/hand/left/input/select/click"; empty without one.
+/// Returns the top level user path in which `path` lies, such as "/user/hand/left" for
+/// "/user/hand/left/input/select/click"; empty if there is no such path.
 std::string_view top_level_of(std::string_view path);
 
-/// The binding paths of an interaction profile of OpenXR 1.0 or 1.1; null if there is no such profile.
-const std::set<std::string>* find_profile(std::string_view profile, bool version_1_1);
+/// Returns the input and output paths of an interaction profile of OpenXR 1.0; null if there is no such profile.
+const std::set<std::string>* find_profile(std::string_view profile);
 
 }  // namespace hrt::mock

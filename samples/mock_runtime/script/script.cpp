@@ -1,11 +1,15 @@
 #include "samples/mock_runtime/script/script.h"
 
+#include <cerrno>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "samples/mock_runtime/error.h"
 #include "samples/mock_runtime/script_schema.h"
+#include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {
 
@@ -14,14 +18,115 @@ bool Script::hides(std::size_t extension) const {
          (clock == Clock::Kind::manual && extension == static_cast<std::size_t>(Extension::timespec));
 }
 
-bool Script::has_picture_events() const {
-  return std::any_of(events.begin(), events.end(),
-                     [](const ScriptEvent& event) { return std::holds_alternative<TakePicture>(event.what); });
-}
+std::int64_t nanoseconds(const Json& ms) { return std::llround(ms.get<double>() * 1e6); }
+
+Eigen::Vector3d read_vector(const Json& xyz) { return Eigen::Vector3d(xyz.get<std::array<double, 3>>().data()); }
 
 namespace {
 
-// Calls `read(object, place)` for each object of an optional array.
+TrackerSettings read_tracker(const Json& tracker) {
+  TrackerSettings settings;
+  settings.noise_m = tracker["noise_mm"].get<double>() * 1e-3;
+  settings.latency_ns = nanoseconds(tracker["latency_ms"]);
+  if (tracker.contains("rate_hz")) settings.period_ns = std::llround(1e9 / tracker["rate_hz"].get<double>());
+  return settings;
+}
+
+PlateDynamics read_servo(const Json& servo) {
+  PlateDynamics settings;
+  settings.max_speed_deg_s = servo.value("speed_deg_per_s", settings.max_speed_deg_s);
+  settings.latency_ns = nanoseconds(servo["latency_ms"]);
+  return settings;
+}
+
+PlateSettings read_plate(const Json& plate) {
+  return {{rotation(plate["yaw_deg"], Eigen::Vector3d::UnitY()), read_vector(plate["position_m"])},
+          plate.value("terminal", "")};
+}
+
+// Reads `position_m` and `orientation`; without the latter the pose has the default orientation.
+Pose read_pose(const Json& object, const std::string& where, const Eigen::Quaterniond& orientation) {
+  Pose pose{orientation, read_vector(object["position_m"])};
+  if (object.contains("orientation")) {
+    pose.orientation = Eigen::Quaterniond(object["orientation"].get<std::array<double, 4>>().data());
+    if (std::abs(pose.orientation.norm() - 1.0) > 0.01)
+      refuse(where + ".orientation", "must be a quaternion [x, y, z, w] whose length is 1 within 1 %");
+    pose.orientation.normalize();
+  }
+  return pose;
+}
+
+std::vector<Keyframe> read_path(const Json& path, const std::string& where, const Eigen::Quaterniond& orientation) {
+  std::vector<Keyframe> keyframes;
+  for (const Json& point : path) {
+    const std::string element = where + "[" + std::to_string(keyframes.size()) + "]";
+    const Keyframe keyframe{nanoseconds(point["time_ms"]), read_pose(point, element, orientation)};
+    if (!keyframes.empty() && keyframe.time_ns <= keyframes.back().time_ns)
+      refuse(element + ".time_ms", "must be later than that of the previous keyframe");
+    keyframes.push_back(keyframe);
+  }
+  return keyframes;
+}
+
+// `tracked`: default for a hand that has neither a path, nor slides, nor a member "tracked".
+HandSettings read_hand(const Json& object, const std::string& where, bool tracked) {
+  HandSettings hand;
+  hand.path = read_path(object["path"], where + ".path", resting_hand_orientation());
+  if (object.contains("slides")) {
+    const Json& slides = object["slides"];
+    hand.slides = {read_vector(slides["start_m"]), slides["direction_deg"], slides["length_m"],
+                   nanoseconds(slides["rest_ms"])};
+  }
+  hand.tracked = object.value("tracked", tracked || !hand.path.empty() || hand.slides);
+  return hand;
+}
+
+PersonSettings read_person(const Json& object, const std::string& where) {
+  constexpr double second_per_ms = 1e-3;
+  static const Names<Steering> steerings{{"steps", Steering::steps},           {"continuous", Steering::continuous},
+                                         {"predictive", Steering::predictive}, {"place", Steering::place},
+                                         {"heavy_arm", Steering::heavy_arm},   {"crossings", Steering::crossings}};
+  static const Names<IllusionFamily> illusions{
+      {"linear", IllusionFamily::linear},       {"saturating", IllusionFamily::saturating},
+      {"sine", IllusionFamily::sine},           {"tanh", IllusionFamily::tanh},
+      {"dead_band", IllusionFamily::dead_band}, {"unequal", IllusionFamily::unequal}};
+  static const Names<Pace> paces{
+      {"minimum_jerk", Pace::minimum_jerk}, {"even", Pace::even},   {"skewed", Pace::skewed},
+      {"stop_and_go", Pace::stop_and_go},   {"pause", Pace::pause}, {"two_parts", Pace::two_parts},
+      {"reversal", Pace::reversal}};
+  PersonSettings settings;
+  if (object.contains("steering")) {
+    const std::vector<Steering> given = meanings(object["steering"], steerings);
+    if (given == std::vector{Steering::steps}) settings = paper_person();
+    settings.steerings = given;
+  }
+  if (object.contains("illusion")) settings.illusions = meanings(object["illusion"], illusions);
+  if (object.contains("pace")) settings.paces = meanings(object["pace"], paces);
+  // Reads a number or the two bounds of a range; `scale` converts from the unit of the script to that of `range`.
+  const auto read = [&](const char* key, auto& range, double scale = 1.0) {
+    if (!object.contains(key)) return;
+    const Json& given = object[key];
+    const double low = given.is_array() ? given[0] : given, high = given.is_array() ? given[1] : given;
+    if (low > high) refuse(where + "." + key, "must begin with the smaller number");
+    range = {low * scale, high * scale};
+  };
+  read("illusion_scale_deg", settings.illusion_scale_deg);
+  read("tactile_weight", settings.tactile_weight);
+  read("weight_drift", settings.weight_drift);
+  read("gain_per_s", settings.gain_per_s);
+  read("delay_ms", settings.delay_s, second_per_ms);
+  read("noise_deg2_per_s", settings.noise_deg2_per_s);
+  read("start_direction_deg", settings.start_direction_deg);
+  read("bias_deg", settings.bias_deg);
+  read("own_bias_deg", settings.own_bias_deg);
+  read("habit_deg", settings.habit_deg);
+  read("duration_ms", settings.duration_s, second_per_ms);
+  read("path_scale", settings.path_scale);
+  read("reaction_ms", settings.reaction_s, second_per_ms);
+  return settings;
+}
+
+// Calls `read(object, where)` for each object of an optional array.
 template <typename Read>
 void for_each(const Json& json, const std::string& key, Read read) {
   std::size_t i = 0;
@@ -53,7 +158,7 @@ Script read_script(const Json& json) {
   if (json.value("clock", "manual") == "real-time") script.clock = Clock::Kind::real_time;
   if (json.contains("frame_rate_hz")) script.frame_period = std::llround(1e9 / json["frame_rate_hz"].get<double>());
   script.frame_times = json.value("frame_times", script.frame_times);
-  script.pictures = json.value("picture_every_frames", script.pictures);
+  script.picture_interval = json.value("picture_every_frames", script.picture_interval);
   script.stage = json.value("stage", script.stage);
   script.hand_tracking = json.value("hand_tracking", script.hand_tracking);
   if (json.contains("withhold_extensions")) {
@@ -63,9 +168,12 @@ Script read_script(const Json& json) {
   }
   script.world = read_world(json);
   if (script.world.plate && !script.world.plate->terminal.empty() && script.clock != Clock::Kind::real_time)
-    refuse("script.plate.terminal", "needs \"clock\": \"real-time\": a program that opens it waits in real time");
-  for_each(json, "events",
-           [&](const Json& event, const std::string& where) { script.events.push_back(read_event(event, where)); });
+    refuse("script.plate.terminal",
+           "needs \"clock\": \"real-time\": a program that opens the terminal waits in real time");
+  for_each(json, "events", [&](const Json& event, const std::string& where) {
+    script.events.push_back(read_event(event, where));
+    script.has_picture_events = script.has_picture_events || event["do"] == "take_picture";
+  });
   for_each(json, "calls",
            [&](const Json& call, const std::string& where) { script.calls.push_back(read_call(call, where)); });
   return script;
@@ -87,7 +195,10 @@ std::string script_from_environment() {
   if (path == nullptr) return "{}";
   std::ifstream file(path);
   std::ostringstream text;
-  if (!(text << file.rdbuf())) throw Error{XR_ERROR_VALIDATION_FAILURE, "script: the file cannot be read"};
+  if (!(text << file.rdbuf()))
+    throw Error{XR_ERROR_VALIDATION_FAILURE, fmt::format("cannot be read: {}. Set the variable to a readable JSON "
+                                                         "file, or unset it for the default script",
+                                                         std::strerror(errno))};
   return text.str();
 }
 

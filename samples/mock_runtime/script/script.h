@@ -1,43 +1,60 @@
-// A script in JSON: settings of the simulation and its faults. SCRIPTS.md has the format.
+// A script in JSON, which sets the simulation and its faults. SCRIPTS.md describes the format.
 #pragma once
 
 #include <openxr/openxr.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "samples/mock_runtime/extensions.h"
-#include "samples/mock_runtime/script/event.h"
+#include "samples/app/text/json_file.h"
+#include "samples/mock_runtime/calls/calls.h"
+#include "samples/mock_runtime/functions.h"
 #include "samples/mock_runtime/world/clock.h"
 #include "samples/mock_runtime/world/settings.h"
 
 namespace hrt::mock {
 
+/// An event that occurs in a session, at a frame or at a time.
+struct ScriptEvent {
+  std::uint64_t session;  ///< number of the session, from 1; 0: every session
+  std::int64_t frame;     ///< number of the frame, from 1; 0: the event occurs at time_ns
+  std::int64_t time_ns;   ///< time since the session was created
+  std::function<void(Session&)> execute;
+};
+
 struct Script {
   Clock::Kind clock = Clock::Kind::manual;
   XrDuration frame_period = 11'111'111;  ///< 90 Hz
   bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
-  bool stage = true;                     ///< the runtime has the STAGE space
+  bool stage = true;                     ///< false: the runtime has no STAGE space
   bool hand_tracking = true;             ///< value in XrSystemHandTrackingPropertiesEXT
-  std::int64_t pictures = 0;             ///< interval of pictures in frames; 0: only frames that events select
-  ExtensionSet withheld;                 ///< extensions that the runtime hides
+  std::int64_t picture_interval = 0;     ///< interval between pictures in frames; 0: only frames that events select
+  bool has_picture_events = false;       ///< an event of the script takes a picture
+  ExtensionSet withheld;                 ///< extensions that the script removes from the runtime
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;
 
-  bool has_picture_events() const;
-
-  /// True if the script withholds the extension, or if it converts system times under the manual clock.
+  /// True if the runtime does not offer an extension: the script withholds it, or it is XR_KHR_convert_timespec_time
+  /// and the clock is manual, so that no system time corresponds to an XrTime.
   bool hides(std::size_t extension) const;
 };
 
-/// Checks a script by script.schema.json and more, such as names of functions. Throws an Error that names place,
-/// mistake and allowed values.
+/// Parses a script. Checks it against script.schema.json and against rules that the schema does not express, such as
+/// names of functions. Throws an Error that names the key, the mistake and the allowed values.
 Script parse_script(std::string_view json);
 
-/// Reads the file that HRT_MOCK_SCRIPT names; returns the default script if the variable is unset. Throws an Error if
-/// the file cannot be read.
+/// Returns the content of the file that the environment variable HRT_MOCK_SCRIPT names; "{}", the default script, if
+/// the variable is unset. Throws an Error if the file cannot be read.
 std::string script_from_environment();
+
+// Functions that read the parts of a script which script.schema.json allows. `where` is the path of a value, such as
+// "script.events[0]", for the errors of rules that the schema does not express. They throw Refusal.
+std::int64_t nanoseconds(const Json& ms);
+Eigen::Vector3d read_vector(const Json& xyz);
+ScriptEvent read_event(const Json& object, const std::string& where);
+CallFault read_call(const Json& object, const std::string& where);
 
 }  // namespace hrt::mock

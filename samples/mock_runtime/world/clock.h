@@ -1,4 +1,4 @@
-// The time of the runtime: XrTime counts nanoseconds, like CLOCK_MONOTONIC.
+// Clock of the runtime. XrTime is in nanoseconds.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -9,8 +9,8 @@
 
 namespace hrt::mock {
 
-/// A manual clock advances only in xrWaitFrame and xrAdvanceTimeHRTX: runs are fast and repeat exactly. A
-/// real-time clock is CLOCK_MONOTONIC.
+/// A manual clock advances only in xrWaitFrame and xrAdvanceTimeHRTX, so that runs are fast and give the same results
+/// each time. A real-time clock is CLOCK_MONOTONIC.
 class Clock {
  public:
   enum class Kind { manual, real_time };
@@ -31,7 +31,7 @@ class Clock {
 
  private:
   Kind kind_;
-  XrTime manual_now_ = 1'000'000'000;  // valid times are above 0
+  XrTime manual_now_ = 1'000'000'000;  // 1 s: times that are not positive are invalid
 };
 
 }  // namespace hrt::mock

@@ -5,8 +5,8 @@
 namespace hrt::mock {
 namespace {
 
-// A right hand, palm down, wrist at the origin, in metres: +X right, +Y up, -Z to the fingers. Only the index finger
-// touches a surface; the other fingers are bent further. The palm is computed as the middle of a bone.
+// A right hand with the palm down and the wrist at the origin: +X right, +Y up, -Z to the fingers. The other fingers
+// are bent further than the index finger, so that only the latter touches a surface.
 struct Rest {
   Eigen::Vector3d position_m;
   double radius_m;
@@ -14,7 +14,7 @@ struct Rest {
 
 const std::array<Rest, XR_HAND_JOINT_COUNT_EXT>& rest_hand() {
   static const std::array<Rest, XR_HAND_JOINT_COUNT_EXT> rest{{
-      {{}, 0.022},                        // palm: see below
+      {{}, 0.022},                        // palm: right_hand() computes its position
       {{0.000, 0.000, 0.000}, 0.025},     // wrist
       {{-0.025, -0.010, -0.018}, 0.019},  // thumb: metacarpal, proximal, distal, tip
       {{-0.045, -0.022, -0.052}, 0.013},
@@ -44,7 +44,7 @@ const std::array<Rest, XR_HAND_JOINT_COUNT_EXT>& rest_hand() {
   return rest;
 }
 
-// Axes with -Z along `forward` and +X as near to `right` as that allows.
+// Rotation whose -Z axis is along `forward` and whose +X axis is as close to `right` as possible.
 Eigen::Quaterniond axes(const Eigen::Vector3d& forward, const Eigen::Vector3d& right) {
   Eigen::Matrix3d columns;
   const Eigen::Vector3d back = -forward.normalized();
@@ -70,7 +70,7 @@ HandJoints right_hand() {
       forward = at(joint) - at(joint - 1);
     else
       forward = at(joint + 1) - at(joint);
-    // The thumb's nail faces up and to the side.
+    // The thumb is rotated about its bone: its nail faces up and to the side.
     const bool of_thumb = joint >= XR_HAND_JOINT_THUMB_METACARPAL_EXT && joint <= XR_HAND_JOINT_THUMB_TIP_EXT;
     const Eigen::Vector3d right = of_thumb ? Eigen::Vector3d(0.8, 0.6, 0.0) : Eigen::Vector3d::UnitX();
     joints[static_cast<std::size_t>(joint)] = {{axes(forward, right), at(joint)},
@@ -84,7 +84,7 @@ HandJoints right_hand() {
   return joints;
 }
 
-// The mirror image in the plane x = 0 of a frame whose +X is mirrored as well, so that it stays
+// Mirrors the joints in the plane x = 0. The +X axis of each joint is inverted as well, so that its axes remain
 // right-handed: a rotation (w, x, y, z) becomes (w, x, -y, -z).
 HandJoints mirrored(HandJoints joints) {
   for (HandJoint& joint : joints) {

@@ -5,7 +5,7 @@
 namespace hrt::mock {
 namespace {
 
-// Random streams of Draws.
+// Numbers of independent sequences of random numbers.
 enum Stream : std::uint32_t { people, reaches };
 
 Range usual_scale_deg(IllusionFamily family) {
@@ -15,7 +15,7 @@ Range usual_scale_deg(IllusionFamily family) {
   return {45.0, 45.0};
 }
 
-double within(const Range& range, Draws& draws) { return range.min + draws.uniform() * (range.max - range.min); }
+double draw_in(const Range& range, Draws& draws) { return range.min + draws.uniform() * (range.max - range.min); }
 
 template <typename Value>
 Value one_of(const std::vector<Value>& values, Draws& draws) {
@@ -40,26 +40,26 @@ DrawnPerson draw(const PersonSettings& settings, std::uint64_t seed, std::uint32
   Draws draws(seed, people, number, 0);
   DrawnPerson drawn;
   Person& person = drawn.person;
-  person.illusion.tactile_weight = within(settings.tactile_weight, draws);
+  person.illusion.tactile_weight = draw_in(settings.tactile_weight, draws);
   person.illusion.family = one_of(settings.illusions, draws);
   person.illusion.scale_deg =
-      within(settings.illusion_scale_deg.value_or(usual_scale_deg(person.illusion.family)), draws);
-  person.weight_drift = within(settings.weight_drift, draws);
+      draw_in(settings.illusion_scale_deg.value_or(usual_scale_deg(person.illusion.family)), draws);
+  person.weight_drift = draw_in(settings.weight_drift, draws);
   person.steering = one_of(settings.steerings, draws);
-  person.gain_per_s = within(settings.gain_per_s, draws);
-  person.delay_s = within(settings.delay_s, draws);
-  person.noise_deg2_per_s = within(settings.noise_deg2_per_s, draws);
-  person.bias_deg = within(settings.bias_deg, draws);
-  person.own_bias_deg = within(settings.own_bias_deg, draws);
-  person.habit_deg = within(settings.habit_deg, draws);
+  person.gain_per_s = draw_in(settings.gain_per_s, draws);
+  person.delay_s = draw_in(settings.delay_s, draws);
+  person.noise_deg2_per_s = draw_in(settings.noise_deg2_per_s, draws);
+  person.bias_deg = draw_in(settings.bias_deg, draws);
+  person.own_bias_deg = draw_in(settings.own_bias_deg, draws);
+  person.habit_deg = draw_in(settings.habit_deg, draws);
   person.pace = one_of(settings.paces, draws);
-  person.duration_s = within(settings.duration_s, draws);
-  person.path_scale = within(settings.path_scale, draws);
-  drawn.reaction_ns = std::llround(1e9 * within(settings.reaction_s, draws));
-  drawn.start_share = within({0.0, 1.0}, draws);
+  person.duration_s = draw_in(settings.duration_s, draws);
+  person.path_scale = draw_in(settings.path_scale, draws);
+  drawn.reaction_ns = std::llround(1e9 * draw_in(settings.reaction_s, draws));
+  drawn.start_fraction = draw_in({0.0, 1.0}, draws);
   if (settings.start_direction_deg) {
-    drawn.start_share = 0.0;
-    person.start_direction_deg = within(*settings.start_direction_deg, draws);
+    drawn.start_fraction = 0.0;
+    person.start_direction_deg = draw_in(*settings.start_direction_deg, draws);
   } else {
     person.start_direction_deg = draws.normal();
   }
@@ -67,9 +67,9 @@ DrawnPerson draw(const PersonSettings& settings, std::uint64_t seed, std::uint32
 }
 
 Person DrawnPerson::towards(double virtual_direction_deg) const {
-  Person bound = person;
-  bound.start_direction_deg += start_share * virtual_direction_deg;
-  return bound;
+  Person reaching = person;
+  reaching.start_direction_deg += start_fraction * virtual_direction_deg;
+  return reaching;
 }
 
 Draws noise_of_reach(std::uint64_t seed, std::uint32_t number) { return {seed, reaches, number, 0}; }

@@ -7,18 +7,20 @@
 
 namespace hrt::mock {
 
-Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
-  Eigen::Quaterniond turned;
-  turned.w() = cos_deg(angle_deg / 2.0);
-  turned.vec() = sin_deg(angle_deg / 2.0) * axis;
-  return turned;
+Eigen::Quaterniond rotation(double angle_deg, const Eigen::Vector3d& axis) {
+  Eigen::Quaterniond result;
+  result.w() = cos_deg(angle_deg / 2.0);
+  result.vec() = sin_deg(angle_deg / 2.0) * axis;
+  return result;
 }
 
 Pose checked_pose(const XrPosef& pose) {
   const Eigen::Quaterniond orientation = from_xr(pose.orientation);
   const Eigen::Vector3d position_m = from_xr(pose.position);
-  require(position_m.allFinite(), XR_ERROR_POSE_INVALID, "a position is not finite");
-  require(std::abs(orientation.norm() - 1.0) <= 0.01, XR_ERROR_POSE_INVALID, "a quaternion is not of unit length");
+  require(position_m.allFinite(), XR_ERROR_POSE_INVALID, "the position is {}, {}, {}; must be finite", pose.position.x,
+          pose.position.y, pose.position.z);
+  require(std::abs(orientation.norm() - 1.0) <= 0.01, XR_ERROR_POSE_INVALID,
+          "the orientation has length {}; must be 1 within 1 %", orientation.norm());
   return {orientation.normalized(), position_m};
 }
 
@@ -41,14 +43,14 @@ Pose pose_at(const std::vector<Keyframe>& path, std::int64_t time_ns) {
   if (after == path.begin()) return path.front().pose;
   if (after == path.end()) return path.back().pose;
   const auto& [from_ns, from] = *std::prev(after);
-  const double share = static_cast<double>(time_ns - from_ns) / static_cast<double>(after->time_ns - from_ns);
-  Pose pose{from.orientation, from.position_m + share * (after->pose.position_m - from.position_m)};
-  // The shorter of the two rotations.
-  Eigen::Quaterniond turned = after->pose.orientation * from.orientation.conjugate();
-  if (turned.w() < 0.0) turned.coeffs() = -turned.coeffs();
-  const double sine = turned.vec().norm();
+  const double fraction = static_cast<double>(time_ns - from_ns) / static_cast<double>(after->time_ns - from_ns);
+  Pose pose{from.orientation, from.position_m + fraction * (after->pose.position_m - from.position_m)};
+  // q and -q are the same orientation: the sign is that of the shorter rotation.
+  Eigen::Quaterniond change = after->pose.orientation * from.orientation.conjugate();
+  if (change.w() < 0.0) change.coeffs() = -change.coeffs();
+  const double sine = change.vec().norm();
   if (sine >= 1e-12)
-    pose.orientation = turn(share * 2.0 * atan2_deg(sine, turned.w()), turned.vec() / sine) * from.orientation;
+    pose.orientation = rotation(fraction * 2.0 * atan2_deg(sine, change.w()), change.vec() / sine) * from.orientation;
   return pose;
 }
 

@@ -1,4 +1,4 @@
-// Rigid transforms in double precision, and their conversion to and from the API's floats.
+// Poses in double precision, and their conversion to and from OpenXR's single precision.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -28,11 +28,11 @@ inline Pose inverse(const Pose& pose) {
   return {back, -(back * pose.position_m)};
 }
 
-/// The rotation by an angle about a unit axis.
-Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis);
+/// Returns the rotation by an angle about a unit axis.
+Eigen::Quaterniond rotation(double angle_deg, const Eigen::Vector3d& axis);
 
-/// Converts a pose. Throws XR_ERROR_POSE_INVALID unless every number is finite and the quaternion is of unit length
-/// within 1 % (specification, "Pose": "must be within 1% of unit length").
+/// Converts a pose. Throws XR_ERROR_POSE_INVALID unless every number is finite and the quaternion has unit length
+/// within 1 %, as the specification requires.
 Pose checked_pose(const XrPosef& pose);
 
 XrPosef to_xr(const Pose& pose);
@@ -45,7 +45,8 @@ struct Keyframe {
   Pose pose;
 };
 
-/// Pose on a path of one or more keyframes in order of time; constant before the first and after the last.
+/// Interpolates a path of one or more keyframes in order of time; constant before the first and after the last. Uses
+/// the project's own trigonometry, which has the same results on every platform.
 Pose pose_at(const std::vector<Keyframe>& path, std::int64_t time_ns);
 
 }  // namespace hrt::mock

@@ -7,9 +7,10 @@ namespace hrt::mock {
 namespace {
 
 constexpr XrDuration millisecond_ns = 1'000'000;
-// A finger that has just started or hardly moves perceives no direction.
-constexpr double felt_after_s = 0.05;
-constexpr double felt_speed_mm_s = 10.0;
+// A participant perceives no direction in the first 50 ms of the motion or at less than 10 mm/s.
+constexpr double min_elapsed_s = 0.05;
+constexpr double min_speed_mm_s = 10.0;
+// Largest angle between the plate orientation and the direction of motion for outermost_direction_deg().
 constexpr double plate_bound_deg = 75.0;
 
 Eigen::Vector2d on_plate(const PlatePoint& point) { return {point.right_mm / mm_per_m, -point.away_mm / mm_per_m}; }
@@ -22,40 +23,40 @@ Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std:
       person_(simulated_, {mm_per_m * instruction.start_m.x(), -mm_per_m * instruction.start_m.y()},
               instruction.goal_direction_deg, mm_per_m * instruction.path_length_m, noise_of_reach(seed, number)),
       goal_direction_deg_(instruction.goal_direction_deg),
-      moves_(start + drawn.reaction_ns),
+      onset_(start + drawn.reaction_ns),
       path_{instruction.start_m} {}
 
 double Reach::outermost_direction_deg(double sign) const {
-  // Outermost feasible direction: the ridges are at the bound on the other side, and felt equals intended direction.
+  // The plate orientation is at the bound on the other side, and the perceived direction equals the intended one.
   const double shift_deg = max_shift_deg(simulated_.illusion, plate_bound_deg, -sign);
   return goal_direction_deg_ + simulated_.bias_deg - simulated_.own_bias_deg + std::copysign(shift_deg, sign);
 }
 
 XrTime Reach::millisecond_end(std::size_t millisecond) const {
-  return moves_ + static_cast<XrDuration>(millisecond + 1) * millisecond_ns;
+  return onset_ + static_cast<XrDuration>(millisecond + 1) * millisecond_ns;
 }
 
-XrTime Reach::ended() const { return moves_ + static_cast<XrDuration>(path_.size() - 1) * millisecond_ns; }
+XrTime Reach::ended() const { return onset_ + static_cast<XrDuration>(path_.size() - 1) * millisecond_ns; }
 
 void Reach::advance(XrTime time, const PlateModel& plate) {
   for (XrTime end = millisecond_end(path_.size() - 1); !done() && end <= time; end += millisecond_ns) {
     person_.advance(plate.orientation_at_deg(end));
     path_.push_back(on_plate(person_.position()));
-    if (person_.elapsed_s() > felt_after_s && person_.speed_mm_s() > felt_speed_mm_s)
+    if (person_.elapsed_s() > min_elapsed_s && person_.speed_mm_s() > min_speed_mm_s)
       peak_felt_error_deg_ = std::max(peak_felt_error_deg_, std::abs(person_.felt_error_deg()));
   }
 }
 
 Eigen::Vector2d Reach::position_m(XrTime time, const PlateModel& plate) const {
-  const std::size_t made = path_.size() - 1;
-  const XrDuration elapsed = time - moves_;
+  const std::size_t simulated = path_.size() - 1;
+  const XrDuration elapsed = time - onset_;
   if (elapsed < 0) return path_.front();
   const auto millisecond = static_cast<std::size_t>(elapsed / millisecond_ns);
-  Eigen::Vector2d from = path_[std::min(millisecond, made)];
-  Eigen::Vector2d to = path_[std::min(millisecond + 1, made)];
-  if (millisecond >= made) {
+  Eigen::Vector2d from = path_[std::min(millisecond, simulated)];
+  Eigen::Vector2d to = path_[std::min(millisecond + 1, simulated)];
+  if (millisecond >= simulated) {
     SlidingPerson predicted = person_;
-    for (std::size_t i = made; i <= millisecond && !predicted.done(); ++i) {
+    for (std::size_t i = simulated; i <= millisecond && !predicted.done(); ++i) {
       from = to;
       predicted.advance(plate.orientation_at_deg(millisecond_end(i)));
       to = on_plate(predicted.position());

@@ -1,5 +1,5 @@
-// The settings of the simulated world; script.h reads them from JSON. The defaults are participants with a
-// natural pace and an ideal tracker and servo.
+// Settings of the simulated world, read from a script. By default the tracker and the servo are ideal: no noise, no
+// latency, unlimited speed.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,14 +15,13 @@
 
 namespace hrt::mock {
 
-/// Properties of the hand tracker.
 struct TrackerSettings {
-  double noise_m = 0.0;         ///< standard deviation of each coordinate, white, >= 0
-  std::int64_t latency_ns = 0;  ///< a location at time t is that of t - latency, >= 0
+  double noise_m = 0.0;         ///< SD of the white noise of each coordinate
+  std::int64_t latency_ns = 0;  ///< the location that is reported for time t is that at t - latency
   std::int64_t period_ns = 0;   ///< time between samples; 0: a sample for every requested time
 };
 
-/// Repeated slides over the placed plate without instructions, in plate coordinates.
+/// Slides over the plate that a hand repeats without instructions, in plate coordinates.
 struct SlideSettings {
   Eigen::Vector3d start_m;  ///< position of the index tip joint
   double direction_deg;     ///< goal direction
@@ -32,19 +31,19 @@ struct SlideSettings {
 
 struct HandSettings {
   bool tracked = false;
-  std::vector<Keyframe> path;  ///< index fingertip and wrist's axes in LOCAL; empty: at rest
+  std::vector<Keyframe> path;  ///< position of the index tip and orientation of the wrist in LOCAL; empty: at rest
   std::optional<SlideSettings> slides;
 };
 
-/// A plate that exists before the session begins.
+/// A plate that exists when the session is created.
 struct PlateSettings {
-  Pose pose;             ///< in LOCAL; its +Y is the normal, its -Z the mid-line
-  std::string terminal;  ///< path of the pseudo-terminal that controls it; empty: no terminal
+  Pose pose;             ///< in LOCAL; +Y is the normal, -Z the mid-line away from the user
+  std::string terminal;  ///< path of a pseudo-terminal that controls the plate; empty: no terminal
 };
 
 struct WorldSettings {
   std::uint64_t seed = 1;
-  std::vector<PersonSettings> participants = {{}};  ///< entry n modulo their count makes reach n
+  std::vector<PersonSettings> participants = {{}};  ///< participant n modulo their number makes reach n
   TrackerSettings tracker;
   PlateDynamics servo;
   std::optional<PlateSettings> plate;

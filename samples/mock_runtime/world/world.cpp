@@ -8,20 +8,20 @@
 namespace hrt::mock {
 namespace {
 
-// A seated user's eyes are this far above the floor.
+// Height of a seated user's eyes above the floor.
 constexpr double eye_height_m = 1.2;
 
-// Elbow in plate coordinates: to the right (left) of the plate and behind it.
+// Position of the right elbow from the plate's centre: to the right, and towards the user. The left elbow mirrors it.
 constexpr double elbow_right_m = 0.10;
-constexpr double elbow_behind_m = 0.45;
-// Pitch of the hand, which points down onto the plate.
+constexpr double elbow_back_m = 0.45;
+// Pitch of the hand; negative: it points down.
 constexpr double hand_pitch_deg = -20.0;
 
 Eigen::Quaterniond hand_orientation(double yaw_deg) {
-  return turn(yaw_deg, Eigen::Vector3d::UnitY()) * turn(hand_pitch_deg, Eigen::Vector3d::UnitX());
+  return rotation(yaw_deg, Eigen::Vector3d::UnitY()) * rotation(hand_pitch_deg, Eigen::Vector3d::UnitX());
 }
 
-// State of a hand without path or reach.
+// State of a hand that has neither a path nor a reach.
 HandState resting_hand(XrHandEXT side) {
   const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
   return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35), hand_orientation(0.0)};
@@ -94,12 +94,12 @@ void World::advance(XrTime now) {
   now_ = now;
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
     if (std::optional<Reach>& reach = at(side).reach; reach && !reach->done()) reach->advance(now, servo_);
-    slide_again(side);
+    start_next_slide(side);
   }
   servo_.advance(now);
 }
 
-void World::slide_again(XrHandEXT side) {
+void World::start_next_slide(XrHandEXT side) {
   const std::optional<SlideSettings>& slides = settings_of(side).slides;
   const Reach* latest = reach(side);
   if (!slides || !plate_is_placed()) return;
@@ -115,7 +115,7 @@ std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
   if (settings_.tracker.period_ns > 0) sampled -= sampled % settings_.tracker.period_ns;
   HandState state = hand.reach ? sliding_hand(hand, side, sampled) : hand_on_path(side, sampled);
   state.index_tip_m += tracker_noise_m(side, sampled) + hand.jump_m;
-  if (hand.unturned) state.orientation.coeffs().setZero();
+  if (hand.rotation_lost) state.orientation.coeffs().setZero();
   return state;
 }
 
@@ -129,14 +129,14 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
 Pose World::head(XrTime time) const {
   if (settings_.head.empty()) return local_space_in_world();
   Pose head = pose_at(settings_.head, head_lost_at_.value_or(time) - start_);
-  head.position_m = local_space_in_world() * head.position_m;  // LOCAL has no rotation
+  head.position_m = local_space_in_world() * head.position_m;  // without rotation, since LOCAL has none
   return head;
 }
 
 HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const {
   const Eigen::Vector2d tip_m = hand.reach->position_m(time, servo_);
-  // The forearm turns about the elbow: the hand's yaw is the direction from elbow to fingertip.
-  const Eigen::Vector2d elbow_m(side == XR_HAND_LEFT_EXT ? -elbow_right_m : elbow_right_m, elbow_behind_m);
+  // The hand points from the elbow to the fingertip, since the forearm rotates about the elbow.
+  const Eigen::Vector2d elbow_m(side == XR_HAND_LEFT_EXT ? -elbow_right_m : elbow_right_m, elbow_back_m);
   const Eigen::Vector2d arm_m = tip_m - elbow_m;
   const double yaw_deg = atan2_deg(-arm_m.x(), -arm_m.y());
   return {*plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()),

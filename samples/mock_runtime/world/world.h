@@ -1,5 +1,5 @@
-// The simulation: a ridged plate on a servo, two hands, and the participant whose fingertip slides over
-// the plate. All poses are in world coordinates, those of STAGE as it was when the session was created.
+// The simulation: a ridged plate on a servo, two hands, and the participant whose fingertip slides over the plate.
+// World coordinates are those of STAGE when the session is created.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -13,25 +13,25 @@
 
 namespace hrt::mock {
 
-/// Orientation of the wrist of a hand that points straight ahead and down onto a plate.
+/// Orientation of the wrist of a hand at rest, which points straight ahead and 20 degrees down.
 Eigen::Quaterniond resting_hand_orientation();
 
 /// State of a hand at one time.
 struct HandState {
   Eigen::Vector3d index_tip_m;
-  Eigen::Quaterniond orientation;  ///< orientation of the wrist
+  Eigen::Quaterniond orientation;  ///< of the wrist; zero if the rotation is lost
 };
 
-/// Pose of the seated user's head and of LOCAL space when the session is created.
+/// Pose of LOCAL, and of the seated user's head, when the session is created.
 Pose local_space_in_world();
 
-/// Origins of the reference spaces in the world. Recentring moves an origin; nothing in the room moves.
+/// Origins of the reference spaces in the world. Recentring moves an origin, but neither the hands nor the plate.
 class Origins {
  public:
-  /// Moves LOCAL or STAGE, from time `change` on, to `pose` in its previous coordinates.
+  /// Moves the origin of LOCAL or STAGE from time `change` on; `pose` is that of the new origin in the old space.
   void recenter(XrReferenceSpaceType type, XrTime change, const Pose& pose);
 
-  /// World pose of LOCAL, LOCAL_FLOOR (below LOCAL, on the floor of STAGE) or STAGE at a time.
+  /// Returns the pose of LOCAL, STAGE or LOCAL_FLOOR, which is below LOCAL on the floor of STAGE, at a time.
   Pose in_world(XrReferenceSpaceType type, XrTime time) const;
 
  private:
@@ -47,55 +47,53 @@ class Origins {
 
 class World {
  public:
-  /// Creates a world whose time begins at `start`.
+  /// Creates a world at the time `start`.
   World(const WorldSettings& settings, XrTime start);
 
-  /// Plate frame: origin in the centre of rotation, +Y the normal, -Z the mid-line away from the user.
+  /// Sets the pose of the plate frame: origin at the centre of rotation, +Y normal, -Z mid-line away from the user.
   void place_plate(const Pose& plate) { plate_ = plate; }
   bool plate_is_placed() const { return plate_.has_value(); }
 
-  /// Sets the seed of all later draws and the number of the next reach.
+  /// Sets the seed of all later random numbers and the number of the next reach.
   void set_seed(std::uint64_t seed, std::uint32_t next_reach);
 
   void command_plate(double orientation_deg) { servo_.command(orientation_deg); }
-  /// Orientation at a present or future time; an earlier time counts as now.
+  /// Returns the plate orientation now or at a future time; a past time counts as now.
   double plate_orientation_deg(XrTime time) const { return servo_.orientation_at_deg(time); }
 
   /// Starts a reach, with the index tip joint at `height_m` above the plate. Requires plate_is_placed().
   void instruct(XrHandEXT hand, const ReachInstruction& instruction, double height_m, XrTime now);
-  /// Latest reach of a hand, or null.
+  /// Returns the latest reach of a hand, or null.
   const Reach* reach(XrHandEXT hand) const;
-  /// Present index tip joint in plate coordinates. Requires that the hand has a reach.
+  /// Returns the present position of the index tip joint in plate coordinates. Requires that the hand has a reach.
   Eigen::Vector3d true_index_tip_m(XrHandEXT hand) const;
 
-  /// Injects faults of a hand.
+  /// These functions begin (true) or end (false) a fault of the tracker, or add to the reported position.
   void lose_tracking(XrHandEXT hand, bool lost) { at(hand).lost = lost; }
   void freeze(XrHandEXT hand, bool frozen);
-  void lose_rotation(XrHandEXT hand, bool lost) { at(hand).unturned = lost; }
+  void lose_rotation(XrHandEXT hand, bool lost) { at(hand).rotation_lost = lost; }
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
 
-  /// Begins or ends loss of head tracking: the application then sees the head at its last pose, and hands relative to
-  /// it.
+  /// Begins or ends a loss of head tracking. Meanwhile the head is reported where it was.
   void lose_head(bool lost) { head_lost_at_ = lost ? std::optional(head_lost_at_.value_or(now_)) : std::nullopt; }
   bool head_is_lost() const { return head_lost_at_.has_value(); }
 
   Pose head(XrTime time) const;
 
-  /// Origins of the reference spaces.
   Origins origins;
 
-  /// Advances the simulation to `now`. Earlier commands must have been given before this call.
+  /// Advances the simulation to `now`. Commands that the caller gives later take effect at `now`.
   void advance(XrTime now);
 
-  /// State of the hand as the tracker reports it for `time`; nothing while not tracked. A future time is predicted
-  /// without further plate commands.
+  /// Returns the state that the tracker reports for `time`; nothing while the hand is not tracked. A future state is
+  /// predicted without further plate commands.
   std::optional<HandState> hand(XrHandEXT hand, XrTime time) const;
 
  private:
   struct Hand {
     bool tracked = false;
     bool lost = false;
-    bool unturned = false;  // true: quaternions are reported as zero
+    bool rotation_lost = false;  // quaternions are reported as zero
     std::optional<XrTime> frozen_at;
     Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();
     std::optional<Reach> reach;
@@ -105,8 +103,8 @@ class World {
   Hand& at(XrHandEXT hand) { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
   const Hand& at(XrHandEXT hand) const { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
   const HandSettings& settings_of(XrHandEXT side) const { return settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1]; }
-  /// Starts the next uninstructed slide of a hand if it is due.
-  void slide_again(XrHandEXT side);
+  /// Starts the next of the repeated slides of a hand if it is due.
+  void start_next_slide(XrHandEXT side);
   HandState hand_on_path(XrHandEXT side, XrTime time) const;
   HandState sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const;
   Eigen::Vector3d tracker_noise_m(XrHandEXT side, XrTime time) const;

@@ -1,5 +1,4 @@
-// Spaces, views and hands. The comment above each test quotes the tested sentence of the OpenXR
-// specification 1.0 or of XR_EXT_hand_tracking.
+// Spaces, views and hands. Quotations above the tests are from the OpenXR specification 1.0 or XR_EXT_hand_tracking.
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -30,7 +29,7 @@ Eigen::Quaternionf orientation(const XrHandJointLocationEXT& joint) {
 // "the returned radius must be a positive value". "XR_HAND_JOINT_PALM_EXT: the center of the middle finger's metacarpal
 // bone". "The backward (+Z) direction is parallel to the corresponding bone and points away from the finger tip"; "up
 // (+Y) [...] points out of the back of the hand"; +X is right, towards the little finger on a right hand.
-TEST_F(MockHand, JointsOfBothHandsAreAsSpecified) {
+TEST_F(MockHand, JointsOfBothHandsHaveTheAxesOfTheSpecification) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   begin_with(R"({"hands": {"left": {"tracked": true}}})");
   struct Bone {
@@ -53,7 +52,7 @@ TEST_F(MockHand, JointsOfBothHandsAreAsSpecified) {
                 XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT);
       EXPECT_GT(joint.radius, 0.0F);
       EXPECT_NEAR(orientation(joint).norm(), 1.0F, 1e-6F);
-      // The fingertip slides over a plate that no other joint may touch.
+      // Only the index fingertip may touch the plate.
       EXPECT_GE(position(joint).y() - joint.radius, position(tip).y() - tip.radius);
     }
     for (const auto& [joint, from, to] : bones) {
@@ -77,7 +76,7 @@ TEST_F(MockHand, JointsOfBothHandsAreAsSpecified) {
 // "If the returned isActive is false, it indicates the hand tracker did not detect the hand input or the
 // application lost input focus. In this case, the runtime must return all jointLocations with neither
 // XR_SPACE_LOCATION_POSITION_VALID_BIT nor XR_SPACE_LOCATION_ORIENTATION_VALID_BIT set."
-TEST_F(MockHand, InactiveHandHasNoValidBit) {
+TEST_F(MockHand, UntrackedHandAndSessionWithoutFocusHaveNoValidBit) {
   const XrTime time = frame();
   const XrHandTrackerEXT right = create_hand_tracker();
   for (const bool focused : {true, false}) {
@@ -94,28 +93,9 @@ TEST_F(MockHand, InactiveHandHasNoValidBit) {
   }
 }
 
-// "The application must input jointCount as described by the XrHandJointSetEXT [...]. Otherwise, the runtime
-// must return XR_ERROR_VALIDATION_FAILURE." Nothing is written.
-TEST_F(MockHand, JointCountsThatAreWrongAreRefused) {
-  const XrHandTrackerEXT tracker = create_hand_tracker();
-  std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT + 1> joints{};
-  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, 7, XR_HAND_JOINT_COUNT_EXT,
-                                    joints.data()};
-  const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 1};
-  for (const std::uint32_t count : {0U, 25U, 27U}) {
-    locations.jointCount = count;
-    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrLocateHandJointsEXT)(tracker, &info, &locations));
-  }
-  locations.jointCount = XR_HAND_JOINT_COUNT_EXT;
-  XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, 25, nullptr};
-  locations.next = &velocities;
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrLocateHandJointsEXT)(tracker, &info, &locations));
-  EXPECT_EQ(locations.isActive, 7U);
-  EXPECT_EQ(joints[0].locationFlags, 0U);
-}
-
-// Hand-derived: a space 2 m to the right, rotated 90 degrees to the left, located in one 1 m ahead, and vice versa.
-TEST_F(MockHand, SpacesAreLocatedInEachOther) {
+// Derived by hand: a space 2 m to the right, rotated 90 degrees to the left, is located in a space 1 m ahead, and the
+// latter in the former.
+TEST_F(MockHand, RotatedSpaceIsLocatedInAShiftedSpaceAndViceVersa) {
   const float half = std::sqrt(0.5F);
   const XrSpace turned = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0.0F, half, 0.0F, half}, {2.0F, 0.0F, 0.0F}});
   const XrSpace ahead = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {identity_pose.orientation, {0.0F, 0.0F, -1.0F}});
@@ -137,11 +117,23 @@ double distance_m(const XrPosef& a, const XrPosef& b) {
                     static_cast<double>(a.position.z - b.position.z));
 }
 
+class MockLocalFloor : public MockRuntime {
+ protected:
+  MockLocalFloor() : MockRuntime({XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_LOCAL_FLOOR_EXTENSION_NAME}) {}
+};
+
+// "LOCAL_FLOOR [...] establishes a world-locked origin [...] at the floor level".
+TEST_F(MockLocalFloor, IsOnTheFloorBelowLocal) {
+  begin_session();
+  const XrSpace floor = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR);
+  EXPECT_NEAR(located(floor, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1).pose.position.y, -1.2F, 1e-6F);
+}
+
 using MockDevices = MockRuntime;
 
-// Hand-derived: the head moves 0.2 m to the right in one second and turns left by 90 degrees; half way the values are
-// 0.1 m and 45 degrees.
-TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
+// Derived by hand: the head moves 0.2 m to the right and turns left by 90 degrees in one second; after half of the time
+// it has moved 0.1 m and turned by 45 degrees.
+TEST_F(MockDevices, HeadAndViewsAreInterpolatedOnThePathOfTheHead) {
   begin_with(R"({"head": {"path": [
     {"time_ms": 0, "position_m": [0, 0, 0]},
     {"time_ms": 1000, "position_m": [0.2, 0, 0], "orientation": [0, 0.70710678, 0, 0.70710678]}]}})");
@@ -161,22 +153,22 @@ TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
   EXPECT_NEAR(distance_m(views[0].pose, views[1].pose), 0.063, 1e-6);
 }
 
-// "XR_SPACE_LOCATION_POSITION_TRACKED_BIT [...] unset when the position is inferred [...] and not currently
-// tracked": a headset that is not tracked detects hands, but not their positions in the room.
-TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
+// "XR_SPACE_LOCATION_POSITION_TRACKED_BIT [...] unset when the position is inferred [...] and not currently tracked". A
+// headset that is not tracked still tracks hands relative to itself, but not in the room.
+TEST_F(MockDevices, PositionsInTheRoomAreInferredWhileTheHeadIsLost) {
   begin_with(
       R"({"head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 1000, "position_m": [0, 0, 1]}]},
       "events": [{"frame": 3, "do": "lose_tracking", "of": "head"},
                  {"frame": 6, "do": "regain_tracking", "of": "head"}]})");
   const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW), stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
-  constexpr XrSpaceLocationFlags all = 15, guessed = all & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  constexpr XrSpaceLocationFlags all = 15, inferred = all & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   XrPosef before{};
   for (int number = 1; number <= 7; ++number) {
     const XrTime time = frame();
     const bool lost = number >= 3 && number < 6;
     const XrSpaceLocation head = located(view, local, time);
-    EXPECT_EQ(head.locationFlags, lost ? guessed : all) << number;
-    EXPECT_EQ(located(local, view, time).locationFlags, lost ? guessed : all) << number;
+    EXPECT_EQ(head.locationFlags, lost ? inferred : all) << number;
+    EXPECT_EQ(located(local, view, time).locationFlags, lost ? inferred : all) << number;
     EXPECT_EQ(located(stage, local, time).locationFlags, all) << number;
     const double moved_m = distance_m(head.pose, before);
     EXPECT_TRUE(number != 5 || moved_m == 0.0) << moved_m;
@@ -184,7 +176,7 @@ TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
     before = head.pose;
     const Hand in_room = locate_hand(hand, local, time), in_view = locate_hand(hand, view, time);
     EXPECT_TRUE(in_room.active);
-    EXPECT_EQ(in_room.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, lost ? guessed : all) << number;
+    EXPECT_EQ(in_room.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, lost ? inferred : all) << number;
     EXPECT_EQ(in_view.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, all) << number;
     const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, time,
                                 local};
@@ -195,34 +187,7 @@ TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
   }
 }
 
-// "The action state [...] is inactive" without a device that is bound to it: there are no controllers.
-TEST_F(MockDevices, ActionsAreInactive) {
-  const XrActionSet set = make_set("set");
-  const XrAction press = make_action(set, "press", XR_ACTION_TYPE_BOOLEAN_INPUT);
-  const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT);
-  const char* profile = "/interaction_profiles/khr/simple_controller";
-  ASSERT_XR(XR_SUCCESS, suggest(profile, {{press, path("/user/hand/left/input/select/click")},
-                                          {grip, path("/user/hand/left/input/grip")}}));
-  create_session();
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  EXPECT_XR(XR_SESSION_NOT_FOCUSED, sync({{set, XR_NULL_PATH}}));
-  focus();
-  EXPECT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
-  XrActionStateBoolean state{XR_TYPE_ACTION_STATE_BOOLEAN, nullptr, XR_TRUE, XR_TRUE, 5, XR_TRUE};
-  const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, press, XR_NULL_PATH};
-  ASSERT_XR(XR_SUCCESS, xrGetActionStateBoolean(session, &info, &state));
-  EXPECT_FALSE(state.isActive);
-  EXPECT_FALSE(state.currentState);
-  EXPECT_EQ(state.lastChangeTime, 0);
-  XrInteractionProfileState current{XR_TYPE_INTERACTION_PROFILE_STATE, nullptr, 77};
-  ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, path("/user/hand/left"), &current));
-  EXPECT_EQ(current.interactionProfile, XrPath{XR_NULL_PATH});
-  const XrSpace space = create_action_space(grip);
-  EXPECT_XR(XR_SUCCESS, xrDestroyAction(grip));
-  EXPECT_EQ(located(space, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), frame()).locationFlags, 0U);
-}
-
-TEST_F(MockDevices, CallLogHasTimeThreadAndReason) {
+TEST_F(MockDevices, FailedCallIsLoggedWithTimeThreadAndReason) {
   begin_session();
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrBeginFrame(session, nullptr));
   const auto log = call_log();

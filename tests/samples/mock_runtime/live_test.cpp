@@ -1,4 +1,4 @@
-// A plate that any program can turn through its pseudo-terminal, as it would turn a real one.
+// The simulated plate behind a pseudo-terminal, which a program commands as it would a built plate.
 #include <fstream>
 
 #include "tests/plugin/plate/eventually.h"
@@ -19,8 +19,7 @@ class MockPlateTerminal : public MockRuntime {
   }
 
   std::string terminal() const { return folder_ / "plate"; }
-  // A plate 40 cm below and 35 cm before the eyes, turned by `plate`, over which a finger slides straight
-  // ahead.
+  // A plate 40 cm below and 35 cm in front of the eyes, over which a finger repeatedly slides straight ahead.
   std::string script() const {
     return R"({"clock": "real-time", "servo": {"speed_deg_per_s": 400, "latency_ms": 20},
       "plate": {"position_m": [0, -0.4, -0.35], "terminal": ")" +
@@ -44,22 +43,22 @@ class MockPlateTerminal : public MockRuntime {
   hrt_plate plate_{};
 };
 
-TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
+TEST_F(MockPlateTerminal, CommandsRotateThePlateWhichSteersTheParticipant) {
   begin_with(script());
   open();
   EXPECT_EQ(report().max_speed_deg_s, 400.0);
-  // Commands are repeated, since the driver stops a plate whose host is silent.
-  const auto turns_to_50 = [&](auto orientation_deg) {
+  // The command is repeated, because the driver stops a plate that receives no commands.
+  const auto reaches_50_deg = [&](auto orientation_deg) {
     return eventually([&] {
       EXPECT_EQ(hrt_plate_set(plate_, 50.0), HRT_OK);
       return std::abs(orientation_deg() - 50.0) < 0.5;
     });
   };
-  EXPECT_TRUE(turns_to_50([&] { return true_orientation_deg(); }));
-  EXPECT_TRUE(turns_to_50([&] { return report().orientation_deg; }));
+  EXPECT_TRUE(reaches_50_deg([&] { return true_orientation_deg(); }));
+  EXPECT_TRUE(reaches_50_deg([&] { return report().orientation_deg; }));
 
-  // Ridges to the left of the motion are felt as a motion to the left: a participant who intends to move straight ahead
-  // moves to the right.
+  // The plate at 50 degrees shifts the perceived direction to the left, so that a participant who intends to move
+  // straight ahead moves to the right.
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
   EXPECT_TRUE(eventually([&] {
     EXPECT_EQ(hrt_plate_set(plate_, 50.0), HRT_OK);
@@ -69,13 +68,12 @@ TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
   EXPECT_LT(std::abs(truth.perceivedDirection), std::abs(truth.trueDirection));
 }
 
-TEST_F(MockPlateTerminal, ExistingFilesAreNotReplaced) {
+TEST_F(MockPlateTerminal, SessionFailsIfAFileExistsAtTheTerminal) {
   std::ofstream(terminal()) << "thesis";
   apply(script());
-  XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO};
-  info.systemId = 1;
-  EXPECT_XR(XR_ERROR_RUNTIME_FAILURE, xrCreateSession(instance, &info, &session));
-  EXPECT_TRUE(has(call_log().back().reason, "plate.terminal: " + terminal() + " cannot be made: File exists"));
+  EXPECT_XR(XR_ERROR_RUNTIME_FAILURE,
+            result_of(xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system}));
+  EXPECT_TRUE(has(call_log().back().reason, "script.plate.terminal: " + terminal()));
   EXPECT_EQ(read_file(terminal()), "thesis");
 }
 

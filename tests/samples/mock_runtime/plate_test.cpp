@@ -1,4 +1,4 @@
-// XR_HRTX_ridged_plate: simulated people, as an application sees them.
+// XR_HRTX_ridged_plate: reaches of simulated participants, as an application observes them.
 #include <cmath>
 
 #include "core/simulation/person.h"
@@ -43,8 +43,8 @@ class Hash : public plugin::Hash {
   }
 };
 
-// Every key of a participant in the script takes effect: the result equals that of a participant built here.
-TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
+// Every key of a participant takes effect: the reach equals that of a SlidingPerson with the same values.
+TEST_F(MockPlate, ReachEqualsThatOfAPersonWithTheValuesOfTheScript) {
   begin_on_plate(R"({"seed": 6, "participants": [{
       "illusion": "saturating", "illusion_scale_deg": 50, "tactile_weight": 0.22, "weight_drift": 0.03,
       "steering": "place", "gain_per_s": 7, "delay_ms": 90, "noise_deg2_per_s": 5, "start_direction_deg": 1.5,
@@ -65,7 +65,7 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
                       .pace = Pace::stop_and_go,
                       .duration_s = 1.3,
                       .path_scale = 1.1};
-  SlidingPerson by_hand(person, {0.0, -50.0}, 5.0, 100.0, Draws(6, 1, 0, 0));
+  SlidingPerson expected(person, {0.0, -50.0}, 5.0, 100.0, Draws(6, 1, 0, 0));
   XrTime now = 1'000'000'000;  // first time of a manual clock
   double plate_deg = 0.0;
   double peak_deg = 0.0;
@@ -73,25 +73,26 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
     ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 10'000'000));
     now += 10'000'000;
     for (int millisecond = 0; period >= 25 && millisecond < 10; ++millisecond) {
-      by_hand.advance(plate_deg);
-      if (by_hand.elapsed_s() > 0.05 && by_hand.speed_mm_s() > 10.0)
-        peak_deg = std::max(peak_deg, std::abs(by_hand.felt_error_deg()));
+      expected.advance(plate_deg);
+      if (expected.elapsed_s() > 0.05 && expected.speed_mm_s() > 10.0)
+        peak_deg = std::max(peak_deg, std::abs(expected.felt_error_deg()));
     }
     const XrVector3f tip = index_tip(now);
-    EXPECT_NEAR(static_cast<double>(tip.x), 1e-3 * by_hand.position().right_mm, 1e-6);
-    EXPECT_NEAR(static_cast<double>(tip.z), -1e-3 * by_hand.position().away_mm, 1e-6);
+    EXPECT_NEAR(static_cast<double>(tip.x), 1e-3 * expected.position().right_mm, 1e-6);
+    EXPECT_NEAR(static_cast<double>(tip.z), -1e-3 * expected.position().away_mm, 1e-6);
     plate_deg = 8.0 * (period % 13) - 50.0;
     ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, plate_deg));
   }
-  EXPECT_TRUE(by_hand.done());
-  EXPECT_NEAR(truth().perceivedDirection, 5.0 + by_hand.felt_error_deg(), 1e-12);
-  EXPECT_EQ(truth().trueDirection, by_hand.direction_deg());
+  EXPECT_TRUE(expected.done());
+  EXPECT_NEAR(truth().perceivedDirection, 5.0 + expected.felt_error_deg(), 1e-12);
+  EXPECT_EQ(truth().trueDirection, expected.direction_deg());
   EXPECT_EQ(truth().peakFeltError, peak_deg);
   EXPECT_GT(peak_deg, 1.0);
 }
 
-// P = G + bias - own bias - shift, and ridges at 75 degrees shift by w 75, or to the right half of that.
-TEST_F(MockPlate, TruthHasTheFeasibleDirections) {
+// Derived by hand: P = G + bias - own bias - shift. The plate at 75 degrees shifts by 75 w to the left, and with an
+// unequal illusion by half of that to the right.
+TEST_F(MockPlate, TruthHasTheOutermostFeasibleDirections) {
   begin_on_plate(R"({"participants": [{"illusion": "unequal",
       "tactile_weight": 0.2, "bias_deg": 3, "own_bias_deg": 1}]})");
   place_plate();
@@ -100,8 +101,7 @@ TEST_F(MockPlate, TruthHasTheFeasibleDirections) {
   EXPECT_NEAR(truth().rightmostDirection, 5.0 + 3.0 - 1.0 - 15.0, 1e-12);
 }
 
-// Slides of a script equal instructed reaches, and repeat after their rest.
-TEST_F(MockPlate, UninstructedSlidesRepeat) {
+TEST_F(MockPlate, ScriptedSlideEqualsAnInstructedReachAndRepeatsAfterItsRest) {
   const auto begin = [&](const std::string& hands) {
     begin_on_plate(R"({"participants": [{"tactile_weight": 0.2, "duration_ms": 800, "reaction_ms": 300}])" + hands +
                    "}");
@@ -133,8 +133,8 @@ TEST_F(MockPlate, UninstructedSlidesRepeat) {
   EXPECT_NEAR(starts[1], 3.0 * 90.0, 3.0);
 }
 
-// The bytes are equal for every compiler and build: a recording made on one host must replay on another.
-TEST_F(MockPlate, ReachIsBitIdenticalOnEveryHost) {
+// The hash is the same for every compiler and build, so that a recording from one computer replays on another.
+TEST_F(MockPlate, ReachesHaveTheSameHashOnEveryPlatform) {
   begin_on_plate(R"({"seed": 3, "servo": {"speed_deg_per_s": 400},
       "participants": [{}, {"illusion": "tanh", "steering": "heavy_arm"}, {"steering": "steps"}],
       "tracker": {"noise_mm": 1.2, "rate_hz": 90, "latency_ms": 10}})");
@@ -152,8 +152,7 @@ TEST_F(MockPlate, ReachIsBitIdenticalOnEveryHost) {
   EXPECT_EQ(hash.value(), 6041797942353730450U);
 }
 
-// All joints of a hand on a path that turns, with noise: positions and axes.
-TEST_F(MockPlate, PathIsBitIdenticalOnEveryHost) {
+TEST_F(MockPlate, JointsOfAHandOnAPathHaveTheSameHashOnEveryPlatform) {
   begin_on_plate(R"({"tracker": {"noise_mm": 1.2},
       "hands": {"right": {"path": [
         {"time_ms": 0, "position_m": [0.1, -0.3, -0.2], "orientation": [0.6, 0, 0, 0.8]},

@@ -1,4 +1,4 @@
-// Scripts, faults, clocks and the call log: XR_HRTX_mock_control.
+// Scripts, their faults, the clocks and the call log.
 #include <Eigen/Core>
 #include <chrono>
 #include <cmath>
@@ -19,25 +19,24 @@ class MockScript : public MockRuntime {
     place_plate(local);
     instruct(goal_deg);
   }
-  // Final direction of a whole reach to -5 degrees.
+  // Makes a whole reach to -5 degrees; returns the direction of motion at its end.
   double final_direction() {
     begin_reach(-5.0);
     EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
     EXPECT_TRUE(truth().isDone);
     return truth().trueDirection;
   }
-  XrResult wait() {
+  XrResult begin_frame() {
     const XrResult waited = xrWaitFrame(session, nullptr, &state);
     if (XR_SUCCEEDED(waited)) xrBeginFrame(session, nullptr);
     return waited;
   }
 
-  XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};  // state of the latest wait()
+  XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};  // state of the latest begin_frame()
 };
 
-// The reason in the call log begins with the place, and no part of an invalid script takes effect. The test has one
-// script for each kind of mistake.
-TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithItsPlace) {
+// One invalid script for each kind of mistake, and the key that the call log names.
+TEST_F(MockScript, InvalidScriptIsRejectedAndTheCallLogNamesTheKey) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"{", "parse error"},
       {"[]", "script must"},
@@ -63,17 +62,17 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithItsPlace) {
       {R"({"calls": [{"function": "xrWaitFrame"}]})", "script.calls[0]"},
       {R"({"calls": [{"function": "xrWaitFrame", "block": true, "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
        "script.calls[0]"},
-      {R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})", "script: withhold_extensions"},
+      {R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})", "script.withhold_extensions"},
   };
-  for (const auto& [script, place] : cases) {
+  for (const auto& [script, key] : cases) {
     EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrApplyScriptHRTX)(instance, script)) << script;
-    EXPECT_TRUE(has(std::string(call_log().back().reason), place)) << call_log().back().reason;
+    EXPECT_TRUE(has(std::string(call_log().back().reason), key)) << call_log().back().reason;
   }
   create_session();
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, XR(xrApplyScriptHRTX)(instance, "{}"));
 }
 
-// Complete JSON objects in a document: in a block, in quotes of any kind, or in brackets.
+// Returns the JSON objects of a document: each begins after a quotation mark, a bracket or at the start of a line.
 std::vector<std::string> examples_of(const std::string& document) {
   const std::string text = read_file(std::string(HRT_MOCK_DOCUMENTS) + "/" + document);
   std::vector<std::string> found;
@@ -89,7 +88,7 @@ std::vector<std::string> examples_of(const std::string& document) {
   return found;
 }
 
-TEST_F(MockScript, ExamplesOfTheDocumentsRun) {
+TEST_F(MockScript, ExamplesOfTheDocumentsAreValidAndRun) {
   std::size_t count = 0;
   for (const char* document : {"README.md", "SCRIPTS.md"})
     for (const std::string& script : examples_of(document)) {
@@ -97,22 +96,21 @@ TEST_F(MockScript, ExamplesOfTheDocumentsRun) {
       begin_session();
       const auto start = std::chrono::steady_clock::now();
       for (int i = 0; i < 320 && std::chrono::steady_clock::now() - start < std::chrono::seconds(2); ++i)
-        if (XR_FAILED(wait())) break;
+        if (XR_FAILED(begin_frame())) break;
       EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-      TearDown();  // some examples lose their instance
+      TearDown();  // after some examples the instance is lost
       SetUp();
       ++count;
     }
   EXPECT_GE(count, 5U);
 }
 
-// A script delays a call, in real time under either clock, without delaying other threads' calls.
-TEST_F(MockScript, ScriptDelaysCalls) {
+TEST_F(MockScript, DelayedCallWaitsInRealTimeAndCallsOfOtherThreadsProceed) {
   begin_with(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 1500}]})");
-  EXPECT_XR(XR_SUCCESS, wait());
+  EXPECT_XR(XR_SUCCESS, begin_frame());
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::steady_clock::now() - start; };
-  std::thread waiter([&] { EXPECT_XR(XR_SUCCESS, wait()); });
+  std::thread waiter([&] { EXPECT_XR(XR_SUCCESS, begin_frame()); });
   while (call_log().back().function == std::string("xrBeginFrame") && elapsed() < std::chrono::milliseconds(100))
     EXPECT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 1.0));
   EXPECT_LT(elapsed(), std::chrono::milliseconds(1400));
@@ -120,7 +118,7 @@ TEST_F(MockScript, ScriptDelaysCalls) {
   EXPECT_GE(elapsed(), std::chrono::milliseconds(1500));
 }
 
-TEST_F(MockScript, HandFreezesAndCatchesUpAndJumps) {
+TEST_F(MockScript, FrozenHandRepeatsItsPositionAndAJumpAddsItsOffset) {
   begin_with(
       R"({"events": [{"frame": 3, "do": "freeze", "hand": "right"}, {"frame": 6, "do": "unfreeze", "hand": "right"},
                      {"frame": 8, "do": "jump", "hand": "right", "by_mm": [10, 20, -30]}],
@@ -131,47 +129,45 @@ TEST_F(MockScript, HandFreezesAndCatchesUpAndJumps) {
   constexpr float step_m = 0.1F / 3.0F / 90.0F;  // 33.3 mm/s and 11.1 ms
   EXPECT_EQ(std::memcmp(&tips[2], &tips[4], sizeof(XrVector3f)), 0);
   EXPECT_NEAR(tips[1].z - tips[0].z, -step_m, 1e-6F);
-  EXPECT_NEAR(tips[5].z - tips[1].z, -4 * step_m, 1e-6F);  // the reach has continued meanwhile
+  EXPECT_NEAR(tips[5].z - tips[1].z, -4 * step_m, 1e-6F);  // the reach continues while the hand is frozen
   EXPECT_NEAR(tips[7].x - tips[6].x, 0.010F, 1e-5F);
   EXPECT_NEAR(tips[7].y - tips[6].y, 0.020F, 1e-6F);
   EXPECT_NEAR(tips[7].z - tips[6].z, -0.030F - step_m, 1e-6F);
 }
 
-// Each state is reported once, including intermediate ones; a hand is inactive without focus.
-TEST_F(MockScript, SessionStatesPassThroughIntermediateStates) {
+// Each state is reported once, including those in between. A hand is inactive in a session without focus.
+TEST_F(MockScript, ScriptedStateIsReachedByWayOfTheStatesInBetween) {
   begin_with(R"({"events": [{"frame": 2, "do": "session_state", "state": "SYNCHRONIZED"},
                             {"frame": 3, "do": "session_state", "state": "SYNCHRONIZED"},
                             {"frame": 4, "do": "session_state", "state": "FOCUSED"},
                             {"frame": 5, "do": "session_state", "state": "STOPPING"}]})");
-  frame();
-  EXPECT_TRUE(all_states().empty());
-  const XrTime unfocused = frame();
-  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED}));
-  EXPECT_FALSE(locate_hand(hand, local, unfocused).active);
-  frame();
-  EXPECT_TRUE(all_states().empty());
-  frame();
-  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
-  frame();
-  EXPECT_EQ(all_states(),
-            (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING}));
-  // The runtime ended the session, not the application: the session becomes ready again.
+  const std::vector<std::vector<XrSessionState>> reported{
+      {},
+      {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED},
+      {},
+      {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED},
+      {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING}};
+  for (std::size_t i = 0; i < reported.size(); ++i) {
+    const XrTime time = frame();
+    EXPECT_EQ(all_states(), reported[i]) << i;
+    EXPECT_EQ(locate_hand(hand, local, time).active, i == 0 || i == 3) << i;
+  }
+  // The runtime, not the application, has ended the session: it becomes ready again.
   ASSERT_XR(XR_SUCCESS, xrEndSession(session));
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
 }
 
-// Violations of the specification that exist in some runtimes can be simulated.
-TEST_F(MockScript, StateIsRepeatedAndFramesHaveNoTimesOnlyByScript) {
+// Some runtimes violate the specification in these ways.
+TEST_F(MockScript, ScriptRepeatsAStateAndOmitsDisplayTimes) {
   begin_with(R"({"frame_times": false, "events": [{"frame": 2, "do": "repeat_session_state"}]})");
-  EXPECT_XR(XR_SUCCESS, wait());
+  EXPECT_XR(XR_SUCCESS, begin_frame());
   EXPECT_EQ(state.predictedDisplayTime, 0);
   EXPECT_TRUE(all_states().empty());
-  EXPECT_XR(XR_SUCCESS, wait());
+  EXPECT_XR(XR_SUCCESS, begin_frame());
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_FOCUSED}));
 }
 
-// A hand with a path is tracked, unless the script says otherwise.
-TEST_F(MockScript, HandFollowsItsPath) {
+TEST_F(MockScript, HandIsInterpolatedOnItsPathUnlessTrackedIsFalse) {
   for (const bool hidden : {false, true}) {
     begin_with(R"({"hands": {"right": {)" + std::string(hidden ? R"("tracked": false, )" : "") +
                R"("path": [{"time_ms": 0, "position_m": [0, 0, 0]},
@@ -190,8 +186,8 @@ TEST_F(MockScript, HandFollowsItsPath) {
   }
 }
 
-// Hand-derived: after 20 ms, at 400 deg/s, a rotation by 50 degrees takes 125 ms.
-TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
+// Derived by hand: a rotation by 50 degrees at 400 deg/s begins after 20 ms and takes 125 ms.
+TEST_F(MockScript, PlateRotatesAtTheSpeedOfTheServoAfterItsLatency) {
   begin_with(R"({"servo": {"speed_deg_per_s": 400, "latency_ms": 20}})");
   ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, -50.0));
   for (const auto& [after_ms, expected_deg] : {std::pair{20, 0.0}, {70, -20.0}, {145, -50.0}}) {
@@ -201,7 +197,7 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   }
 }
 
-TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
+TEST_F(MockScript, TrackerReportsSamplesOf40HzAfter50Ms) {
   begin_with(R"({"participants": [{"steering": "steps"}], "tracker": {"latency_ms": 50, "rate_hz": 40}})");
   ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 0));
   begin_reach();
@@ -216,23 +212,22 @@ TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
   EXPECT_NEAR(travelled_mm(101), 50.0 / 30.0, 1e-4);
 }
 
-// Each coordinate has the set standard deviation, and repeated requests for one time give the same noise.
-TEST_F(MockScript, TrackerNoiseHasTheSetDeviation) {
+TEST_F(MockScript, TrackerNoiseHasTheScriptedSdAndDependsOnTheTimeOnly) {
   begin_with(R"({"tracker": {"noise_mm": 1.2}, "seed": 7})");
   const Eigen::Vector3d rest{0.15, -0.40, -0.35};
-  const auto off = [&](XrTime time) {
+  const auto noise_m = [&](XrTime time) {
     const XrVector3f tip = locate_hand(hand, local, time).index_tip();
     return Eigen::Vector3d(Eigen::Vector3f(tip.x, tip.y, tip.z).cast<double>() - rest);
   };
   double squares = 0.0;
   constexpr int samples = 2000;
-  for (int i = 1; i <= samples; ++i) squares += off(i * 1'000'003).squaredNorm();
-  // The SD estimated from 6000 draws has an SD of about 1 %; the tolerance is four of these.
+  for (int i = 1; i <= samples; ++i) squares += noise_m(i * 1'000'003).squaredNorm();
+  // An SD that is estimated from 6000 values has a standard error of about 1 %; the tolerance is four standard errors.
   EXPECT_NEAR(std::sqrt(squares / (3.0 * samples)), 1.2e-3, 0.04 * 1.2e-3);
-  EXPECT_EQ(off(5), off(5));
+  EXPECT_EQ(noise_m(5), noise_m(5));
 }
 
-TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
+TEST_F(MockScript, ParticipantsAlternateAndTheSeedDeterminesTheirNoise) {
   const auto final_directions = [&](const char* script) {
     begin_with(script);
     std::vector<double> directions;
@@ -240,7 +235,7 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
     EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
     return directions;
   };
-  // Without noise felt and intended direction agree at the end: P = G / (1 - w_T) for the plate at 0.
+  // Without noise the perceived direction equals the intended one at the end: P = G / (1 - w_T) with the plate at 0.
   const auto exact = final_directions(
       R"({"participants": [{"illusion": "linear", "tactile_weight": 0.2, "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 4000},
                            {"illusion": "linear", "tactile_weight": 0.3, "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 4000}]})");
@@ -251,8 +246,7 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
   EXPECT_NE(final_directions(R"({"seed": 2})"), final_directions("{}"));
 }
 
-// A key that fixes one trait does not change the draws of others.
-TEST_F(MockScript, SeedDrawsEachTraitIndependently) {
+TEST_F(MockScript, FixingOneTraitDoesNotChangeTheRandomDrawOfAnother) {
   std::vector<double> weights;
   for (const char* script : {"{}", R"({"participants": [{"pace": ["minimum_jerk", "pause"], "duration_ms": 1000}]})"}) {
     begin_with(script);
@@ -267,7 +261,7 @@ TEST_F(MockScript, SeedDrawsEachTraitIndependently) {
   EXPECT_NE(weights[0], weights[1]);
 }
 
-// An interrupted run can be continued: with the same participant, and each reach with its own noise.
+// An application can continue an interrupted run.
 TEST_F(MockScript, SeedAndNumberDetermineTheReach) {
   begin_with("{}");
   ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, 9, 0));
@@ -277,7 +271,7 @@ TEST_F(MockScript, SeedAndNumberDetermineTheReach) {
   EXPECT_NE(whole[2], whole[0]);
 }
 
-TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
+TEST_F(MockScript, FramesTakeNoRealTimeWithTheManualClockAndTheirPeriodWithTheRealTimeClock) {
   using std::chrono::steady_clock;
   begin_with(R"({"frame_rate_hz": 100})");
   const auto timed = [&](int frames) {
@@ -292,8 +286,7 @@ TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, XR(xrAdvanceTimeHRTX)(instance, 1));
 }
 
-// The environment: a script from a file, errors that xrCreateInstance reports, and a log that outlives the
-// instance.
+// Script and call log in files that environment variables name.
 class MockEnvironment : public MockRuntime {
  protected:
   void SetUp() override {
@@ -315,8 +308,7 @@ class MockEnvironment : public MockRuntime {
   TemporaryFolder folder;
 };
 
-// Each fault occurs once in a process, independent of the number of instances.
-TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
+TEST_F(MockEnvironment, FaultOccursOnceInAProcessWithSeveralInstances) {
   write_script(
       R"({"calls": [{"function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"},
                     {"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"}]})");
@@ -326,26 +318,25 @@ TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
     EXPECT_XR(first ? XR_ERROR_FORM_FACTOR_UNAVAILABLE : XR_SUCCESS, result_of(xrGetSystem, instance, head_mounted));
     EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
   }
-  EXPECT_TRUE(has(read_log(), "xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"));
+  EXPECT_TRUE(has(read_log(), "xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: "));
 }
 
-TEST_F(MockEnvironment, ScriptWithholdsExtensions) {
+// XR_KHR_convert_timespec_time is also absent, because no system time corresponds to a time of the manual clock.
+TEST_F(MockEnvironment, WithheldExtensionIsNotListedAndNotPresent) {
   write_script(R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})");
   std::uint32_t count = 0;
   EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr));
   std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
   EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data()));
-  std::vector<std::string> names;
-  for (const auto& property : properties) names.emplace_back(property.extensionName);
-  EXPECT_EQ(std::count(names.begin(), names.end(), "XR_EXT_hand_tracking"), 0);
-  // Under the manual clock no system time corresponds to an XrTime.
-  EXPECT_EQ(std::count(names.begin(), names.end(), XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME), 0);
-  EXPECT_EQ(std::count(names.begin(), names.end(), "XR_MND_headless"), 1);
+  std::string names;
+  for (const auto& property : properties) names += property.extensionName;
+  EXPECT_FALSE(has(names, "XR_EXT_hand_tracking"));
+  EXPECT_FALSE(has(names, "XR_KHR_convert_timespec_time"));
+  EXPECT_TRUE(has(names, "XR_MND_headless"));
   EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create());
 }
 
-// XR_KHR_convert_timespec_time: conversion in both directions gives the same time within 2 ns.
-TEST_F(MockEnvironment, TimespecsConvertInBothDirections) {
+TEST_F(MockEnvironment, TimespecIsUnchangedAfterConversionToXrTimeAndBack) {
   write_script(R"({"clock": "real-time"})");
   ASSERT_XR(XR_SUCCESS, create({XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
   for (const timespec& from : {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {
@@ -354,16 +345,16 @@ TEST_F(MockEnvironment, TimespecsConvertInBothDirections) {
     timespec back{};
     ASSERT_XR(XR_SUCCESS, XR(xrConvertTimeToTimespecTimeKHR)(instance, time, &back));
     EXPECT_EQ(back.tv_sec, from.tv_sec);
-    EXPECT_NEAR(static_cast<double>(back.tv_nsec), static_cast<double>(from.tv_nsec), 2.0);
+    EXPECT_EQ(back.tv_nsec, from.tv_nsec);
   }
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
-TEST_F(MockEnvironment, ScriptThatIsMissingOrBrokenFailsTheInstance) {
+TEST_F(MockEnvironment, MissingOrInvalidScriptFailsXrCreateInstance) {
   EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create());
   write_script(R"({"colour": "green"})");
   EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create());
-  EXPECT_TRUE(has(read_log(), "script.colour is not known"));
+  EXPECT_TRUE(has(read_log(), "script.colour"));
 }
 
 }  // namespace

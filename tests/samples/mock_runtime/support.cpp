@@ -3,9 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// The leak sanitizer calls this function. Debian's loader 1.0.20 does not free all memory of an instance. The
-// suppression also hides leaks of the runtime behind the loader; the tests of MockNegotiation, which use no loader,
-// would show them.
+// The leak sanitizer calls this function. It ignores leaks of Debian's loader 1.0.20, and with them leaks of the
+// runtime in calls through the loader; the tests of MockNegotiation, which use no loader, still detect the latter.
 extern "C" __attribute__((visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:libopenxr_loader.so";
 }
@@ -13,10 +12,9 @@ extern "C" __attribute__((visibility("default"))) const char* __lsan_default_sup
 namespace hrt::mock {
 namespace {
 
-// Sets the environment before the first test, since the loader reads it for every instance. Overrides the variables of
-// a developer's environment.
-const bool runtime_is_chosen = unsetenv("HRT_MOCK_SCRIPT") == 0 && unsetenv("HRT_MOCK_CALL_LOG") == 0 &&
-                               setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1) == 0;
+// Sets the environment before the first test, since the loader and the runtime read it for every instance.
+const bool environment_is_set = unsetenv("HRT_MOCK_SCRIPT") == 0 && unsetenv("HRT_MOCK_CALL_LOG") == 0 &&
+                                setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1) == 0;
 
 }  // namespace
 
@@ -54,7 +52,7 @@ const std::vector<const char*>& default_extensions() {
 }
 
 void MockRuntime::SetUp() {
-  ASSERT_TRUE(runtime_is_chosen);
+  ASSERT_TRUE(environment_is_set);
   const XrInstanceCreateInfo info = instance_info(extensions_);
   ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
   system = output(xrGetSystem, instance, head_mounted);
@@ -92,25 +90,21 @@ void MockRuntime::begin_with(const std::string& script) {
   hand = create_hand_tracker();
 }
 
-std::optional<XrSessionState> MockRuntime::next_state() {
-  const auto event = next_event<XrEventDataSessionStateChanged>(XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED);
-  return event ? std::optional(event->state) : std::nullopt;
-}
-
 std::vector<XrSessionState> MockRuntime::all_states() {
   std::vector<XrSessionState> states;
-  while (const auto state = next_state()) states.push_back(*state);
+  while (const auto event = next_event<XrEventDataSessionStateChanged>(XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED))
+    states.push_back(event->state);
   return states;
 }
 
 XrPath Application::path(const std::string& text) {
-  XrPath atom = XR_NULL_PATH;
-  EXPECT_XR(XR_SUCCESS, XR(xrStringToPath)(instance, text.c_str(), &atom));
-  return atom;
+  XrPath made = XR_NULL_PATH;
+  EXPECT_XR(XR_SUCCESS, XR(xrStringToPath)(instance, text.c_str(), &made));
+  return made;
 }
 
 std::vector<XrCallRecordHRTX> MockRuntime::call_log() {
-  // Another thread may make calls in between, which lengthen the log.
+  // Repeats if another thread has extended the log between the two calls.
   for (;;) {
     std::uint32_t count = 0;
     EXPECT_XR(XR_SUCCESS, XR(xrGetCallLogHRTX)(instance, 0, &count, nullptr));
@@ -129,7 +123,7 @@ XrHandTrackerEXT Application::create_hand_tracker(XrHandEXT which) {
 
 Application::Hand Application::locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time) {
   Hand found;
-  // Newer validation layers refuse outputs whose flags are zero before the call.
+  // Newer validation layers reject outputs whose flags are zero before the call.
   for (XrHandJointVelocityEXT& velocity : found.velocities) velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
   XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, XR_HAND_JOINT_COUNT_EXT,
                                       found.velocities.data()};
@@ -151,38 +145,6 @@ XrSpaceLocation Application::located(XrSpace space, XrSpace base, XrTime time, X
   return location;
 }
 
-XrActionSet Application::make_set(const char* name) {
-  return output(XR(xrCreateActionSet), instance, set_info(name, name));
-}
-
-XrAction Application::make_action(XrActionSet in, const char* name, XrActionType type,
-                                  const std::vector<XrPath>& subactions) {
-  return output(XR(xrCreateAction), in, action_info(name, name, type, subactions));
-}
-
-XrResult Application::suggest(const std::string& profile, const std::vector<XrActionSuggestedBinding>& bindings) {
-  const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, path(profile),
-                                                  static_cast<std::uint32_t>(bindings.size()), bindings.data()};
-  return XR(xrSuggestInteractionProfileBindings)(instance, &info);
-}
-
-XrResult Application::attach(const std::vector<XrActionSet>& sets) {
-  const XrSessionActionSetsAttachInfo info{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr,
-                                           static_cast<std::uint32_t>(sets.size()), sets.data()};
-  return XR(xrAttachSessionActionSets)(session, &info);
-}
-
-XrResult Application::sync(const std::vector<XrActiveActionSet>& sets) {
-  const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, static_cast<std::uint32_t>(sets.size()),
-                               sets.data()};
-  return XR(xrSyncActions)(session, &info);
-}
-
-XrSpace Application::create_action_space(XrAction action) {
-  return output(XR(xrCreateActionSpace), session,
-                {XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, XR_NULL_PATH, identity_pose});
-}
-
 void MockRuntime::place_plate(XrSpace in) {
   const XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, in, identity_pose, 0.075};
   ASSERT_XR(XR_SUCCESS, XR(xrPlacePlateHRTX)(session, &placement));
@@ -200,14 +162,14 @@ XrReachTruthHRTX MockRuntime::truth() {
   return truth;
 }
 
-XrFrameState Application::whole_frame() {
+XrTime Application::frame() {
   XrFrameState state{XR_TYPE_FRAME_STATE};
   EXPECT_XR(XR_SUCCESS, XR(xrWaitFrame)(session, nullptr, &state));
   EXPECT_XR(XR_SUCCESS, XR(xrBeginFrame)(session, nullptr));
   const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,           nullptr, state.predictedDisplayTime,
                            XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0,       nullptr};
   EXPECT_XR(XR_SUCCESS, XR(xrEndFrame)(session, &end));
-  return state;
+  return state.predictedDisplayTime;
 }
 
 }  // namespace hrt::mock

@@ -1,6 +1,8 @@
-// Fixtures of the mock runtime's tests. Nearly all tests use Khronos' loader, as an application does.
+// Fixtures for tests of the mock runtime. MockRuntime uses Khronos' loader, as an application does; MockNegotiation
+// calls the runtime without a loader.
 #pragma once
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "samples/mock_runtime/abi/negotiation.h"
 #include "samples/mock_runtime/abi/structure.h"
 
 namespace hrt::mock {
@@ -15,10 +18,10 @@ namespace hrt::mock {
 inline constexpr XrSystemGetInfo head_mounted{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
 inline constexpr XrPosef identity_pose{{0.0F, 0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};
 
-#define EXPECT_XR(expected, call) EXPECT_EQ(result_name(expected), result_name(call))
-#define ASSERT_XR(expected, call) ASSERT_EQ(result_name(expected), result_name(call))
+#define EXPECT_XR(expected, call) EXPECT_EQ(name_of(expected), name_of(call))
+#define ASSERT_XR(expected, call) ASSERT_EQ(name_of(expected), name_of(call))
 
-/// Returns a function of the loader or the runtime by its name. An unknown name fails the test.
+/// Returns a function of the loader by its name. An unknown name fails the test.
 template <typename Function>
 Function fetch(XrInstance instance, const char* name) {
   PFN_xrVoidFunction function = nullptr;
@@ -26,14 +29,14 @@ Function fetch(XrInstance instance, const char* name) {
   return reinterpret_cast<Function>(function);
 }
 
-/// Result of a call that creates or writes `made`.
+/// Calls a function that takes an object and an info structure and writes one output; returns its result.
 template <typename Object, typename Info, typename Output>
 XrResult result_of(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type_identity_t<Object> object,
                    const std::type_identity_t<Info>& info, Output&& made = {}) {
   if constexpr (Typed<Output>) made.type = structure_type<Output>.type;
   return call(object, &info, &made);
 }
-/// Output of a call, which is expected to succeed.
+/// Calls such a function, expects success and returns the output.
 template <typename Object, typename Info, typename Output>
 Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type_identity_t<Object> object,
               const std::type_identity_t<Info>& info) {
@@ -42,18 +45,18 @@ Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type
   return made;
 }
 
-/// Creation info of an instance with these extensions. Refers to `extensions`.
+/// Returns the creation info of an instance with these extensions, which must outlive it.
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions);
 
 XrActionSetCreateInfo set_info(const char* name, const char* localized);
-/// Creation info of an action. Refers to `subactions`.
+/// Returns the creation info of an action. `subactions` must outlive it.
 XrActionCreateInfo action_info(const char* name, const char* localized, XrActionType type,
                                const std::vector<XrPath>& subactions = {});
 
-/// The extensions that the runtime has under the manual clock.
+/// The extensions for headless tests under the manual clock.
 const std::vector<const char*>& default_extensions();
 
-/// An application with an instance, and on request a session of it.
+/// An application with one instance, and a session if the test creates one.
 class Application : public ::testing::Test {
  protected:
   /// Returns a function of the instance. An unknown name fails the test.
@@ -65,7 +68,7 @@ class Application : public ::testing::Test {
 
   XrPath path(const std::string& text);
 
-  /// All joints of a hand in a space, with velocities.
+  /// Locations and velocities of all joints of a hand in a space.
   struct Hand {
     bool active = false;
     std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
@@ -78,25 +81,17 @@ class Application : public ::testing::Test {
   XrSpace create_space(XrReferenceSpaceType type, const XrPosef& pose = identity_pose);
   XrSpaceLocation located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity = nullptr);
 
-  XrActionSet make_set(const char* name);
-  XrAction make_action(XrActionSet in, const char* name, XrActionType type, const std::vector<XrPath>& subactions = {});
-  XrResult suggest(const std::string& profile, const std::vector<XrActionSuggestedBinding>& bindings);
-  XrResult attach(const std::vector<XrActionSet>& sets);
-  XrResult sync(const std::vector<XrActiveActionSet>& sets);
-  XrSpace create_action_space(XrAction action);
-
-  /// One frame of the loop. Returns the predicted display time.
-  XrTime frame() { return whole_frame().predictedDisplayTime; }
-  XrFrameState whole_frame();
+  /// Waits for, begins and ends one frame. Returns the predicted display time.
+  XrTime frame();
 
   XrInstance instance = XR_NULL_HANDLE;
-  XrSystemId system = 1;  ///< id of the only system
+  XrSystemId system = 1;
   XrSession session = XR_NULL_HANDLE;
   XrSpace local = XR_NULL_HANDLE;
   XrHandTrackerEXT hand = XR_NULL_HANDLE;
 };
 
-/// Fixture with an instance that enables all extensions, created through the loader.
+/// Fixture with an instance that is created through the loader and enables the given extensions.
 class MockRuntime : public Application {
  protected:
   explicit MockRuntime(std::vector<const char*> enabled = default_extensions()) : extensions_(std::move(enabled)) {}
@@ -118,8 +113,7 @@ class MockRuntime : public Application {
       if (event.type == type) return reinterpret_cast<const Event&>(event);
     return std::nullopt;
   }
-  /// Returns the next reported session state, or nothing.
-  std::optional<XrSessionState> next_state();
+  /// Reads all events and returns the session states that they report.
   std::vector<XrSessionState> all_states();
 
   std::vector<XrCallRecordHRTX> call_log();
@@ -131,6 +125,33 @@ class MockRuntime : public Application {
 
  private:
   std::vector<const char*> extensions_;
+};
+
+/// Fixture that negotiates with the runtime itself: loaders check some arguments before the runtime does.
+class MockNegotiation : public Application {
+ protected:
+  void SetUp() override {
+    library = dlopen(HRT_MOCK_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(library, nullptr) << dlerror();
+    negotiate = reinterpret_cast<Negotiate>(dlsym(library, "xrNegotiateLoaderRuntimeInterface"));
+    ASSERT_NE(negotiate, nullptr);
+  }
+  void TearDown() override { dlclose(library); }
+
+  template <typename Function>
+  Function function_of(XrInstance of, const char* name) {
+    PFN_xrVoidFunction function = nullptr;
+    EXPECT_XR(XR_SUCCESS, request.get_instance_proc_addr(of, name, &function)) << name;
+    return reinterpret_cast<Function>(function);
+  }
+  PFN_xrVoidFunction look_up(const char* name) override { return function_of<PFN_xrVoidFunction>(instance, name); }
+
+  using Negotiate = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, NegotiateRuntimeRequest*);
+  void* library = nullptr;
+  Negotiate negotiate = nullptr;
+  NegotiateLoaderInfo loader{loader_info_type, struct_version,           sizeof loader, 1, 1,
+                             min_api_version,  XR_MAKE_VERSION(1, 1, 47)};
+  NegotiateRuntimeRequest request{runtime_request_type, struct_version, sizeof(NegotiateRuntimeRequest), 0, 0, nullptr};
 };
 
 }  // namespace hrt::mock

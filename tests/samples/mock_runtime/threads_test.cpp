@@ -1,5 +1,4 @@
-// The API from several threads at once. With the thread sanitizer this also shows that there are no data
-// races.
+// Calls from several threads at the same time. Run with the thread sanitizer, these tests also detect data races.
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -19,7 +18,7 @@ class MockThreads : public MockRuntime {
     begin_session();
   }
 
-  // Starts an xrWaitFrame on another thread that must wait for xrBeginFrame, and checks that it waits.
+  // Calls xrWaitFrame twice, the second time on another thread, and expects that the second call waits.
   std::future<XrResult> blocked_wait() {
     XrFrameState first{XR_TYPE_FRAME_STATE};
     EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &first));
@@ -33,14 +32,13 @@ class MockThreads : public MockRuntime {
 };
 
 // "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
-TEST_F(MockThreads, WaitFrameBlocksUntilTheFrameBeforeHasBegun) {
+TEST_F(MockThreads, WaitFrameBlocksUntilThePreviousFrameHasBegun) {
   auto waiting = blocked_wait();
   ASSERT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
   EXPECT_XR(XR_SUCCESS, waiting.get());
 }
 
-// "XR_ERROR_SESSION_NOT_RUNNING": a wait does not outlast its session or the session's run.
-TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionEnds) {
+TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionEndsOrIsDestroyed) {
   auto waiting = blocked_wait();
   ASSERT_XR(XR_SUCCESS, xrRequestExitSession(session));
   ASSERT_XR(XR_SUCCESS, xrEndSession(session));
@@ -61,7 +59,7 @@ TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionIsLost) {
   EXPECT_XR(XR_ERROR_SESSION_LOST, waiting.get());
 }
 
-TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
+TEST_F(MockThreads, ConcurrentCallsOfDifferentFunctionsSucceed) {
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   hand = create_hand_tracker();
   place_plate(local);
@@ -89,8 +87,8 @@ TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
     check(xrDestroySpace(space));
   }));
   threads.push_back(repeat([&](int i) {
-    XrPath atom = XR_NULL_PATH;
-    check(xrStringToPath(instance, ("/path/" + std::to_string(i % 100)).c_str(), &atom));
+    XrPath made = XR_NULL_PATH;
+    check(xrStringToPath(instance, ("/path/" + std::to_string(i % 100)).c_str(), &made));
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
     check(xrPollEvent(instance, &event));
   }));

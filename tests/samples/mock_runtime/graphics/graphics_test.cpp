@@ -1,5 +1,5 @@
-// Sessions that draw: devices, swapchains, layers and pictures. The comment above each test quotes the
-// tested sentence of the OpenXR specification. Needs a Vulkan driver; Mesa's lavapipe is one.
+// Sessions with Vulkan: devices, swapchains, layers and pictures. Quotations above the tests are from the OpenXR
+// specification. The tests need a Vulkan driver, such as Mesa's lavapipe.
 #include <fcntl.h>
 #include <png.h>
 #include <unistd.h>
@@ -45,7 +45,7 @@ class MockGraphics : public MockRuntime {
   void SetUp() override {
     MockRuntime::SetUp();
     application.emplace(instance, system);
-    application->ask_requirements();
+    application->request_requirements();
     application->create_device();
     setenv("HRT_MOCK_PICTURES", folder.path.c_str(), 1);
   }
@@ -79,7 +79,7 @@ class MockGraphics : public MockRuntime {
     const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, XR_INFINITE_DURATION};
     return xrWaitSwapchainImage(swapchain, &wait);
   }
-  // Renders one frame of a swapchain, with one colour a layer.
+  // Fills the next image of a swapchain: layer i with colours[i].
   void draw(XrSwapchain swapchain, const std::vector<std::array<float, 4>>& colours) {
     std::uint32_t index = 0, count = 0;
     ASSERT_XR(XR_SUCCESS, xrAcquireSwapchainImage(swapchain, nullptr, &index));
@@ -137,8 +137,7 @@ std::array<int, 3> colour(const Picture& picture, std::uint32_t x, std::uint32_t
 }
 constexpr std::array red_pixel{255, 0, 0}, green_pixel{0, 255, 0};
 
-// "XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING".
-TEST(MockGraphicsRequirements, MustBeRequestedFirst) {
+TEST(MockGraphicsRequirements, SessionFailsUnlessRequirementsWereRequestedOrWithoutABinding) {
   const std::vector<const char*> names{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
   const XrInstanceCreateInfo info = instance_info(names);
   XrInstance instance = XR_NULL_HANDLE;
@@ -151,8 +150,7 @@ TEST(MockGraphicsRequirements, MustBeRequestedFirst) {
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
-// "Session Lifecycle": an application that draws is in focus once its frame loop runs.
-TEST_F(MockGraphics, StatesFollowFrames) {
+TEST_F(MockGraphics, SessionGainsFocusWithItsFirstFrame) {
   begin_drawing();
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
   EXPECT_XR(XR_SUCCESS, end_frame({}));
@@ -160,8 +158,7 @@ TEST_F(MockGraphics, StatesFollowFrames) {
             (std::vector{XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
 }
 
-// "xrRequestExitSession": the state becomes "STOPPING", before the first frame too.
-TEST_F(MockGraphics, ExitMayBeRequestedBeforeTheFirstFrame) {
+TEST_F(MockGraphics, ExitRequestBeforeTheFirstFrameStopsTheSession) {
   begin_drawing();
   EXPECT_XR(XR_SUCCESS, xrRequestExitSession(session));
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED,
@@ -169,9 +166,9 @@ TEST_F(MockGraphics, ExitMayBeRequestedBeforeTheFirstFrame) {
   EXPECT_XR(XR_SUCCESS, xrEndSession(session));
 }
 
-// "XR_ERROR_CALL_ORDER_INVALID": if all images are acquired; "if no image has been acquired", or one is
-// waited for already; "if [an] image has not been waited for".
-TEST_F(MockGraphics, ImagesAreAcquiredWaitedForAndReleased) {
+// "XR_ERROR_CALL_ORDER_INVALID" if all images are acquired; "if no image has been acquired", or the application has
+// waited for it already; "if [an] image has not been waited for".
+TEST_F(MockGraphics, ImagesMustBeAcquiredWaitedForAndReleasedInThisOrder) {
   begin_drawing();
   const XrSwapchain swapchain = make_swapchain(swapchain_info());
   std::uint32_t index = 99;
@@ -198,8 +195,7 @@ TEST_F(MockGraphics, ImagesAreAcquiredWaitedForAndReleased) {
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrAcquireSwapchainImage(still, nullptr, &index));
 }
 
-// "XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED", "XR_ERROR_FEATURE_UNSUPPORTED", "XR_ERROR_VALIDATION_FAILURE".
-TEST_F(MockGraphics, UnsupportedSwapchainsAreRefused) {
+TEST_F(MockGraphics, UnsupportedSwapchainsAreRejected) {
   begin_drawing();
   const auto expect = [&](XrResult result, auto change) {
     XrSwapchainCreateInfo info = swapchain_info();
@@ -220,9 +216,8 @@ TEST_F(MockGraphics, UnsupportedSwapchainsAreRefused) {
   expect(XR_ERROR_VALIDATION_FAILURE, [](auto& info) { info.usageFlags = 0x100; });
 }
 
-// "XR_ERROR_LAYER_INVALID [...] if [a] swapchain image has not been released",
-// "XR_ERROR_SWAPCHAIN_RECT_INVALID", "XR_ERROR_POSE_INVALID".
-TEST_F(MockGraphics, InvalidLayersAreRefused) {
+// "XR_ERROR_LAYER_INVALID [...] if [a] swapchain image has not been released"; then one invalid field after another.
+TEST_F(MockGraphics, InvalidLayersAreRejected) {
   begin_drawing();
   const XrSwapchain colours = make_swapchain(swapchain_info());
   Projection projection(local, colours);
@@ -249,8 +244,7 @@ TEST_F(MockGraphics, InvalidLayersAreRefused) {
   EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, end_frame({&quad}));
 }
 
-// Pictures show each eye's image of the first projection; a valid quad before it is not shown.
-TEST_F(MockGraphics, PicturesShowTheFirstProjection) {
+TEST_F(MockGraphics, PicturesShowBothEyesOfTheFirstProjectionAndNoQuad) {
   begin_drawing(R"({"events": [{"frame": 2, "do": "take_picture"}]})");
   XrSwapchainCreateInfo info = swapchain_info();
   info.arraySize = 2;
@@ -264,7 +258,7 @@ TEST_F(MockGraphics, PicturesShowTheFirstProjection) {
   quad.subImage = {board, {{0, 0}, {64, 48}}, 0};
   quad.pose = identity_pose;
   EXPECT_XR(XR_SUCCESS, end_frame({&quad, &projection.layer}));
-  EXPECT_EQ(read_file(folder / "pictures.txt"), "") << "before it was ordered";
+  EXPECT_EQ(read_file(folder / "pictures.txt"), "") << "the script selects frame 2";
   EXPECT_XR(XR_SUCCESS, end_frame({&quad, &projection.layer}));
   const Picture left = picture("000002_left.png"), right = picture("000002_right.png");
   ASSERT_EQ(left.width, 64U);
@@ -274,8 +268,8 @@ TEST_F(MockGraphics, PicturesShowTheFirstProjection) {
   EXPECT_TRUE(has(read_file(folder / "pictures.txt"), "left 64x48 " + hash_of(left) + "\n"));
 }
 
-// Uses two threads, as engines do, and a format with blue in the first byte of a pixel.
-TEST_F(MockGraphics, OneThreadWaitsWhileAnotherDraws) {
+// Engines wait and render on two threads. The format has blue in the first byte of a pixel.
+TEST_F(MockGraphics, PictureIsCorrectIfOneThreadWaitsAndAnotherRenders) {
   begin_drawing(R"({"picture_every_frames": 5})");
   const XrSwapchain swapchain = make_swapchain(swapchain_info(VK_FORMAT_B8G8R8A8_SRGB));
   const Projection projection(local, swapchain);
@@ -299,38 +293,39 @@ TEST_F(MockGraphics, OneThreadWaitsWhileAnotherDraws) {
   EXPECT_EQ(colour(picture("000016_left.png"), 60, 40), red_pixel);
 }
 
-// Godot does not begin a session without them.
-TEST_F(MockGraphics, DepthsHaveSwapchains) {
+// Godot begins no session without a depth format.
+TEST_F(MockGraphics, DepthImagesCanBeAcquiredAndReleased) {
   begin_drawing();
   XrSwapchainCreateInfo info = swapchain_info(VK_FORMAT_D32_SFLOAT);
   info.usageFlags = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
   draw(make_swapchain(info), {});
 }
 
-// Headless applications need no Vulkan.
-TEST(MockGraphicsLibraries, VulkanIsNotLinked) {
+// Headless applications run without Vulkan.
+TEST(MockGraphicsLibraries, RuntimeIsNotLinkedToVulkan) {
   const Outcome needed = Process({"/usr/bin/readelf", "-d", HRT_MOCK_LIBRARY}, {}).wait();
   EXPECT_TRUE(has(needed.out, "libpng"));
   EXPECT_FALSE(has(needed.out, "libvulkan"));
 }
 
-// Khronos' own program, from Debian's package.
+// Khronos' sample hello_xr, unmodified, from Debian's package.
 class MockHelloXr : public ::testing::Test {
  protected:
-  static Outcome hello(const std::string& script, const std::string& pictures) {
+  static Outcome run_hello_xr(const std::string& script, const std::string& pictures) {
     const std::vector<std::string> words{HRT_MOCK_RUN, "--script",          script, "--frames", pictures,
                                          "--",         "/usr/bin/hello_xr", "-g",   "Vulkan2"};
-    // hello_xr ends at a key or the end of its input. With some C libraries it would otherwise never end.
-    int silent[2];
-    EXPECT_EQ(pipe2(silent, O_CLOEXEC), 0);
-    const Process process(words, {"PATH=/usr/bin:/bin", "HOME=" + pictures}, -1, silent[0]);
+    // With some C libraries hello_xr waits for a key after the session has ended: its input is closed then, not
+    // earlier, because it exits at the end of its input.
+    int input[2];
+    EXPECT_EQ(pipe2(input, O_CLOEXEC), 0);
+    const Process process(words, {"PATH=/usr/bin:/bin", "HOME=" + pictures}, -1, input[0]);
     for (int waits = 0; waits < 6000 && !has(process.out(), "_EXITING"); ++waits) usleep(10'000);
-    for (const int end : silent) close(end);
+    for (const int end : input) close(end);
     return process.wait();
   }
 };
 
-TEST_F(MockHelloXr, DrawsTheSamePixelsEachTime) {
+TEST_F(MockHelloXr, ThreeRunsHaveTheSamePixels) {
   const TemporaryFolder folder;
   std::ofstream(folder / "script.json") << R"({"hands": {"left": {"tracked": true}},
     "head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 400, "position_m": [0.1, 0.05, 0.3]}]},
@@ -339,14 +334,14 @@ TEST_F(MockHelloXr, DrawsTheSamePixelsEachTime) {
   std::string first;
   for (const std::string run : {"1", "2", "3"}) {
     std::filesystem::create_directory(folder / run);
-    const Outcome outcome = hello(folder / "script.json", folder / run);
+    const Outcome outcome = run_hello_xr(folder / "script.json", folder / run);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
     const std::string list = read_file(folder / run + "/pictures.txt");
     ASSERT_EQ(occurrences(list, "\n"), 4U) << outcome.out << outcome.err;
     if (first.empty()) first = list;
     EXPECT_EQ(list, first);
   }
-  // The pictures show cubes of several colours in front of a background.
+  // The pictures show cubes of several colours, in different positions for both eyes, on the same background.
   const Picture left = read_png(folder / "1/000020_left.png"), right = read_png(folder / "1/000020_right.png");
   std::map<std::array<int, 3>, int> colours;
   for (std::uint32_t y = 0; y < left.height; ++y)
@@ -356,8 +351,7 @@ TEST_F(MockHelloXr, DrawsTheSamePixelsEachTime) {
   EXPECT_EQ(colour(left, 2, 2), colour(right, 1020, 1020));
 }
 
-// The exit code is the application's own, or 2 with a line about what is wrong.
-TEST(MockRun, ReturnsTheExitCodeOfTheApplicationOrReportsAMistake) {
+TEST(MockRun, ExitCodeIsThatOfTheApplicationOr2WithAMessageForInvalidOptions) {
   const TemporaryFolder folder;
   const auto run = [&](std::vector<std::string> words) {
     words.insert(words.begin(), HRT_MOCK_RUN);
@@ -368,7 +362,7 @@ TEST(MockRun, ReturnsTheExitCodeOfTheApplicationOrReportsAMistake) {
   const Outcome set =
       run({"--log", folder / "calls.log", "--", "/bin/sh", "-c", "echo $XR_RUNTIME_JSON $HRT_MOCK_CALL_LOG"});
   EXPECT_TRUE(has(set.out, "/hrtx_mock_runtime.json " + folder.path.string()));
-  EXPECT_TRUE(has(set.err, "0 refused calls"));
+  EXPECT_TRUE(has(set.err, "0 calls returned an error"));
   const std::string missing = folder / "none.json";
   for (const auto& words : std::vector<std::vector<std::string>>{
            {"--dance", "--", "true"}, {"--script", missing, "--", "true"}, {"--script"}, {"--"}})

@@ -1,4 +1,4 @@
-// A minimal Vulkan application for tests: a device by XR_KHR_vulkan_enable2, and images of one colour.
+// A minimal Vulkan application: creates a device by XR_KHR_vulkan_enable2 and fills images with one colour.
 #pragma once
 
 #include <dlfcn.h>
@@ -27,7 +27,7 @@ class VulkanApplication {
   VulkanApplication(const VulkanApplication&) = delete;
   VulkanApplication& operator=(const VulkanApplication&) = delete;
 
-  void ask_requirements() {
+  void request_requirements() {
     XrGraphicsRequirementsVulkanKHR needed{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
     EXPECT_XR(XR_SUCCESS, FETCH(xrGetVulkanGraphicsRequirements2KHR)(xr_, system_, &needed));
     EXPECT_LT(needed.minApiVersionSupported, needed.maxApiVersionSupported);
@@ -43,8 +43,9 @@ class VulkanApplication {
     VkResult result = VK_NOT_READY;
     ASSERT_XR(XR_SUCCESS, FETCH(xrCreateVulkanInstanceKHR)(xr_, &create, &instance, &result));
     ASSERT_EQ(result, VK_SUCCESS);
-    const XrVulkanGraphicsDeviceGetInfoKHR ask{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, nullptr, system_, instance};
-    ASSERT_XR(XR_SUCCESS, FETCH(xrGetVulkanGraphicsDevice2KHR)(xr_, &ask, &physical));
+    const XrVulkanGraphicsDeviceGetInfoKHR get_device{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, nullptr, system_,
+                                                      instance};
+    ASSERT_XR(XR_SUCCESS, FETCH(xrGetVulkanGraphicsDevice2KHR)(xr_, &get_device, &physical));
     const float priority = 1.0F;
     VkDeviceQueueCreateInfo queue_info{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
     queue_info.queueCount = 1;
@@ -65,7 +66,7 @@ class VulkanApplication {
     return {XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR, nullptr, instance, physical, device, 0, 0};
   }
 
-  /// Fills one layer of an image that is in COLOR_ATTACHMENT_OPTIMAL.
+  /// Fills one layer of an image whose layout is, and remains, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL.
   void fill(VkImage image, std::uint32_t layer, const std::array<float, 4>& colour) {
     const VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool_,
                                                VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
