@@ -31,7 +31,7 @@ struct Options {
   bool simulated = false;
   std::string live, power;
   std::string plate = "runtime";
-  app::Options reach;  // of a plate and OpenXR
+  app::Options reach;  // options for the plate and OpenXR
 };
 
 void put(const std::filesystem::path& file, const std::string& content) {
@@ -39,7 +39,7 @@ void put(const std::filesystem::path& file, const std::string& content) {
     throw Refusal(file.string() + ": cannot be written: " + std::strerror(error));
 }
 
-// In this process a simulated participant, else, through OpenXR, the participant at the plate.
+// Without a scene, a simulated participant in this process; otherwise a participant at a plate through OpenXR.
 void run_one(const Options& options) {
   const Design design = read_design(options.study);
   SessionPlace place{options.data, options.participant, options.session};
@@ -50,7 +50,7 @@ void run_one(const Options& options) {
     SimulatedSubject subject(design, options.participant, options.reach.seed);
     end = run_session(design, place, subject, Disk());
   } else {
-    if (options.reach.scene.empty()) throw Refusal("--scene: is missing; a simulated participant has --simulated");
+    if (options.reach.scene.empty()) throw Refusal("--scene: is missing; or give --simulated SEED");
     app::note_interrupts();
     app::Options led = options.reach;
     led.person = !options.simulated;
@@ -64,7 +64,7 @@ void run_one(const Options& options) {
     } catch (const app::Interrupted&) {
       end = "left";
     } catch (const std::exception& error) {
-      subject.speak(error.what());  // main() prints it
+      subject.speak(error.what());  // main() prints the error
       throw;
     }
   }
@@ -77,25 +77,25 @@ std::string run_simulated(const Design& design, const Options& options, unsigned
   return run_session(design, {options.data, participant, 1}, subject, Disk());
 }
 
-// Runs all participants in several processes. In threads of one process the plugin would give the targets of a session
-// other numbers, which recordings have.
+// Runs all participants in several processes. Threads of one process would share the numbering of targets, so that
+// recordings would differ from those of single sessions.
 void simulate(const Options& options) {
   const Design design = read_design(options.study);
   freeze(design, options.data, Disk());
   for (unsigned first = 1; first <= options.threads; ++first) {
     const pid_t child = fork();
-    if (child < 0) throw Refusal(std::string("a process cannot be made: ") + std::strerror(errno));
+    if (child < 0) throw Refusal(std::string("cannot start a process: ") + std::strerror(errno));
     if (child > 0) continue;
     try {
       for (unsigned participant = first; participant <= design.participants; participant += options.threads)
         run_simulated(design, options, participant);
     } catch (const std::exception&) {
-      // The parent process runs the session again, and reports the error.
+      // The parent process repeats the session and reports the error.
     }
     _exit(0);
   }
   while (wait(nullptr) > 0) continue;
-  // A session that has ended stays as it is.
+  // A finished session is not changed.
   for (unsigned participant = 1; participant <= design.participants; ++participant)
     std::cout << "sub-" << participant << ": " << run_simulated(design, options, participant) << "\n";
   std::cout << "SIMULATED: no person took part\n";
@@ -131,7 +131,7 @@ void add_commands(CLI::App& app, Options& options) {
   CLI::App* tables = add("export", "Write the journals as tables, with their dictionary", false, write_tables);
   run->add_option("--participant", options.participant, "From 1; N + participants replaces participant N")->required();
   run->add_option("--session", options.session, "From 1 [1]")->check(CLI::Range(1, 99));
-  run->add_option("--simulated", options.reach.seed, "Seed of a simulated participant: without a scene in this process")
+  run->add_option("--simulated", options.reach.seed, "Seed of a simulated participant, who needs no --scene")
       ->each([&options](const std::string&) { options.simulated = true; });
   run->add_option("--scene", options.reach.scene, "glTF file with the plate and the start, for OpenXR");
   run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")
@@ -144,25 +144,26 @@ void add_commands(CLI::App& app, Options& options) {
       ->needs("--scene")
       ->excludes("--simulated");
   run->add_option("--registered", options.reach.registered,
-                  "Where hrt-reach --register found the plate, else touches find it here")
+                  "Registration file of hrt-reach --register [register by touches]")
       ->needs("--scene")
       ->excludes("--simulated", "--finger");
-  run->add_option("--live", options.live, "Show the session on a page here: look, or keys, at a second address")
+  run->add_option("--live", options.live, "Serve a page on 127.0.0.1: look (display), or keys (with keys, too)")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
   run->add_flag_callback(
          "--speak", [&options] { options.reach.speak_with = "espeak-ng"; },
-         "Speak what a participant is asked, with espeak-ng")
+         "Speak requests to the participant with espeak-ng")
       ->needs("--scene");
-  run->add_option("--speak-with", options.reach.speak_with, "The same, with another program of lines of its input")
+  run->add_option("--speak-with", options.reach.speak_with,
+                  "Speak with a program that reads sentences from its standard input")
       ->needs("--scene")
       ->excludes("--speak");
-  all->add_option("--seed", options.reach.seed, "Of the simulated people [1]");
-  all->add_option("--threads", options.threads, "Processes that run sessions; the data are the same for any number [2]")
+  all->add_option("--seed", options.reach.seed, "Seed of the simulated participants [1]");
+  all->add_option("--threads", options.threads, "Number of processes; the data do not depend on it [2]")
       ->check(CLI::Range(1, 64));
   for (CLI::App* command : {run, all, tables})
     command->add_option("--data", options.data, "Folder of the study's data [data]");
-  tables->add_flag("--unblind", options.unblinds, "Conditions by their names");
+  tables->add_flag("--unblind", options.unblinds, "Write the names of conditions instead of letters");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// hrt-study: the paper's study and its neighbourhood, in simulation. See README.md beside this file.
+// hrt-study: simulates the paper's study and variations of it. See README.md in this folder.
 #include <cctype>
 #include <iostream>
 #include <string>

@@ -38,7 +38,7 @@ int Disk::sync(int file) const { return syncs_ ? fdatasync(file) : 0; }
 
 bool Disk::create(const fs::path& file, std::string_view content) const {
   if (fs::exists(file)) return false;
-  static std::atomic<unsigned> number = 0;  // of this process, whose threads may want the same file
+  static std::atomic<unsigned> number = 0;  // makes the names of this process's temporary files unique
   fs::path temporary = temporary_beside(file);
   temporary += std::to_string(++number);
   step("before write");
@@ -49,7 +49,7 @@ bool Disk::create(const fs::path& file, std::string_view content) const {
   if (error == 0 && sync(opened) != 0) error = errno;
   step("after sync");
   close(opened);
-  // Unlike rename(), link() replaces nothing.
+  // Unlike rename(), link() fails if the target exists.
   if (error == 0 && link(temporary.c_str(), file.c_str()) != 0) error = errno;
   step("after link");
   unlink(temporary.c_str());

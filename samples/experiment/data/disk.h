@@ -1,4 +1,4 @@
-// Files that are never replaced, and every step at which a crash can come.
+// Files that are never overwritten, with hooks at each step where a crash can occur.
 #pragma once
 
 #include <filesystem>
@@ -8,22 +8,22 @@
 
 namespace hrt::experiment {
 
-/// Called before and after each write, sync, link and change of state, with its name. Tests end the process
-/// here.
+/// Called before and after each write, sync, link and change of state, with the name of the step. Tests end the
+/// process here.
 using Step = std::function<void(const char*)>;
 
-/// The disk as a session uses it. Failures are Refusals that name the file and the system's reason.
+/// File operations of a session. On failure they throw Refusal with the file and the reason of the system.
 class Disk {
  public:
-  /// `syncs`: false where only the process can end, not the system.
+  /// `syncs`: false omits fsync, for tests that end the process but not the computer.
   explicit Disk(Step step = {}, bool syncs = true) : step_(std::move(step)), syncs_(syncs) {}
 
-  /// A new file with this content, whole and synced or not there at all. Returns false if there is one
-  /// already, which stays.
+  /// Creates a file with this content atomically, and syncs it. Returns false, without a change, if the file
+  /// exists.
   bool create(const std::filesystem::path& file, std::string_view content) const;
   /// Appends to an open file and syncs it.
   void append(int file, const std::filesystem::path& name, std::string_view content) const;
-  /// Flushes to the disk what another writer has written.
+  /// Syncs a file that another writer has written.
   void sync(const std::filesystem::path& file) const;
   void make_folder(const std::filesystem::path& folder) const;
 
@@ -40,10 +40,10 @@ class Disk {
   bool syncs_;
 };
 
-/// The whole file. Throws Refusal.
+/// Returns the content of the file. Throws Refusal if it cannot be read.
 std::string content_of(const std::filesystem::path& file);
 
-/// SHA-256 (FIPS 180-4), in hexadecimal.
+/// Returns the SHA-256 (FIPS 180-4) of the text, in hexadecimal.
 std::string sha256_of(std::string_view text);
 
 }  // namespace hrt::experiment

@@ -32,7 +32,7 @@ std::int64_t utc_from(const std::string& text) {
   return timegm(&time) * ms_per_s + ms;
 }
 
-// Nothing unless the line is whole.
+// nullopt if the line is incomplete or its CRC is wrong.
 std::optional<Event> parse(const std::string& line) {
   const std::size_t end = line.rfind(",\"crc\":\"");
   if (end == std::string::npos || line.substr(end) != format(",\"crc\":\"%08x\"}", crc32(line.substr(0, end))))
@@ -48,7 +48,7 @@ std::string line_of(const Event& event) {
       format("{\"number\":%llu,\"utc\":\"%s\",\"monotonic_ns\":%lld,\"event\":\"%s\",\"data\":",
              static_cast<unsigned long long>(event.number), utc_text(event.utc_ms).c_str(),
              static_cast<long long>(event.monotonic_ns), event.name.c_str()) +
-      event.data.dump(-1, ' ', false, json::error_handler_t::replace);  // a note's bytes may be no UTF-8
+      event.data.dump(-1, ' ', false, json::error_handler_t::replace);  // a note may contain invalid UTF-8
   return text + format(",\"crc\":\"%08x\"}\n", crc32(text));
 }
 
@@ -77,7 +77,7 @@ std::vector<Event> read_journal(const std::string& text, const std::string& name
   std::size_t damaged = 0, number = 0;
   for (std::size_t at = 0; at < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    // A line that lacks no more than its end counts: once the next line is written, it has one.
+    // A last line that lacks only its newline is valid: the next write adds the newline.
     std::optional<Event> event = parse(text.substr(at, end - at));
     at = end + 1;
     if (!event) {
@@ -85,7 +85,7 @@ std::vector<Event> read_journal(const std::string& text, const std::string& name
       continue;
     }
     if (damaged != 0 && event->name != "opened" && event->name != "closed")
-      throw Refusal(name + format(": line %zu is damaged, and not where a process was cut off", damaged));
+      throw Refusal(name + format(": line %zu is damaged, and not by an interrupted write", damaged));
     damaged = 0;
     if (event->number != events.size() + 1)
       throw Refusal(name + format(": line %zu has number %llu, not %zu", number + 1,
@@ -102,7 +102,7 @@ Journal::Journal(std::filesystem::path file, const Disk& disk, std::function<Now
       file_(open(name_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
   if (file_ < 0) throw Refusal(name_.string() + ": cannot be opened: " + std::strerror(errno));
   try {
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw Refusal(name_.string() + ": another process writes it");
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw Refusal(name_.string() + ": another process has locked it");
     const std::string text = content_of(name_);
     events_ = read_journal(text, name_.string());
     is_cut_ = !text.empty() && text.back() != '\n';

@@ -35,13 +35,13 @@ void read_conditions(const Json& file, const std::string& name, Design& design) 
   for (const Json& c : file["conditions"]) {
     for (const Condition& other : design.conditions)
       if (other.name == c["name"].get<std::string>())
-        refuse(name + format(".conditions[%zu].name", design.conditions.size()), "is another condition's");
+        refuse(name + format(".conditions[%zu].name", design.conditions.size()), "is the name of another condition");
     Condition condition{c["name"], meaning(c["controller"], controllers), c["plate_deg"], c["gap_share"], {}};
     const std::string where = name + format(".conditions[%zu].config", design.conditions.size());
     for (const Json& each : c["config"]) {
       condition.config.emplace_back(each["field"].get<std::string>(), each["value"].get<double>());
       if (condition.config.back().first.starts_with("person.") && file["set_up"] != "none")
-        refuse(where, "needs set_up none: a profile sets " + condition.config.back().first);
+        refuse(where, "needs set_up none: the set-up sets " + condition.config.back().first + ", too");
     }
     hrt_session_config config{};
     try {
@@ -61,10 +61,10 @@ void read_pairs(const Json& file, const std::string& name, Design& design) {
     const std::string where = name + format(".pairs[%zu]", design.pairs.size());
     const Pair pair{p["name"], p["virtual_deg"], p["real_deg"], 1e-3 * p["distance_mm"].get<double>(),
                     1e-3 * p["radius_mm"].get<double>()};
-    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // 90 with the bias that a person may have
+    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // limit 90, minus the largest bias
       refuse(where + ".real_deg", "must be within 75 of virtual_deg");
     for (const Pair& other : design.pairs)
-      if (other.name == pair.name) refuse(where + ".name", "is another pair's");
+      if (other.name == pair.name) refuse(where + ".name", "is the name of another pair");
     design.pairs.push_back(pair);
   }
 }
@@ -74,7 +74,7 @@ void read_order(const Json& file, const std::string& name, Design& design) {
       {"williams", Order::williams}, {"random_in_blocks", Order::random_in_blocks}, {"listed", Order::listed}};
   design.order = meaning(file["order"], orders);
   if (file.contains("listed_orders") != (design.order == Order::listed))
-    refuse(name + ".listed_orders", "must be there with the order \"listed\", and only with it");
+    refuse(name + ".listed_orders", "is required if order is \"listed\", and not allowed otherwise");
   for (const Json& list : file.value("listed_orders", Json::array())) {
     const std::string where = name + format(".listed_orders[%zu]", design.listed.size());
     std::vector<unsigned> indices;
@@ -123,9 +123,9 @@ void read_noticeability(const Json& n, const std::string& where, Design& design)
                              n["max_gap_deg"]};
   const Controller controller = design.conditions[notice.condition].controller;
   if (controller == Controller::none || controller == Controller::fixed)
-    refuse(where + ".condition", "must be one whose controller is people or paper");
+    refuse(where + ".condition", "must be a condition whose controller is people or paper");
   if (notice.max_gap_deg < 2.0 * notice.min_gap_deg)
-    refuse(where + ".max_gap_deg", "must be twice min_gap_deg or more");
+    refuse(where + ".max_gap_deg", "must be at least twice min_gap_deg");
   design.noticeability = notice;
 }
 
@@ -150,16 +150,16 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
   if ((design.measure == "d_prime" || design.measure == "criterion") &&
       (design.question.empty() || design.catch_share <= 0.0))
     refuse(where + ".measure",
-           "needs question and catch_share: " + design.measure + " compares answers with those of catch trials");
+           "requires question and catch_share: " + design.measure + " compares reaches with catch trials");
   const bool is_of_trials = design.measure.ends_with("miss_deg") || design.measure == "miss_mm";
   if (design.test == "mixed_model" && !is_of_trials)
-    refuse(where + ".test", "must be t or sign_flip with " + design.measure + ", which single trials do not have");
+    refuse(where + ".test", "must be t or sign_flip with " + design.measure + ": a single trial has none");
   if (design.test != "t" && design.hypothesis != "difference")
-    refuse(where + ".test", "must be t: equivalence and below_margin are two one-sided t tests");
+    refuse(where + ".test", "must be t: equivalence and below_margin use two one-sided t tests");
   if (design.measure == "percent_within" && (design.test != "sign_flip" || design.hypothesis != "difference"))
     refuse(where + ".test",
-           "must be sign_flip, with the hypothesis difference, for percent_within: where most people have 0 or 100 % "
-           "its t test finds differences that do not exist");
+           "must be sign_flip, with hypothesis difference, for percent_within: a t test is invalid where most have 0 "
+           "or 100 %");
   const bool has_direction = design.direction != "two-sided";
   if (has_direction && design.hypothesis != "difference")
     refuse(where + ".direction", "must be two-sided with the hypothesis " + design.hypothesis);
@@ -169,7 +169,7 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
   const unsigned needed = design.test == "sign_flip" ? static_cast<unsigned>(std::ceil(flips)) : 2U;
   if (design.conditions.size() > 1 && design.participants < needed)
     refuse(where + ".test",
-           format("cannot find anything with %u participants: it needs %u or more", design.participants, needed));
+           format("needs %u participants or more: %u cannot be significant", needed, design.participants));
 }
 
 // Requirements on several fields together.
@@ -183,7 +183,7 @@ void check_whole(const std::string& name, const Design& design) {
     refuse(name + ".participants", format("must be a multiple of %u: orders%s would not be balanced", set,
                                           design.levels.empty() ? "" : " times levels"));
   if (design.pairs.size() == 1 && design.order != Order::random_in_blocks && design.repeats > design.max_run)
-    refuse(name + ".max_run", "must be repeats or more, as there is only one pair");
+    refuse(name + ".max_run", "must be at least repeats, as there is only one pair");
 }
 
 }  // namespace
@@ -232,7 +232,7 @@ hrt_session_config config_of(const Condition& condition) {
   }
   for (const auto& [name, value] : condition.config) {
     const auto field = config_fields.find(name);
-    if (field == config_fields.end()) throw Refusal("\"" + name + "\" is no number of hrt_session_config");
+    if (field == config_fields.end()) throw Refusal("\"" + name + "\" is not a number of hrt_session_config");
     std::memcpy(reinterpret_cast<char*>(&config) + field->second, &value, sizeof value);
   }
   return config;

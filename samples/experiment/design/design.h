@@ -1,4 +1,4 @@
-// The design of a study: study.json, checked as a whole.
+// The design of a study: study.json, parsed and validated.
 #pragma once
 
 #include <haptic_retargeting/session.h>
@@ -20,35 +20,35 @@ struct Condition {
   std::string name;
   Controller controller;
   double plate_deg = 0.0;                                   ///< orientation under `fixed`
-  double gap_share = 1.0;                                   ///< of the pair's gap
+  double gap_share = 1.0;                                   ///< fraction of the pair's gap
   std::vector<std::pair<std::string, double>> config = {};  ///< fields of hrt_session_config
 };
 
-/// The displayed and the touched target, as seen from the start.
+/// Virtual and real target, as seen from the start.
 struct Pair {
   std::string name;
   double virtual_deg;
   double real_deg;
   double distance_m;
-  double radius_m;  ///< of the real object; 0: unknown
+  double radius_m;  ///< radius of the real object; 0: unknown
 };
 
 enum class Order { williams, random_in_blocks, listed };
 
-/// When a reach counts.
+/// Rules by which a reach is valid.
 struct Validity {
   double min_s;
   double max_s;
   double max_dropped_share;
-  unsigned max_attempts;  ///< then the trial is missing
+  unsigned max_attempts;  ///< after so many, the trial is missing
 };
 
-/// Which of two reaches was bent? The gap is chosen by QUEST+.
+/// Two-interval forced choice: which of two reaches was bent? QUEST+ selects the gap.
 struct Noticeability {
   unsigned trials;
-  unsigned condition;  ///< whose controller retargets
-  unsigned control;    ///< of the reach without a gap
-  unsigned runs;       ///< interleaved
+  unsigned condition;  ///< index of the tested condition
+  unsigned control;    ///< index of the condition of the reach without a gap
+  unsigned runs;       ///< number of interleaved QUEST+ runs
   double virtual_deg;
   double distance_m;
   double min_gap_deg;
@@ -64,11 +64,11 @@ struct Questionnaire {
   std::vector<std::string> items;
 };
 
-/// Traits of simulated people that the library's own lack.
+/// Traits of simulated participants in addition to those of core/simulation.
 struct SimulatedTraits {
-  double invalid_share;  ///< of reaches in which the tracker loses the finger
-  double lapse_share;    ///< of answers that are guesses
-  std::string weights;   ///< how people's shares of touch are distributed
+  double invalid_share;  ///< fraction of reaches in which the tracker loses the finger
+  double lapse_share;    ///< fraction of answers that are guesses
+  std::string weights;   ///< distribution of the tactile weights
 };
 
 struct Design {
@@ -78,16 +78,16 @@ struct Design {
   std::vector<Condition> conditions;
   std::vector<Pair> pairs;
   Order order;
-  std::vector<std::vector<unsigned>> listed;  ///< conditions, one list after the other for the participants
-  std::string factor;                         ///< between people; empty: none
+  std::vector<std::vector<unsigned>> listed;  ///< orders of the conditions, assigned to the participants in turn
+  std::string factor;                         ///< between participants; empty: none
   std::vector<std::string> levels;
-  unsigned rounds;   ///< blocks of each condition; of random_in_blocks: blocks
-  unsigned repeats;  ///< of each pair in a block
-  unsigned max_run;  ///< of one pair in a row
+  unsigned rounds;   ///< blocks per condition; random_in_blocks: number of blocks
+  unsigned repeats;  ///< trials of each pair in a block
+  unsigned max_run;  ///< maximum number of trials of one pair in a row
   double catch_share;
   unsigned practice_trials;
   bool calibrates;
-  std::string question;  ///< after each reach; empty: none
+  std::string question;  ///< asked after each reach; empty: none
   std::vector<std::string> answers;
   Validity validity;
   double break_minutes;
@@ -97,32 +97,32 @@ struct Design {
   double trial_s;
   std::optional<Noticeability> noticeability;
   std::vector<Questionnaire> questionnaires;
-  std::string start_text, block_text;        ///< instructions; empty: none
-  std::map<std::string, std::string> texts;  ///< in other words
-  std::string measure;                       ///< column of trials.csv that the analysis is of
+  std::string start_text, block_text;        ///< instructions at the start and before each block; empty: none
+  std::map<std::string, std::string> texts;  ///< replacement of each text of the program
+  std::string measure;                       ///< registered outcome
   std::string test;
   std::string hypothesis;
   std::string direction;
   unsigned reference;  ///< condition
   double alpha;
-  double margin;  ///< of equivalence, in the measure's unit
+  double margin;  ///< equivalence margin, in the measure's unit
   SimulatedTraits simulated;
-  std::string text;    ///< the file
+  std::string text;    ///< content of the file
   std::string sha256;  ///< hash of `text`
 };
 
-/// Throws Refusal naming the place and what is allowed. `name`: of the file, for messages.
+/// Parses and checks a design. Throws Refusal naming the field and what is allowed. `name`: file name for messages.
 Design parse_design(const std::string& text, const std::string& name);
 Design read_design(const std::filesystem::path& file);
 
-/// The configuration of a session of the plugin under a condition. Throws Refusal for a field that it does not have.
+/// Returns the plugin's session configuration of a condition. Throws Refusal if `config` names an unknown field.
 hrt_session_config config_of(const Condition& condition);
 
 /// The JSON Schema of a design: study.schema.json.
 const Json& design_schema();
 
-/// The letter that stands for a condition until it is unblinded. Drawn for each participant, so what is known of one
-/// participant's letters says nothing about another's.
+/// Returns the letter of a condition before unblinding. Letters are assigned at random for each participant, so those
+/// of one participant reveal nothing about another's.
 std::string letter_of(const Design& design, unsigned participant, unsigned condition);
 
 /// Returns the text of a registered report in Markdown: hypotheses, power, every field of the design with its meaning,
@@ -130,7 +130,7 @@ std::string letter_of(const Design& design, unsigned participant, unsigned condi
 /// samples/experiment/power; empty: none. Throws Refusal if it is of another design.
 std::string preregistration_text(const Design& design, const std::string& power = "");
 
-/// PROTOCOL.md with the design's numbers in it.
+/// Returns PROTOCOL.md with the numbers of the design filled in.
 std::string protocol_text(const Design& design);
 
 }  // namespace hrt::experiment

@@ -1,4 +1,4 @@
-// Random draws, each a pure function of where it is used.
+// Random draws, each a pure function of its purpose and its place in the study.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace hrt::experiment {
 /// Purpose of a draw.
 enum class Use : std::uint32_t { letters, orders, trials, returns, intervals, person, noise, answers };
 
-/// The design's seed, and who and which trial: 0 where it does not matter.
+/// Seed of the design, participant, block, trial and attempt; 0 where a draw does not depend on one.
 struct Place {
   std::uint64_t seed;
   std::uint32_t participant = 0;
@@ -21,21 +21,21 @@ struct Place {
   std::uint32_t attempt = 0;
 };
 
-/// Draws in sequence, from one place.
+/// Sequence of draws of one place.
 class Stream {
  public:
   Stream(Use use, const Place& place)
       : key_(place.seed * 8 + static_cast<std::uint64_t>(use)),
         counter_{0, place.participant, place.block, (place.trial << 12U) + place.attempt} {}
 
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double uniform() {
     const std::uint32_t word = philox(counter_, key_)[0];
     ++counter_[0];
     constexpr double two_to_minus_32 = 1.0 / 4294967296.0;
     return word * two_to_minus_32;
   }
-  /// A whole number below `count`.
+  /// Returns an integer in [0, count).
   unsigned below(unsigned count) { return static_cast<unsigned>(uniform() * count); }
 
   template <class Value>

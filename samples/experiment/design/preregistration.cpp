@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-// Text without quotes, a list as words.
+// A value as text, without quotes; a list as comma-separated words.
 std::string in_words(const json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
@@ -18,7 +18,7 @@ std::string in_words(const json& value) {
   return text;
 }
 
-// A line each field, those of objects below it.
+// One line per field; the fields of an object follow it, indented.
 std::string fields_text(const json& schema, const json& given, const std::string& indent) {
   std::string text;
   for (const auto& [name, field] : schema["properties"].items()) {
@@ -69,8 +69,8 @@ std::string power_text(const Design& design, const std::string& power) {
     return "\n\n[Power: `samples/experiment/power study.json >power.txt`, then `hrt-experiment preregister study.json "
            "--power power.txt`.]\n\n";
   if (power.find(design.sha256) == std::string::npos)
-    throw Refusal("--power: the table is of another design: it lacks the SHA-256 of this one, " + design.sha256 +
-                  "; run samples/experiment/power with this design again");
+    throw Refusal("--power: the table is of another design: it does not contain the SHA-256 of this one, " +
+                  design.sha256 + "; run samples/experiment/power with this design again");
   return "\n\nPower, by simulation:\n\n```\n" + power + "```\n\n";
 }
 
@@ -78,7 +78,7 @@ std::string power_text(const Design& design, const std::string& power) {
 
 std::string preregistration_text(const Design& design, const std::string& power) {
   return "# " + design.title + "\n\nSHA-256 of study.json: `" + design.sha256 +
-         "`. hrt-experiment refuses another design from the first participant on.\n"
+         "`. hrt-experiment rejects another design from the first participant on.\n"
          "Text in brackets is for the authors to replace; delete this line.\n\n"
          "## Hypotheses\n\n" +
          hypothesis_text(design) +

@@ -14,7 +14,7 @@ namespace {
 
 constexpr unsigned max_tries = 10'000;
 
-// No pair more than max_run times in a row; catch trials neither first nor next to each other.
+// True if no pair comes more than max_run times in a row, and no catch trial is first or follows another.
 bool is_legal(const std::vector<PlannedTrial>& trials, unsigned max_run, bool has_pairs) {
   unsigned run = 0;
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -33,8 +33,8 @@ Block made(BlockKind kind, std::vector<PlannedTrial> trials, const Design& desig
   do {
     if (++tries > max_tries)
       throw Refusal(
-          format("/max_run: no order of block %u has at most %u trials of a pair in a row and its catch "
-                 "trials apart; raise it, or lower catch_share",
+          format("/max_run: no order of block %u has at most %u trials of a pair in a row and separates its catch "
+                 "trials; increase max_run or reduce catch_share",
                  number, design.max_run));
     stream.shuffle(trials);
   } while (!is_legal(trials, design.max_run, has_pairs));
@@ -42,7 +42,7 @@ Block made(BlockKind kind, std::vector<PlannedTrial> trials, const Design& desig
   return {kind, std::move(trials)};
 }
 
-// Catch trials go to the conditions in turn, from number `first` on: over blocks and people each has as many.
+// Assigns catch trials to the conditions in turn, from number `first` on, so that all conditions get equally many.
 std::vector<PlannedTrial> trials_of(const Design& design, const std::vector<unsigned>& conditions, unsigned first) {
   std::vector<PlannedTrial> trials;
   for (const unsigned condition : conditions)
@@ -70,14 +70,14 @@ std::vector<unsigned> permuted(unsigned count, Use use, const Place& place) {
 
 unsigned index_in_design(const Design& design, unsigned participant) { return (participant - 1) % design.participants; }
 
-// Levels are drawn in permuted blocks of one participant each, so no level is earlier than another.
+// Level of the participant, by permuted blocks with one participant per level, so time is balanced over levels.
 unsigned level_for(const Design& design, unsigned participant) {
   const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   const unsigned index = index_in_design(design, participant);
   return permuted(levels, Use::orders, {.seed = design.seed, .block = index / levels, .trial = 1})[index % levels];
 }
 
-// The participants of each level have sets of all orders, each set in an order that is drawn.
+// Order of the participant: each level goes through complete sets of orders, each set in random order.
 std::vector<unsigned> order_for(const Design& design, unsigned participant) {
   if (design.order == Order::random_in_blocks) return {};
   const auto orders =
@@ -105,7 +105,7 @@ std::string letters_of(const Design& design, unsigned participant, const std::ve
   return text;
 }
 
-// How often each condition directly follows each other one, over all participants.
+// Reports how often each condition directly follows each other one, over all participants.
 std::string balance_text(const Design& design) {
   if (design.order == Order::random_in_blocks)
     return "balance: every block has every condition and pair equally often\n";
@@ -203,11 +203,11 @@ std::string blinded_name(const Design& design, unsigned participant, BlockKind k
 
 std::string design_text(const Design& design) {
   const Schedule first = schedule_of(design, 1);
-  std::string text =
-      design.title + "\nSHA-256 " + design.sha256 + "\n\nMinute, and what begins:\n" + plan_text(design, first);
+  std::string text = design.title + "\nSHA-256 " + design.sha256 + "\n\nMinute at which each part begins:\n" +
+                     plan_text(design, first);
   std::size_t trials = 0;
   for (std::size_t b = 1; b < first.blocks.size(); ++b) trials += first.blocks[b].trials.size();
-  text += format("%u participants, each %zu trials beside %u of practice\n", design.participants, trials,
+  text += format("%u participants, each with %zu trials and %u practice trials\n", design.participants, trials,
                  design.practice_trials);
   text += balance_text(design) + "\n";
   for (unsigned p = 1; p <= design.participants; ++p) {
@@ -215,7 +215,7 @@ std::string design_text(const Design& design) {
     text += format("sub-%02u  ", p) + (design.levels.empty() ? "" : design.levels[schedule.level] + "  ") +
             (schedule.order.empty() ? "all in each block" : letters_of(design, p, schedule.order)) + "\n";
   }
-  return text + "\nConditions are letters until they are unblinded. No person has been led by this program.\n";
+  return text + "\nConditions are letters until they are unblinded. All uses so far were simulations.\n";
 }
 
 }  // namespace hrt::experiment

@@ -9,9 +9,9 @@
 namespace hrt::experiment {
 
 struct PlannedTrial {
-  unsigned number;     ///< within the block, from 1
-  unsigned condition;  ///< index; of catch trials too, whose plate rests all the same
-  unsigned pair;       ///< index; in noticeability the run
+  unsigned number;     ///< position in the block, from 1
+  unsigned condition;  ///< index; catch trials have one too, for balance
+  unsigned pair;       ///< index of the pair; noticeability: index of the QUEST+ run
   bool is_catch;
 };
 
@@ -23,30 +23,30 @@ struct Block {
 };
 
 struct Schedule {
-  unsigned level;               ///< of the factor between people
-  std::vector<unsigned> order;  ///< of conditions; empty under random_in_blocks
+  unsigned level;               ///< index of the level of the between-participants factor
+  std::vector<unsigned> order;  ///< order of the conditions; empty for random_in_blocks
   std::vector<Block> blocks;
 };
 
-/// Orders in which each of `count` conditions precedes each other one equally often (Williams 1949): `count`
-/// orders of an even number, twice as many of an odd one.
+/// Returns orders in which each of `count` conditions precedes each other one equally often (Williams 1949): `count`
+/// orders if `count` is even, twice as many if it is odd.
 std::vector<std::vector<unsigned>> williams_orders(unsigned count);
 
-/// `participant`: from 1.
+/// Returns the schedule of a participant, from 1.
 Schedule schedule_of(const Design& design, unsigned participant);
 
-/// The plan of a session, one line for each part: "| 12 | block 1: reaches, 13 trials |", with the minute at which it
-/// begins.
+/// Returns the time plan of a session, one line per part with the minute at which it begins:
+/// "| 12 | block 1: reaches, 13 trials |".
 std::string plan_text(const Design& design, const Schedule& schedule);
 
-/// Name of the kind, in files.
+/// Returns the name of a kind of block in files.
 std::string name_of(BlockKind kind);
 
-/// Name of a condition until it is unblinded: its letter, or the kind of a block whose condition the design
+/// Returns the name of a condition before unblinding: its letter, or the kind of a block whose condition the design
 /// reveals.
 std::string blinded_name(const Design& design, unsigned participant, BlockKind kind, unsigned condition);
 
-/// The design for people: trials, minutes, balance, each participant's order, by letters.
+/// Returns a summary of the design for reading: trials, minutes, balance, order of each participant by letters.
 std::string design_text(const Design& design);
 
 }  // namespace hrt::experiment

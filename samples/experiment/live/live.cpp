@@ -17,7 +17,7 @@ namespace {
 
 using httplib::Request, httplib::Response, nlohmann::json;
 
-constexpr int max_streams = 4, threads = 2 * max_streams;  // a stream keeps its thread
+constexpr int max_streams = 4, threads = 2 * max_streams;  // each stream occupies a thread
 constexpr double max_noise_mm = 2.0, max_period_s = 1.0 / 60.0, share_of_new = 0.02;
 constexpr auto fresh = std::chrono::hours(1);
 constexpr int refused = 403, not_found = 404, not_now = 409, too_many = 503;
@@ -30,7 +30,7 @@ std::string random_token() {
   return text;
 }
 
-// In a time that does not depend on where the two differ.
+// Compares in constant time.
 bool is_same(const std::string& a, const std::string& b) {
   int difference = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) difference |= a[i] ^ b[i];
@@ -44,17 +44,17 @@ Live::Live(bool takes_keys)
       keys_token_(takes_keys ? random_token() : ""),
       server_(std::make_unique<httplib::Server>()) {
   server_->new_task_queue = [] { return new httplib::ThreadPool(threads); };
-  server_->set_keep_alive_max_count(1);  // an idle connection would keep its thread, too
+  server_->set_keep_alive_max_count(1);  // an idle connection would occupy a thread
   server_->set_payload_max_length(1000);
   route();
   port_ = server_->bind_to_any_port("127.0.0.1");
-  if (port_ < 0) throw Refusal("--live: 127.0.0.1 has no free port");
+  if (port_ < 0) throw Refusal("--live: cannot open a port on 127.0.0.1; run without it");
   thread_ = std::thread([this] { server_->listen_after_bind(); });
 }
 
 Live::~Live() {
   is_ending_ = true;
-  while (!server_->is_running()) std::this_thread::yield();  // else stop() does nothing
+  while (!server_->is_running()) std::this_thread::yield();  // stop() has no effect before that
   server_->stop();
   thread_.join();
 }
@@ -66,7 +66,7 @@ std::string Live::addresses() const {
 }
 
 void Live::route() {
-  // A page of another site can have its name lead here, but not its Host header.
+  // DNS rebinding: a foreign site can resolve to this address, but its Host header differs.
   server_->set_pre_routing_handler([this](const Request& request, Response& response) {
     const std::string host = request.get_header_value("Host");
     if (host == format("127.0.0.1:%d", port_) || host == format("localhost:%d", port_))
@@ -74,7 +74,7 @@ void Live::route() {
     response.status = refused;
     return httplib::Server::HandlerResponse::Handled;
   });
-  // With a token, whose page has keys or not.
+  // The token decides whether the page has keys.
   const auto handler = [this](auto handle) {
     return [this, handle](const Request& request, Response& response) {
       const std::string token = request.matches[1];
@@ -112,7 +112,7 @@ void Live::route() {
                }));
   server_->Post("/([0-9a-f]+)/keys", handler([this](const Request& request, Response& response, bool has_keys) {
                   if (!has_keys) return void(response.status = refused);
-                  // Letters of a text are keys unless a text is awaited: 's' stops the plate.
+                  // Every character is a key unless a text is requested: 's' stops the plate.
                   if (request.body.size() > 1 && !shown_.load()->value("is_typing", false))
                     return void(response.status = not_now);
                   const std::scoped_lock lock(mutex_);
@@ -185,7 +185,7 @@ void Live::moment(const app::Stage& stage, const app::TargetPair& pair, const ap
     facts["path"] = facts["felt"] = "";
     finger_m_ = felt_m_ = moment.position_m;
   }
-  // The perceived path has the length of the true one, without the tracker's noise, in the perceived directions.
+  // The perceived path has the length of the smoothed true path, in the perceived directions.
   constexpr double min_step_m = 0.002;
   const double step_m = app::distance_along_plate_m(moment.position_m, finger_m_);
   if (step_m >= min_step_m) {

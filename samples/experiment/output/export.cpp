@@ -25,12 +25,12 @@ struct Column {
   const char* what;
 };
 
-// The first columns of each table.
+// First columns of each table: the session of a row.
 const Column whose[] = {
     {"participant", "integer", "", "number, from 1"},
     {"session", "integer", "", "number, from 1"},
-    {"subject", "text", "", "`simulated` is no person"},
-    {"level", "text", "", "of the factor between participants"},
+    {"subject", "text", "", "who took part; begins with `simulated` in a simulation"},
+    {"level", "text", "", "level of the between-participants factor"},
 };
 
 struct Table {
@@ -47,16 +47,16 @@ const std::vector<Column> reach_columns{
     {"abs_miss_deg", "number", "deg", "absolute value of miss_deg"},
     {"miss_mm", "number", "mm", "distance of the end from the real target"},
     {"peak_felt_error_deg", "number", "deg",
-     "largest perceived minus intended direction: ground truth of a simulation; of a person only the estimate of the "
-     "controller under test, so not an outcome"},
+     "largest perceived minus intended direction. Simulation: ground truth. Person: estimate by the controller under "
+     "test, so not an outcome"},
     {"is_truth", "boolean", "", "true: peak_felt_error_deg is ground truth"},
-    {"duration_s", "number", "s", "of the motion"},
-    {"samples", "integer", "", "of the finger"},
-    {"dropped", "integer", "", "samples without a finger"},
-    {"tactile_weight", "number", "", "that the controller assumed at the end"},
-    {"tracker_noise_m", "number", "m", "SD of the tracker's noise, as the plugin learnt it"},
-    {"misfit", "number", "", "of the plugin's model; it fits below 4.5"},
-    {"flags", "integer", "", "HRT_SUMMARY_* of the plugin"},
+    {"duration_s", "number", "s", "duration of the motion"},
+    {"samples", "integer", "", "number of samples of the finger"},
+    {"dropped", "integer", "", "number of samples without a finger"},
+    {"tactile_weight", "number", "", "estimate of the controller at the end of the reach"},
+    {"tracker_noise_m", "number", "m", "SD of the tracker's noise, as estimated by the plugin"},
+    {"misfit", "number", "", "misfit of the plugin's model (hrt_command); the model fits below 4.5"},
+    {"flags", "integer", "", "bits HRT_SUMMARY_* of the plugin"},
 };
 
 std::vector<Column> joined(std::vector<Column> first, const std::vector<Column>& middle,
@@ -67,71 +67,71 @@ std::vector<Column> joined(std::vector<Column> first, const std::vector<Column>&
 }
 
 const std::vector<Column> trial_columns{
-    {"block", "integer", "", "from 0, which is practice"},
+    {"block", "integer", "", "number of the block; 0 is practice"},
     {"kind", "text", "", "practice, reaches or noticeability"},
-    {"pass", "integer", "", "of the block, from 1: after a long pause it starts again"},
-    {"trial", "integer", "", "within the block, as planned, from 1"},
+    {"pass", "integer", "", "pass of the block, from 1; a block restarts after a long pause"},
+    {"trial", "integer", "", "planned position in the block, from 1"},
     {"condition", "text", "",
-     "a letter that is drawn for each participant, or after unblinding its name; of practice: practice"},
+     "blinded: a letter, at random for each participant; unblinded: the name; `practice` in practice"},
     {"is_catch", "integer", "", "1: no gap; the plate is at rest, but in noticeability it moves"},
-    {"pair", "text", "", "of targets; empty for noticeability"},
-    {"reason", "text", "", "why the attempt did not count"},
+    {"pair", "text", "", "name of the pair of targets; empty for noticeability"},
+    {"reason", "text", "", "why the attempt is invalid"},
     {"attempt", "integer", "", "number of the attempt, interrupted ones included"},
-    {"gap_deg", "number", "deg", "of the retargeted reach of noticeability; 0 in catch trials"},
-    {"bent", "integer", "", "which reach of two was retargeted, from 1"},
-    {"run", "integer", "", "of interleaved QUEST+ runs, from 1"},
+    {"gap_deg", "number", "deg", "noticeability: gap of the retargeted reach; 0 in catch trials"},
+    {"bent", "integer", "", "noticeability: 1 or 2, the reach that was retargeted"},
+    {"run", "integer", "", "number of the interleaved QUEST+ run, from 1"},
     {"bend_deg", "number", "deg",
-     "delivered bend: angle between the ends of both reaches, on which the threshold rests"},
-    {"recording", "text", "", "in the session's folder recordings, without ending"},
+     "delivered bend, the stimulus of the threshold: angle between the ends of both reaches"},
+    {"recording", "text", "", "file in the folder `recordings` of the session, without extension"},
 };
 
 const Table tables[] = {
-    {"trials.csv", "One row a trial, its last attempt",
+    {"trials.csv", "One row per trial, with its last attempt",
      joined(trial_columns, reach_columns,
-            {{"presented", "integer", "", "order in which trials ended in the session, from 1"},
+            {{"presented", "integer", "", "order in which the trials of the session ended, from 1"},
              {"end", "text", "", "counted, missing (too many attempts), or open"},
-             {"answer", "text", "", "to the question, or which reach seemed bent"},
-             {"is_right", "integer", "", "1: the retargeted reach was found; empty in catch trials"},
-             {"began_utc", "time", "", "of the last attempt"}})},
-    {"attempts.csv", "One row a reach of each attempt, also those that do not count",
+             {"answer", "text", "", "answer to the question; noticeability: 1 or 2, the reach that seemed bent"},
+             {"is_right", "integer", "", "1: `answer` is `bent`; empty in catch trials"},
+             {"began_utc", "time", "", "start of the last attempt"}})},
+    {"attempts.csv", "One row per reach of each attempt, including invalid attempts",
      joined(trial_columns, reach_columns,
-            {{"part", "integer", "", "of a trial of two reaches, from 1; empty: interrupted"},
-             {"counts", "boolean", "", "valid by the rules of the design"},
-             {"utc", "time", "", "at the end"}})},
+            {{"part", "integer", "", "reach of the trial, from 1; empty: interrupted"},
+             {"counts", "boolean", "", "true: valid by the rules of the design"},
+             {"utc", "time", "", "end of the reach"}})},
     {"people.csv",
-     "One row a session",
+     "One row per session",
      {{"end", "text", "", "done, stopped or open"},
-      {"reason", "text", "", "why the session ended, or why it was last left"},
-      {"library", "text", "", "versions of the library, one for each start"},
-      {"set_up_known", "boolean", "", "the set-up determined the illusion"},
-      {"tactile_weight", "number", "", "by the set-up"},
+      {"reason", "text", "", "why the session ended or was last interrupted"},
+      {"library", "text", "", "library version at each start of the program"},
+      {"set_up_known", "boolean", "", "true: the set-up determined the illusion curve"},
+      {"tactile_weight", "number", "", "w_T as estimated by the set-up"},
       {"tactile_weight_low", "number", "", "lower end of its 95 % interval"},
-      {"tactile_weight_high", "number", "", "upper end"},
+      {"tactile_weight_high", "number", "", "upper end of its 95 % interval"},
       {"threshold_deg", "number", "deg",
-       "delivered bend that is noticed, by QUEST+: posterior mean of the Weibull scale, where 82 % of the answers "
-       "are right, lapses aside"},
+       "detection threshold of the delivered bend by QUEST+: posterior mean of the Weibull scale (82 % correct, lapses "
+       "excluded)"},
       {"threshold_low_deg", "number", "deg", "lower end of its 95 % interval"},
-      {"threshold_high_deg", "number", "deg", "upper end"},
-      {"threshold_answers", "integer", "", "answers that it rests on"},
-      {"run_thresholds_deg", "text", "deg", "threshold by the answers of each interleaved run, separated by spaces"}}},
+      {"threshold_high_deg", "number", "deg", "upper end of its 95 % interval"},
+      {"threshold_answers", "integer", "", "number of answers behind the threshold"},
+      {"run_thresholds_deg", "text", "deg", "threshold from each interleaved run, separated by spaces"}}},
     {"questionnaires.csv",
-     "One row an answer",
-     {{"questionnaire", "text", "", "its name"},
-      {"when", "text", "", "before or after the reaches, or block 2"},
-      {"condition", "text", "", "of the block, if it has one condition"},
-      {"item", "integer", "", "from 1"},
-      {"text", "text", "", "of the item"},
-      {"answer", "integer or text", "", "from low to high of the design, or a text"},
-      {"utc", "time", "", "of the last answer"}}},
+     "One row per answer",
+     {{"questionnaire", "text", "", "name of the questionnaire"},
+      {"when", "text", "", "`before` or `after` the reaches, or `block N`, after block N"},
+      {"condition", "text", "", "condition of the block, if it has only one"},
+      {"item", "integer", "", "number of the item, from 1"},
+      {"text", "text", "", "text of the item"},
+      {"answer", "integer or text", "", "number between `low` and `high` of the design, or text"},
+      {"utc", "time", "", "time of the last answer"}}},
     {"events.csv",
-     "One row an event of the journal beside reaches and answers: starts, notes, stops, breaks, unblinding, ends",
-     {{"number", "integer", "", "of the event in the journal"},
+     "One row per event other than reaches and answers: starts, notes, stops, breaks, unblinding, ends",
+     {{"number", "integer", "", "number of the event in the journal"},
       {"utc", "time", "", ""},
-      {"monotonic_ns", "integer", "ns", "clock of this run of the machine"},
+      {"monotonic_ns", "integer", "ns", "monotonic clock since the computer was started"},
       {"event", "text", "",
-       "opened, closed (why a start ended), consent, registered, checked, set_up, rest, note, plate_stopped, "
-       "unblinded, block_again, end"},
-      {"details", "text", "", "JSON, without samples and files"}}},
+       "opened, closed (with the reason), consent, registered, checked, set_up, rest, note, plate_stopped, unblinded, "
+       "block_again, end"},
+      {"details", "text", "", "data of the event as JSON, without samples and files"}}},
 };
 
 std::string shown_condition(const Design& design, const State& state, unsigned block, unsigned condition,
@@ -141,7 +141,7 @@ std::string shown_condition(const Design& design, const State& state, unsigned b
                                                  : blinded_name(design, state.participant, kind, condition);
 }
 
-// A trial by the columns' names, and by some of the journal's: what it has not got is not there.
+// A row of trials.csv as JSON. Keys are names of columns, and others of the journal; a missing value has no key.
 json trial_row(const Design& design, const State& state, unsigned block, std::size_t trial, bool unblinds) {
   const TrialRecord& record = state.trials[block][trial];
   const PlannedTrial& planned = state.schedule.blocks[block].trials[trial];
@@ -151,7 +151,7 @@ json trial_row(const Design& design, const State& state, unsigned block, std::si
   if (!record.reach.is_null()) {
     row["reason"] = record.reach["reason"];
     if (record.reach.contains("bend_deg")) row["bend_deg"] = record.reach["bend_deg"];
-    // Numbers of the bent reach of two, else of the only one.
+    // Noticeability: values of the bent reach.
     if (const json& parts = record.reach["parts"]; bent < parts.size()) {
       row.update(parts[bent]);
       row["abs_miss_deg"] = std::abs(row["miss_deg"].get<double>());
@@ -184,7 +184,7 @@ json person_row(const Design& design, const State& state, const std::vector<Even
     row.update(*state.set_up);
     row["set_up_known"] = row["is_known"];
   }
-  // Without an answer the threshold is the prior.
+  // Without answers the posterior is the prior, which is not a result.
   const app::QuestPlus::Threshold found = state.quest.threshold();
   if (state.quest.answers() > 0)
     row.update({{"threshold_deg", found.deg},
@@ -225,7 +225,7 @@ void add_events(const Design& design, const State& state, const std::vector<Even
                                    {"answer", data["answers"][i]},
                                    {"utc", utc}});
     } else if (event.name == "attempt" || event.name == "reach") {
-      if (event.name == "attempt" && !attempt.is_null()) add("attempts.csv", attempt);  // it was interrupted
+      if (event.name == "attempt" && !attempt.is_null()) add("attempts.csv", attempt);  // interrupted
       if (event.name == "attempt") {
         attempt = data;
         const unsigned block = data.at("block"), trial = data.at("trial");
@@ -260,7 +260,7 @@ void add_events(const Design& design, const State& state, const std::vector<Even
 }
 
 std::string dictionary_of(const Design& design) {
-  std::string text = "# Columns of the tables\n\nUTF-8; an empty field is not known. Study: " + design.title +
+  std::string text = "# Columns of the tables\n\nUTF-8; an empty field means unknown. Study: " + design.title +
                      ", SHA-256 " + design.sha256 + "\n";
   for (const Table& table : tables) {
     text += std::string("\n## ") + table.file + "\n\n" + table.what +
@@ -297,7 +297,8 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
       if (!std::filesystem::exists(file)) continue;
       const std::vector<Event> events = read_journal(content_of(file), file.string());
       if (events.empty()) continue;
-      if (events.front().data.at("sha256") != design.sha256) throw Refusal(file.string() + ": is of another design");
+      if (events.front().data.at("sha256") != design.sha256)
+        throw Refusal(file.string() + ": was recorded with another design (SHA-256)");
       const Schedule schedule = schedule_of(design, participant);
       const State state = state_of(design, schedule, participant, events);
       ++found.sessions;
@@ -311,7 +312,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
         for (std::size_t trial = 0; trial < state.trials[block].size(); ++trial)
           add("trials.csv", trial_row(design, state, block, trial, unblinds));
     }
-  if (found.sessions == 0) throw Refusal(study.string() + ": holds no session; hrt-experiment run makes them");
+  if (found.sessions == 0) throw Refusal(study.string() + ": has no session; hrt-experiment run records one");
   return found;
 }
 

@@ -1,4 +1,4 @@
-// Tables of the contents of a study's journals.
+// Writes the journals of a study as tables.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 namespace hrt::experiment {
 
 struct Tables {
-  std::map<std::string, std::string> files;  ///< by name: CSV, and their dictionary in Markdown
+  std::map<std::string, std::string> files;  ///< contents by file name: CSV, and the data dictionary
   unsigned sessions = 0;
 };
 
-/// Tables of all sessions in the study's folder. Conditions are letters unless `unblinds`. Throws Refusal.
+/// Returns the tables of all sessions of a study. Conditions are letters unless `unblinds`. Throws Refusal.
 Tables export_study(const Design& design, const std::filesystem::path& study, bool unblinds);
 
 }  // namespace hrt::experiment

@@ -23,7 +23,7 @@ constexpr const char* keys_text =
     "leave, to be resumed, r what was asked, h these keys.";
 constexpr char erase = 0x7f, escape = 0x1b;
 
-// Takes a key into a text that is typed. Returns true at its end.
+// Appends a key to a typed text. Returns true at the end of the text.
 bool edit(std::string& text, char key) {
   if (key == '\n' || key == '\r') {
     std::cerr << "\n";
@@ -31,7 +31,7 @@ bool edit(std::string& text, char key) {
   }
   if (key == erase && !text.empty()) {
     while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xc0U) == 0x80U) text.pop_back();
-    text.pop_back();  // the first byte of a character of UTF-8
+    text.pop_back();  // up to the first byte of a UTF-8 character
     std::cerr << "\b \b";
   } else if (static_cast<unsigned char>(key) >= ' ' && key != erase) {
     std::cerr << (text += key).back();
@@ -106,7 +106,7 @@ void LedSubject::stop_plate() {
   try {
     plate_->stop(0);
   } catch (const std::exception&) {
-    // It has failed, and the program ends.
+    // The session has failed; the program ends with the first error.
   }
 }
 
@@ -143,7 +143,7 @@ std::optional<double> LedSubject::verify(const std::string& registration) {
   } catch (const app::Failure& failure) {
     if (failure.code() != app::ExitCode::registration) throw;
     prompt_.say(failure.what());
-    placed_.reset();  // a skin that goes with it, too
+    placed_.reset();  // also removes the skin offset of the old registration
     return std::nullopt;
   }
 }
@@ -178,8 +178,8 @@ void LedSubject::plan(hrt_session_config& config) const {
   if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
 }
 
-// In every frame, in every state: the key that stops the plate does so here, before anything else. In a text it is
-// Escape alone.
+// Called in every frame and state. Stops the plate before any other key is handled; while a text is typed, only
+// Escape stops.
 void LedSubject::attend(XrTime time) {
   while (const std::optional<char> key = next_key()) {
     if (note_ && *key != escape) {
@@ -270,7 +270,7 @@ void LedSubject::show(const nlohmann::json& facts) {
 }
 
 Key LedSubject::key() {
-  await("");  // what was ended awaits nothing
+  await("");  // cancel the request of the interrupted task
   const Key pressed = std::exchange(pressed_, Key::none);
   if (pressed == Key::stop_plate) is_stopped_ = true;
   if (pressed == Key::rest) rest(0.0);
@@ -282,7 +282,7 @@ Key LedSubject::key() {
   return key();
 }
 
-// Frames continue, so the plate is served.
+// Frames continue, so the plate remains controlled.
 char LedSubject::await_key(const std::string& allowed) {
   await(allowed);
   while (!typed_) frame();
@@ -291,7 +291,7 @@ char LedSubject::await_key(const std::string& allowed) {
   return key;
 }
 
-// `keys`: of which the text is made, beside Enter and what erases; empty: all but Escape.
+// `keys`: allowed characters in addition to Enter and backspace; empty: all except Escape.
 std::string LedSubject::typed(const std::string& keys) {
   await(keys.empty() ? keys : keys + "\r\n" + erase, true);
   std::string text;
@@ -428,7 +428,7 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     outcome.peak_felt_error_deg = result.peak_felt_error_deg;
     outcome.is_truth = result.is_truth;
     outcome.summary = result.summary;
-    outcome.summary.counts.samples = result.frames;  // the plugin's have the finger's lift at the end
+    outcome.summary.counts.samples = result.frames;  // without the samples after the finger's lift
     outcome.summary.counts.dropped_samples = result.dropouts;
   } catch (const Ended& ended) {
     outcome.problem = ended.what();

@@ -1,6 +1,6 @@
-// A participant at a plate, through OpenXR, by the stage of hrt-reach. Either a person, whom the terminal and
-// a voice ask and whose experimenter has keys; or the simulated user of a runtime, whose answers and clock
-// are SimulatedSubject's.
+// A participant at a plate through OpenXR, in the scene of hrt-reach. Either a person, with requests by terminal and
+// voice and an experimenter with keys; or the simulated user of the mock runtime, with the answers and clock of
+// SimulatedSubject.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ class LedSubject : public Subject {
   /// Reads from `options`: scene, plugin, hands, finger, plate, speak_with, person, time_limit_s, runtime_limit and
   /// seed. `live` displays the session; null: no display. Throws app::Failure and app::XrFailure, as hrt-reach does.
   LedSubject(const Design& design, unsigned participant, const app::Options& options, Live* live);
-  /// Waits until all is spoken.
+  /// Waits until all sentences have been spoken.
   ~LedSubject() override;
   LedSubject(const LedSubject&) = delete;
   LedSubject& operator=(const LedSubject&) = delete;
@@ -39,10 +39,10 @@ class LedSubject : public Subject {
   std::optional<double> verify(const std::string& registration) override;
   Key key() override;
   void say(const std::string& text) override { prompt_.say(text); }
-  /// After each sync of the journal, of which several may last longer than a stop may: the key that stops the plate
-  /// does so; it and the others have their effects at the next frame.
+  /// Call after each sync of the journal: several syncs may exceed the permitted delay of a stop. A stop key stops the
+  /// plate immediately; all other effects of keys follow at the next frame.
   void between_frames();
-  /// Speaks what the other kind of subject prints.
+  /// Speaks a sentence that a simulated subject prints.
   void speak(const std::string& text) { prompt_.speak(text); }
   void show(const nlohmann::json& facts) override;
   std::string note() override;
@@ -79,7 +79,7 @@ class LedSubject : public Subject {
   app::Plugin plugin_;
   app::TargetSet targets_;
   app::SpaceMotion spaces_;
-  std::optional<app::TouchFrame> touch_;  // none: the runtime tracks hands
+  std::optional<app::TouchFrame> touch_;  // nullopt: the runtime tracks the hand
   app::XrRuntime runtime_;
   app::XrHeadlessSession session_;
   std::optional<app::Simulation> simulation_;
@@ -87,13 +87,13 @@ class LedSubject : public Subject {
   app::Stage stage_;
   std::vector<app::Mark> marks_;
   std::optional<app::RegisteredPlate> placed_;
-  std::optional<Live::Clock::time_point> registered_;  // when a touch checked it
-  Key pressed_ = Key::none;                            // and not yet asked for
-  std::optional<char> typed_;                          // a key that is awaited
+  std::optional<Live::Clock::time_point> registered_;  // time of the last check by a touch
+  Key pressed_ = Key::none;                            // last key that key() has not returned yet
+  std::optional<char> typed_;                          // last key that answers a request
   std::string awaited_, early_;
-  std::optional<std::string> note_;  // that is being typed, in any state
-  std::vector<std::string> notes_;   // that are not yet in the journal
-  char to_confirm_ = '\0';           // a key that was pressed once and needs a second time
+  std::optional<std::string> note_;  // text of the note that is being typed
+  std::vector<std::string> notes_;   // finished notes that are not in the journal yet
+  char to_confirm_ = '\0';           // key to be pressed a second time for confirmation
   bool is_text_ = false, is_typing_ = false, is_stopped_ = false;
 };
 

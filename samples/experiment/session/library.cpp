@@ -24,7 +24,7 @@ hrt_target added(hrt_session session, std::uint32_t role, double direction_deg, 
 }  // namespace
 
 void check(hrt_result result) {
-  if (result != HRT_OK) throw Refusal(std::string("the plugin refused: ") + hrt_last_error());
+  if (result != HRT_OK) throw Refusal(std::string("the plugin returned an error: ") + hrt_last_error());
 }
 
 std::string library_version() {
@@ -85,7 +85,7 @@ std::string LibrarySession::profile() const {
 }
 
 void LibrarySession::record(const std::filesystem::path& file) const {
-  if (std::filesystem::exists(file)) throw Refusal(file.string() + ": is there already");
+  if (std::filesystem::exists(file)) throw Refusal(file.string() + ": exists and is not overwritten");
   check(hrt_recording_start(session_, file.c_str()));
 }
 

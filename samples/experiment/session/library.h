@@ -1,4 +1,4 @@
-// A session of the plugin for one reach or set-up, and its recording.
+// A recorded session of the plugin for one reach or set-up.
 #pragma once
 
 #include <filesystem>
@@ -15,20 +15,20 @@ void check(hrt_result result);
 
 std::string library_version();
 
-/// A sample of a set-up as numbers, and back.
+/// Converts a sample of a set-up to numbers and back.
 nlohmann::json row_of(const hrt_sample& sample);
 hrt_sample sample_of(const nlohmann::json& row);
 
 class LibrarySession {
  public:
-  /// `profile`: what is believed of the person; empty: nothing.
+  /// `profile`: prior of the person; empty: default prior.
   LibrarySession(const Condition& condition, const std::string& profile, const Subject& subject);
   ~LibrarySession();
   LibrarySession(const LibrarySession&) = delete;
   LibrarySession& operator=(const LibrarySession&) = delete;
 
   hrt_session handle() const { return session_; }
-  /// The real one, and the virtual one.
+  /// Returns the real and the virtual target.
   std::pair<hrt_target, hrt_target> add_targets(double real_deg, double virtual_deg, double distance_m,
                                                 double radius_m) const;
   hrt_session_config config() const;

@@ -18,7 +18,7 @@ namespace {
 constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 constexpr std::int64_t ns_per_minute = 60'000'000'000;
 
-// Reaches of a session are numbered from here: those before are of its set-up.
+// First number of a reach; lower numbers belong to the set-up.
 constexpr unsigned first_reach = 512;
 
 struct Part {
@@ -27,7 +27,7 @@ struct Part {
   double distance_m;
   double radius_m;
   Condition condition;
-  unsigned index;  // of the condition
+  unsigned index;  // index of the condition
 };
 
 json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&start_m)[3]) {
@@ -52,10 +52,10 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
           {"flags", summary.flags}};
 }
 
-// Bearing of the end from the start, as the finger made it.
+// Bearing of the end from the start of the motion.
 double end_deg(const json& part) { return part.at("real_deg").get<double>() + part.at("miss_deg").get<double>(); }
 
-// Why the reach does not count; empty: it does.
+// Returns why the reach is invalid; empty: valid.
 std::string judged(const Validity& rules, const ReachOutcome& outcome) {
   if (!outcome.problem.empty()) return outcome.problem;
   if (!outcome.has_ended) return "did not end";
@@ -80,7 +80,7 @@ class SessionRun {
                  [&subject] { return subject.now(); }),
         state_(state_of(design, schedule_, place.participant, journal_.events())) {}
 
-  // The journal says why the session ended; what a crash ends has no such event.
+  // Runs the session and returns how it ended. The journal then has "closed" or "end" with a reason; a crash has none.
   std::string run() {
     try {
       const std::string how = lead();
@@ -97,7 +97,7 @@ class SessionRun {
     try {
       if (is_open_) log("closed", {{"reason", reason}});
     } catch (const std::exception&) {
-      // The journal cannot be written; the first error is reported.
+      // The journal cannot be written either; report the first error.
     }
   }
 
@@ -114,7 +114,7 @@ class SessionRun {
         subject_.show(standing(task));
         if (state_.end.empty()) perform(task);
       } catch (const Ended&) {
-        // It is begun again, after what the experimenter wants instead.
+        // Interrupted: the loop processes the experimenter's key and starts the task again.
       }
     subject_.say(state_.end == "done" ? "The session is done. Thank you." : "The session is stopped.");
     return state_.end;
@@ -126,14 +126,15 @@ class SessionRun {
     disk_.step("after state");
   }
 
-  // A long interruption, or one of unknown length, in the middle of a block has it start again.
+  // Restarts the block after an interruption that was long, or of unknown length.
   void open() {
     const std::vector<Event>& events = journal_.events();
     bool is_long = false;
     if (!events.empty()) {
       const json& first = events.front().data;
       if (first.at("sha256") != design_.sha256)
-        throw Refusal(folder_.string() + ": began with a design of SHA-256 " + first.at("sha256").get<std::string>());
+        throw Refusal(folder_.string() + ": was started with a design of SHA-256 " +
+                      first.at("sha256").get<std::string>());
       if (first.at("subject") != subject_.description())
         throw Refusal(folder_.string() + ": began with " + first.at("subject").get<std::string>() + ", not with " +
                       subject_.description());
@@ -168,7 +169,7 @@ class SessionRun {
     return pause_ns < 0 || static_cast<double>(pause_ns) > design_.max_pause_minutes * ns_per_minute;
   }
 
-  // Returns true if the experimenter leaves.
+  // Returns true if the experimenter quits.
   bool obey() {
     for (Key key = subject_.key(); key != Key::none; key = subject_.key()) {
       if (key == Key::leave) return true;
@@ -240,7 +241,7 @@ class SessionRun {
     log("checked", std::move(found));
   }
 
-  // Under the first name that no other content has.
+  // Uses the first name that does not exist with other content.
   void keep(const std::string& name, const std::string& content) const {
     for (unsigned number = 1;; ++number) {
       const std::filesystem::path file = folder_ / (name + (number == 1 ? "" : format("-%u", number)) + ".json");
@@ -253,7 +254,7 @@ class SessionRun {
     keep_set_up(session, guide(session, HRT_SETUP_CALIBRATION, nullptr, "slide", state_.slides));
   }
 
-  // The slides or touches that the journal has are given to the plugin again, then those that are missing are made.
+  // Passes the slides or touches of the journal to the plugin again, then records the missing ones.
   hrt_setup_result guide(const LibrarySession& session, std::uint32_t what, const hrt_setup_config* config,
                          const char* event, const std::vector<json>& made) {
     check(hrt_setup_begin(session.handle(), what, config));
@@ -276,12 +277,12 @@ class SessionRun {
                          samples.push_back(row_of(sample));
                          use(sample);
                          const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
-                         before = std::min(before, step.done);  // all of it begins again after a fit that was refused
+                         before = std::min(before, step.done);  // a rejected fit restarts the procedure
                          return ends ? std::nullopt : std::optional(step);
                        });
         log(event, {{"number", done}, {"samples", std::move(samples)}});
       }
-      // Each call continues the fit. No frame waits for it here.
+      // Each call continues the fit; there is no display to delay here.
       for (; step.instruction == HRT_STEP_FINISH; use(last)) {
         check(hrt_setup_finish(session.handle(), &result));
         if (result.left == 0) return result;
@@ -311,8 +312,8 @@ class SessionRun {
     return blinded_name(design_, state_.participant, block.kind, block.trials[task.trial].condition);
   }
 
-  // The reaches of a trial, and for noticeability which gap and which of the two is bent. No gap is beyond what the
-  // plate can sustain for this participant.
+  // Returns the reaches of a trial; for noticeability, draws the gap and which of the two is bent. No gap exceeds the
+  // feasible gap of this participant.
   std::vector<Part> parts_of(const Task& task, json& about) const {
     const Block& block = schedule_.blocks[task.block];
     const PlannedTrial& planned = block.trials[task.trial];
@@ -343,7 +344,7 @@ class SessionRun {
     return parts;
   }
 
-  // Conditions by their letters.
+  // State of the session for display, with conditions by their letters.
   json standing(const Task& task) const {
     constexpr const char* tasks[] = {"consent", "registration", "check",  "set-up", "questionnaire",
                                      "break",   "reach",        "answer", "end"};
@@ -362,7 +363,7 @@ class SessionRun {
 
   const TrialRecord& record(const Task& task) const { return state_.trials[task.block][task.trial]; }
 
-  // A name that no file has: one of a crash may be there.
+  // Returns an unused file name; a crash may have left a file.
   std::string new_stem(const Task& task, unsigned* number) const {
     const PlannedTrial& planned = schedule_.blocks[task.block].trials[task.trial];
     for (*number = record(task).attempts + 1;; ++*number) {
@@ -402,7 +403,7 @@ class SessionRun {
     log("reach", std::move(reach));
   }
 
-  // Beside each recording: whose it is.
+  // Writes NAME.json for each recording: study, participant, attempt, library version, hashes of the files in use.
   void describe(const std::string& stem, json about) const {
     about["study"] = design_.title;
     about["study_sha256"] = design_.sha256;
@@ -467,7 +468,7 @@ class SessionRun {
   Journal journal_;
   State state_;
   bool is_open_ = false;
-  std::optional<unsigned> told_;  // block whose instruction was given
+  std::optional<unsigned> told_;  // last block whose instruction was given
 };
 
 }  // namespace

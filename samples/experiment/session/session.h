@@ -1,4 +1,4 @@
-// A session: from consent to its end, through as many processes as it takes.
+// A session, from consent to its end. It can be interrupted and resumed by another process.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,18 @@ struct SessionPlace {
   std::filesystem::path study;  ///< folder of all data of the study
   unsigned participant;
   unsigned session = 1;
-  std::string plate;         ///< its file's content; empty: it has none
-  std::string registration;  ///< the same, of a plate that another program registered
+  std::string plate;         ///< content of the plate's file; empty: no file
+  std::string registration;  ///< content of the registration file; empty: register here
 };
 
 std::filesystem::path folder_of(const SessionPlace& place);
 
-/// Freezes the design in the study's folder at the first participant. Throws Refusal if another one is frozen
-/// there.
+/// Copies the design to the study's folder at the first participant. Throws Refusal if the folder has another
+/// design.
 void freeze(const Design& design, const std::filesystem::path& study, const Disk& disk);
 
-/// Runs the session, or resumes it; one that has ended stays as it is. Returns how it ended: "done",
-/// "stopped", or "left", to be resumed. Throws Refusal.
+/// Runs or resumes the session; does nothing if it has ended. Returns "done", "stopped", or "left" (can be
+/// resumed). Throws Refusal.
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk);
 
 }  // namespace hrt::experiment

@@ -16,7 +16,7 @@ constexpr double max_speed_deg_s = 400.0;
 constexpr std::int64_t latency_ns = 30'000'000;
 constexpr double notice_slope = 2.0;
 
-// The library's person, at its reach of a number.
+// Simulated person of core/simulation at reach number `number`.
 class Person {
  public:
   Person(const hrt_person_config& config, std::uint64_t seed, hrt_session session, hrt_target seen, unsigned number) {
@@ -43,7 +43,7 @@ class Person {
   hrt_person person_{};
 };
 
-// A draw of mean 0 and standard deviation 1; "skewed" is lognormal.
+// Returns a draw with mean 0 and SD 1; "skewed" is log-normal.
 double deviate(const std::string& distribution, Stream& draw) {
   if (distribution == "uniform") return std::sqrt(12.0) * (draw.uniform() - 0.5);
   const double radius = std::sqrt(-2.0 * std::log(1.0 - draw.uniform()));
@@ -56,7 +56,7 @@ double deviate(const std::string& distribution, Stream& draw) {
 
 }  // namespace
 
-// Weights of touch and biases as the library's people have them; thresholds by the prior of QUEST+, narrower.
+// Tactile weights and biases as in core/simulation; thresholds from the prior of QUEST+ with a smaller SD.
 SimulatedSubject::SimulatedSubject(const Design& design, unsigned participant, std::uint64_t seed)
     : design_(design), participant_(participant), seed_(seed) {
   Stream draw(Use::person, {seed, participant});
@@ -141,7 +141,7 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
   for (std::int64_t time_ns = 0; time_ns < limit_ns && !outcome.has_ended; time_ns += frame_ns) {
     hrt_sample sample = person.move(time_ns, plate_deg);
     state = person.state();
-    // Every other frame has no position.
+    // Drops the position of every other frame.
     if (loses_finger && time_ns / frame_ns % 2 == 1) sample.flags &= ~HRT_SAMPLE_PLATE_POSITION;
     hrt_command command = hrt_command_init();
     check(hrt_reach_update(order.session, &sample, &command));
@@ -159,8 +159,8 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
   return outcome;
 }
 
-// A perceived-direction error is noticed by a psychometric function of it. Of two reaches the one with the larger error
-// is chosen, of the answers to the question the first one.
+// The probability of noticing is a psychometric function of the perceived-direction error. If noticed, the answer is
+// the reach with the larger error, or the first answer to the question.
 unsigned SimulatedSubject::answer(const std::string&, const std::vector<std::string>& answers,
                                   const std::vector<double>& felt_deg, unsigned number) {
   Stream draw(Use::answers, place(number));

@@ -1,4 +1,4 @@
-// A simulated participant and experimenter: the library's person, in the time of a clock that only they move.
+// A simulated participant and experimenter, with a simulated clock that only they advance.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace hrt::experiment {
 
 class SimulatedSubject : public Subject {
  public:
-  /// The simulated person is drawn by `seed` and the participant's number.
+  /// Draws the simulated person from `seed` and the participant's number.
   SimulatedSubject(const Design& design, unsigned participant, std::uint64_t seed);
 
   Now now() override { return now_; }
@@ -29,7 +29,7 @@ class SimulatedSubject : public Subject {
   unsigned answer(const std::string& question, const std::vector<std::string>& answers,
                   const std::vector<double>& felt_deg, unsigned number) override;
 
-  /// Lets the time pass.
+  /// Advances the simulated clock.
   void pass(double seconds);
 
  private:
@@ -39,7 +39,7 @@ class SimulatedSubject : public Subject {
   unsigned participant_;
   std::uint64_t seed_;
   hrt_person_config config_ = hrt_person_config_init();
-  double threshold_deg_;  // of noticing a gap
+  double threshold_deg_;  // detection threshold
   Now now_;
 };
 

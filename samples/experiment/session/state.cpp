@@ -41,7 +41,7 @@ void State::end_trial(TrialRecord::End of_trial) {
   rest_due = block < schedule.blocks.size();
 }
 
-// A reach that does not count returns later in its block, at a place that is drawn.
+// Inserts the trial of an invalid reach at a random later position of its block.
 void State::apply_reach(const Event& event) {
   TrialRecord& record = trials[block][pending.front()];
   record.reach = event.data;
@@ -90,7 +90,7 @@ void State::apply(const Event& event) {
   boot = boot_now;
   last = now;
   if (event.name == "opened") {
-    is_open = false;  // an attempt that was interrupted
+    is_open = false;  // the attempt was interrupted
     is_placed = false;
     registers = data.at("registers");
   } else if (event.name == "consent") {

@@ -1,4 +1,4 @@
-// The state of a session: a fold over its journal, and nothing else.
+// The state of a session, computed from its journal alone.
 #pragma once
 
 #include <optional>
@@ -15,20 +15,20 @@ namespace hrt::experiment {
 /// Outcome of a trial.
 struct TrialRecord {
   enum class End { open, counted, missing } end = End::open;
-  unsigned attempts = 0;   ///< begun
-  unsigned refused = 0;    ///< ended, and did not count: interrupted ones are not the person's
-  unsigned presented = 0;  ///< order in which trials of the session ended, from 1
+  unsigned attempts = 0;   ///< attempts that were started
+  unsigned refused = 0;    ///< attempts that ended and were invalid, without interrupted ones
+  unsigned presented = 0;  ///< order in which the trials of the session ended, from 1
   std::int64_t began_utc_ms = 0;
-  nlohmann::json attempt;  ///< the last one's event, and its reach
+  nlohmann::json attempt;  ///< events of the last attempt and its reach
   nlohmann::json reach;
-  std::optional<unsigned> answer;  ///< from 0
+  std::optional<unsigned> answer;  ///< index of the answer
 };
 
 /// The next task of a session.
 struct Task {
   enum class Kind { consent, registration, check, set_up, questionnaire, rest, trial, answer, end } kind;
   unsigned block = 0;
-  unsigned trial = 0;     ///< index in the block; of a questionnaire: its index in the design
+  unsigned trial = 0;     ///< index in the block; questionnaire: index in the design
   std::string when = {};  ///< of a questionnaire: before, after, or "block 2"
 };
 
@@ -37,9 +37,9 @@ struct State {
 
   void apply(const Event& event);
   Task next() const;
-  /// Largest gap that the plate can sustain for this participant, by the set-up; infinite if it is unknown.
+  /// Feasible gap of this participant, from the set-up; infinite if unknown.
   double max_gap_deg() const;
-  /// Time since the last event; by the calendar if the machine was started again, when it may be negative.
+  /// Time since the last event; after a restart of the computer by the wall clock, so it may be negative.
   std::int64_t since_last_ns(const Now& now, const std::string& boot_now) const;
 
   const Design& design;
@@ -48,30 +48,30 @@ struct State {
 
   bool has_consent = false;
   bool registers = false;
-  bool is_placed = false;                        ///< the plate, by touches since the last start
-  std::string registration;                      ///< empty: not registered
-  std::set<std::string> registrations;           ///< that there were
-  std::vector<nlohmann::json> touches;           ///< of one that is not finished
-  std::optional<nlohmann::json> set_up;          ///< its result, once it is done
-  std::vector<nlohmann::json> slides;            ///< of a set-up that is not
+  bool is_placed = false;                        ///< touches have checked the plate since the last start
+  std::string registration;                      ///< current registration; empty: not registered
+  std::set<std::string> registrations;           ///< all registrations of the session
+  std::vector<nlohmann::json> touches;           ///< touches of an unfinished registration
+  std::optional<nlohmann::json> set_up;          ///< result of the set-up when finished
+  std::vector<nlohmann::json> slides;            ///< slides of an unfinished set-up
   std::set<std::string> questionnaires;          ///< names such as "before SSQ"
-  std::vector<std::vector<TrialRecord>> trials;  ///< of each block
-  std::vector<unsigned> passes;                  ///< of each block, from 1: it starts again after a long pause
+  std::vector<std::vector<TrialRecord>> trials;  ///< by block and trial
+  std::vector<unsigned> passes;                  ///< pass of each block, from 1; a block restarts after a long pause
   unsigned block = 0;
-  std::vector<unsigned> pending;  ///< indices of the block's trials, the next one first
+  std::vector<unsigned> pending;  ///< indices of the remaining trials of the block, next one first
   bool rest_due = false;
-  bool is_open = false;  ///< an attempt is
+  bool is_open = false;  ///< an attempt is in progress
   bool awaits_answer = false;
-  unsigned reaches = 0;  ///< ended, counted or not
+  unsigned reaches = 0;  ///< number of ended reaches, valid or not
   unsigned presented = 0;
   unsigned refused_in_a_row = 0;
-  std::vector<std::string> beliefs;        ///< profile of each condition after its last reach; empty: the set-up's
-  app::QuestPlus quest;                    ///< of all answers: the threshold
-  std::vector<app::QuestPlus> quest_runs;  ///< of the interleaved runs, which choose the gaps
+  std::vector<std::string> beliefs;  ///< profile of each condition after its last reach; empty: that of the set-up
+  app::QuestPlus quest;              ///< posterior of all answers, for the threshold
+  std::vector<app::QuestPlus> quest_runs;  ///< interleaved runs, which select the gaps
   std::string end;                         ///< "done" or "stopped"; empty: neither
-  std::int64_t passed_ns = 0;              ///< from consent to the last event, also while the machine was off
-  std::string boot;                        ///< of the last start
-  std::optional<Now> last;                 ///< when the journal was last written
+  std::int64_t passed_ns = 0;  ///< time from consent to the last event, including time while the computer was off
+  std::string boot;            ///< identifier of the computer's boot at the last start
+  std::optional<Now> last;     ///< time of the last event
 
  private:
   void end_trial(TrialRecord::End end);
@@ -80,7 +80,7 @@ struct State {
   void begin_block(unsigned number);
 };
 
-/// The fold of a journal.
+/// Returns the state after the events of a journal.
 State state_of(const Design& design, const Schedule& schedule, unsigned participant, const std::vector<Event>& events);
 
 }  // namespace hrt::experiment

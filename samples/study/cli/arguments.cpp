@@ -22,7 +22,7 @@ std::optional<Number> parse(std::string_view text) {
   return value;
 }
 
-// "a,b,c" or "first:last:count", each number in `range`; nullopt if it is neither.
+// Parses "a,b,c" or "first:last:count", each number in `range`; nullopt if invalid.
 std::optional<std::vector<double>> parse_list(std::string_view text, const NumberRange& range) {
   std::vector<double> values;
   if (const auto parts = split(text, ':'); parts.size() == 3) {
@@ -42,7 +42,7 @@ std::optional<std::vector<double>> parse_list(std::string_view text, const Numbe
   return values;
 }
 
-// Adds an option whose text `parsed` turns into a value, or into nothing if it is not `allowed`.
+// Adds an option whose text is converted by `parsed`, which returns nullopt if the text is not `allowed`.
 template <typename Value>
 CLI::Option* add_parsed(CLI::App& app, const std::string& name, Value& value, const std::string& allowed,
                         const std::string& standard, const std::string& help,
@@ -54,7 +54,7 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name, Value& value, co
       ->default_str(standard);
 }
 
-// Different values, by comma-separated names; nothing if `find` does not know one.
+// Parses comma-separated names of different values; nullopt if `find` does not know one.
 template <typename Value>
 std::optional<std::vector<Value>> parse_names(const std::string& names,
                                               const std::function<std::optional<Value>(std::string_view)>& find) {
@@ -78,7 +78,7 @@ std::optional<PersonState::Index> trait_of(std::string_view name) {
   return trait == traits.end() ? std::nullopt : std::optional(trait->index);
 }
 
-// `tuning` with the fields that `text` sets.
+// Returns `tuning` with the fields set by `text`.
 std::optional<Tuning> tuned(Tuning tuning, const std::string& text) {
   std::vector<TuningField> fields = tuning_fields(tuning);
   for (const std::string_view assignment : split(text, ',')) {
@@ -214,7 +214,7 @@ CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<Pers
 }
 
 std::string tuning_names() {
-  std::string text = "Tuned numbers of --tune and their ranges (core/person/tuning.h has the meanings):\n";
+  std::string text = "Parameters of --tune with their ranges (core/person/tuning.h explains them):\n";
   Tuning tuning;
   for (const TuningField& field : tuning_fields(tuning))
     text += "  " + field.name + ' ' + number(field.min) + " to " + number(field.max) + ", default " +
@@ -224,7 +224,7 @@ std::string tuning_names() {
 
 CLI::Option* add_tuning(CLI::App& app, Tuning& tuning) {
   return add_parsed<Tuning>(app, "--tune", tuning, "NAME=VALUE[,NAME=VALUE...] (robustness --help shows the ranges)",
-                            "core/person/tuning.h", "Tuned numbers of our controller to change.",
+                            "core/person/tuning.h", "Parameters of our controller to change.",
                             [](const std::string& text) { return tuned({}, text); });
 }
 

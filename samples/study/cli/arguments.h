@@ -1,5 +1,5 @@
-// Options of the subcommands: CLI11's, with the checks and parsers that it lacks. The help and the error message both
-// state what is allowed.
+// Options of the subcommands: parsers and checks in addition to those of CLI11. Help and error messages both state what
+// is allowed.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,7 +19,7 @@ struct PeopleFamily;
 
 namespace hrt::study {
 
-/// Numbers that an option or a field of a file takes.
+/// Allowed numbers of an option or of a field in a file.
 struct NumberRange {
   double low;
   double high;
@@ -29,7 +29,7 @@ struct NumberRange {
   bool whole = false;             ///< whole numbers only
 
   bool contains(double value) const;
-  std::optional<double> parse(std::string_view words) const;  ///< nothing unless it is one of them
+  std::optional<double> parse(std::string_view words) const;  ///< nullopt if not allowed
   std::string text() const;                                   ///< "a number in (0, 0.5)"
 };
 
@@ -43,11 +43,11 @@ inline constexpr NumberRange plate_bound_range{0.0, 90.0, false};
 CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& help, const std::string& footer,
                       const std::function<void()>& run);
 
-/// Check of an option's text. `allowed` says in the help and in errors what passes.
+/// Returns a check of an option's text. `allowed`: description of valid texts for help and errors.
 CLI::Validator must_be(const std::string& allowed, const std::function<bool(const std::string&)>& passes);
 CLI::Validator must_be(const NumberRange& range);
 
-/// Adds an option for a number of `range`, or for a whole number of [low, high]; the help shows the default.
+/// Adds an option for a number in `range`, or for an integer in [low, high]; the help shows the default.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, const NumberRange& range,
                         const std::string& help);
 template <typename Integer>
@@ -58,8 +58,8 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, Integer& value,
       ->capture_default_str();
 }
 
-/// Adds an option for numbers of `range`: "0.1,0.15" or "0.05:0.45:9", nine values evenly spaced from the first to the
-/// last.
+/// Adds an option for a list of numbers in `range`: "0.1,0.15", or "0.05:0.45:9" for nine evenly spaced values from the
+/// first to the last.
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& values, const NumberRange& range,
                          const std::string& help);
 
@@ -67,31 +67,31 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& allowed, const std::string& help);
 
-/// Adds an option for a file or folder, whose name is not empty.
+/// Adds an option for a file or folder; an empty name is rejected.
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::string& value, const std::string& help);
 CLI::Option* add_out(CLI::App& app, std::string& path);
 /// Adds --plot, a file whose name ends with .svg.
 CLI::Option* add_plot(CLI::App& app, std::string& path, const std::string& help);
 
-/// Adds --threads; the default is every processor.
+/// Adds --threads; the default is the number of processors.
 CLI::Option* add_threads(CLI::App& app, std::uint64_t& threads);
 CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed);
 CLI::Option* add_trials(CLI::App& app, std::uint64_t& trials, const std::string& help);
 
-/// Adds --family, different names of people_families(); `standard` is what the help shows as the default.
+/// Adds --family, a list of different names of people_families(). `standard`: description of the default in the help.
 CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>& families, const std::string& standard,
                           const std::string& help);
 
-/// Adds an option for different traits of the controller's model.
+/// Adds an option for a list of different traits of the controller's model.
 CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonState::Index>& traits,
                         const std::string& standard, const std::string& help);
 
 /// Adds --tune, fields of `tuning` by name.
 CLI::Option* add_tuning(CLI::App& app, Tuning& tuning);
-/// The names that it takes, and their ranges.
+/// Returns the names that --tune accepts, with their ranges.
 std::string tuning_names();
 
-/// The parts of `text` between separators, empty ones too; at least one.
+/// Splits `text` at separators, and keeps empty parts; returns at least one part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 }  // namespace hrt::study

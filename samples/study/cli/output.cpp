@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int bar_width = 30;
 
-// By arguments of this process, and whether it writes them: else it would replace the one by the other.
+// Files named by arguments, and whether they are outputs: an output must not overwrite an input or another output.
 std::map<std::filesystem::path, bool>& named_files() {
   static std::map<std::filesystem::path, bool> files;
   return files;

@@ -1,4 +1,4 @@
-// hrt-study calibrate: who made these slides?
+// hrt-study calibrate: estimates a person's parameters from slides over a fixed plate.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -172,7 +172,7 @@ Figure calibration_figure(const CalibrationReport& report) {
           .data = calibration_json(report)};
 }
 
-// A thousand slides of a minute at 90 Hz have half of this.
+// Twice the size of a thousand slides of one minute at 90 Hz.
 constexpr std::size_t max_slides_bytes = std::size_t{1} << 29;
 
 struct CalibrateOptions {
@@ -196,7 +196,7 @@ CalibrationReport calibrated(const std::string& data, double goal_direction_deg)
   return report;
 }
 
-// Test and retest of a person: two calibrations compared.
+// Test-retest comparison of two calibrations of a person.
 struct ComparedValue {
   EstimatedTrait trait;  // of the first calibration
   RetestDifference difference;
@@ -292,7 +292,7 @@ void run(const CalibrateOptions& options) {
   const Output plot("--plot", options.plot);
   const Output profile("--profile", options.profile);
 
-  // Everything that can fail does so before anything is written.
+  // All inputs and destinations are checked before anything is written.
   const CalibrationReport report = calibrated(options.data, options.goal_direction_deg);
   std::optional<RetestReport> retest;
   if (!options.retest.empty())
@@ -309,9 +309,10 @@ void run(const CalibrateOptions& options) {
 
 void add_calibrate(CLI::App& app) {
   const auto options = std::make_shared<CalibrateOptions>();
-  CLI::App& command = add_command(app, "calibrate", "A participant's parameters from slides over a plate at rest.",
-                                  "FILE is CSV with a header that names " + std::string(calibration_header) +
-                                      R"(:
+  CLI::App& command =
+      add_command(app, "calibrate", "Estimate a participant's parameters from slides over a fixed plate.",
+                  "FILE is CSV with a header that names " + std::string(calibration_header) +
+                      R"(:
 a row a tracked position of the fingertip (right of and away along the mid-line), the rows of a trial
 together, its time increasing. Lines that start with # and other columns are ignored.
 
@@ -325,7 +326,7 @@ Examples:
   hrt-study calibrate me.csv --plot me.svg --profile me.json
   hrt-study calibrate me.csv --retest me-a-week-later.csv
   hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json)",
-                                  [options] { run(*options); });
+                  [options] { run(*options); });
   add_path(command, "FILE", options->data, "The data, CSV.")->required();
   add_path(command, "--retest", options->retest,
            "A second calibration's data: whether the two differ, and by how much. --plot and --profile are\n"

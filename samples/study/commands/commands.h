@@ -1,4 +1,4 @@
-// The subcommands, a file each. Each adds itself to the command line and does its work as a callback.
+// The subcommands, one file each. Each function adds a subcommand whose callback does the work.
 #pragma once
 
 namespace CLI {

@@ -1,5 +1,5 @@
-// hrt-study coverage: how often the calibration's intervals hold the truth. Simulated people of many kinds are
-// calibrated, and the intervals compared with the truth.
+// hrt-study coverage: coverage of the calibration's 95 % intervals. Calibrates simulated people of many kinds and
+// counts the intervals that contain the true value.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,18 +22,17 @@
 namespace hrt::study {
 namespace {
 
-// A kind of people: a family of core/simulation/people.h, or that of `family` with something added to the
-// session.
+// A kind of people: the family `family` of core/simulation/people.h, with an optional change of person or session.
 struct CoverageKind {
   const char* name;
   const char* description;
   const char* family;
-  double weight_trend = 0.0;    // w changes by this, to either side, from the first slide to the last
-  double outlying_share = 0.0;  // of slides that go 15 to 40 degrees off
-  void (*change)(PersonCondition& condition, Draws& draws) = nullptr;  // of the person, before the session
+  double weight_trend = 0.0;    // change of w from the first slide to the last; sign at random
+  double outlying_share = 0.0;  // fraction of slides that are off by 15 to 40 degrees
+  void (*change)(PersonCondition& condition, Draws& draws) = nullptr;  // applied before the session
 };
 
-// Slides at the angles of a set-up (core/setup).
+// Slides at the plate angles of a set-up (core/setup).
 struct CoverageSession {
   int slides = 32;
   double duration_s = 2.0;
@@ -43,18 +42,18 @@ struct CoverageSession {
 enum Quantity { weight, bias, habit, max_gap, quantities };
 constexpr const char* quantity_name[quantities] = {"weight", "bias", "habit", "max_gap"};
 
-// One person: truth and interval of each quantity.
+// True value and interval of each quantity of one person.
 struct CoveragePerson {
-  bool refused = false;  // no calibration: there are no intervals
+  bool refused = false;  // the calibration failed: no intervals
   std::array<double, quantities> truth{};
   std::array<Interval, quantities> found{};
   LackOfFit lack_of_fit;
 };
 
-// One quantity of many people: how often its intervals hold the truth.
+// Coverage of the intervals of one quantity over many people.
 struct Tally {
   Share known;
-  Share covered;       // of the known
+  Share covered;       // among determined values
   double error = 0.0;  // sum over the known
   double width = 0.0;  // sum over the known
 
@@ -65,10 +64,10 @@ struct Tally {
     error += found.value - truth;
     width += found.upper - found.lower;
   }
-  // Means over the known; NaN without any.
+  // Means over determined values; NaN without any.
   double mean_error() const { return error / static_cast<double>(known.hits); }
   double mean_width() const { return width / static_cast<double>(known.hits); }
-  // The percentage covered, in `columns` characters, and its 95 % interval in 9: " 98 (77-99) ".
+  // Percentage covered, in `columns` characters, and its 95 % interval in 9: " 98 (77-99) ".
   std::string covered_text(std::size_t columns) const {
     const PercentInterval range = covered.interval();
     return cell(covered.percent(), 0, columns) +
@@ -79,7 +78,7 @@ struct Tally {
 // Coverage for people of one kind.
 struct Coverage {
   Share refused;
-  Share angle, order, path;  // with lack of fit of each sort
+  Share angle, order, path;  // people with significant lack of fit of each sort
   std::array<Tally, quantities> of;
 
   void add(const CoveragePerson& person) {
@@ -92,7 +91,7 @@ struct Coverage {
 };
 
 constexpr std::uint32_t session_stream = 18;
-// A minimum-jerk motion's mean speed over the path, over that in the mean over time.
+// Ratio of a minimum-jerk motion's mean speed over the path to its mean speed over time.
 constexpr double speed_over_path = 10.0 / 7.0;
 
 template <int min, int max>
@@ -136,14 +135,14 @@ constexpr CoverageKind all_kinds[] = {
     {"crossings", "ridges felt as they are crossed", "crossings"},
 };
 
-// The slides of person `index` of a kind, in order, and the truth about them.
+// Simulates the slides of person `index` of a kind, in the order of the session. `truth`: output, the true values.
 std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const CoverageSession& session,
                                               std::uint32_t index, std::array<double, quantities>* truth) {
   PersonCondition condition = draw_person(*people_family(kind.family), session.duration_s, session.seed, index);
   Draws draws(session.seed, session_stream, index, 0);
   if (kind.change) kind.change(condition, draws);
   Person person = condition.person;
-  person.illusion.tactile_weight += 0.5 * person.weight_drift;  // in the middle of the path
+  person.illusion.tactile_weight += 0.5 * person.weight_drift;  // value in the middle of the path
   const double speed_mm_s = speed_over_path * condition.distance_mm / session.duration_s;
   const auto shift = [&](double t) { return mean_felt_shift_deg(person, speed_mm_s, t); };
   const auto largest = [&](double sign) { return max_shift_deg(person, speed_mm_s, curve_bound_deg, sign); };
@@ -296,7 +295,7 @@ CoverageStudy simulate(const CoverageOptions& options) {
 void add_coverage(CLI::App& app) {
   const auto options = std::make_shared<CoverageOptions>();
   CLI::App& command = add_command(
-      app, "coverage", "How often the calibration's 95 % intervals hold the truth, over simulated people.",
+      app, "coverage", "Coverage of the calibration's 95 % intervals, for simulated people.",
       R"(People as 'robustness' has them, and others: strong and weak illusions, one with a peak, slides that slip,
 people who change over the session. 50 people of all kinds take some three minutes.
 

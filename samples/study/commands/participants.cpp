@@ -1,4 +1,4 @@
-// hrt-study participants: simulated people slide over a plate at rest, as real ones do in a calibration.
+// hrt-study participants: simulates calibration data, slides over a fixed plate.
 #include "samples/study/people/participants.h"
 
 #include <memory>
@@ -26,7 +26,7 @@ void check_size(const ParticipantsOptions& options) {
   const double rows = trials * (condition.rest_s + condition.duration_s) * condition.tracker_rate_hz;
   if (rows > max_rows)
     throw UsageError(not_allowed("--trials", std::to_string(options.session.trials_per_angle),
-                                 "few enough for " + fixed(max_rows, 0) +
+                                 "small enough for at most " + fixed(max_rows, 0) +
                                      " rows with these angles, rate and times; this makes " + fixed(rows, 0)));
 }
 
@@ -42,35 +42,36 @@ void run(ParticipantsOptions options) {
 
 void add_participants(CLI::App& app) {
   const auto options = std::make_shared<ParticipantsOptions>();
-  CLI::App& command = add_command(app, "participants",
-                                  "Simulated calibration data as CSV: slides over a plate at rest, for 'calibrate'.",
-                                  "Each row is a tracked position: " + std::string(calibration_header) +
-                                      R"(.
+  CLI::App& command =
+      add_command(app, "participants", "Simulate calibration data as CSV: slides over a fixed plate, for 'calibrate'.",
+                  "Each row is a tracked position: " + std::string(calibration_header) +
+                      R"(.
 Time 0 is when the finger starts to move; before it the finger rests on the plate.
 
 Examples:
   hrt-study participants --tactile-weight 0.2 --bias 2 --out me.csv && hrt-study calibrate me.csv
   for w in 0.1 0.2 0.3; do hrt-study participants --tactile-weight $w --seed 4 --out $w.csv; done)",
-                                  [options] { run(*options); });
+                  [options] { run(*options); });
   CalibrationCondition& condition = options->session.condition;
   add_number(command, "--tactile-weight", condition.participant.tactile_weight, tactile_weight_range,
-             "Share of touch in the felt direction (w_T).");
+             "Tactile weight w_T: weight of touch in the perceived direction.");
   add_number(command, "--bias", condition.participant.bias_deg, {-45.0, 45.0},
              "Perceptual bias: perceived minus true goal direction, deg.");
   add_number(command, "--motor-variance", condition.participant.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
   add_number(command, "--sensory-variance", condition.participant.sensory_variance_deg2, positive_variance_range,
-             "Variance of what is felt (sigma_h^2), deg^2.");
+             "Sensory variance of the perceived direction (sigma_h^2), deg^2.");
   add_number(command, "--goal", condition.goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
   add_numbers(command, "--angles", options->session.plate_angles_deg, {-360.0, 360.0}, "Plate orientations, deg.");
   add_integer(command, "--trials", options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");
   add_number(command, "--distance", options->distance_mm, {1.0, 1'000.0}, "Length of a slide, mm.");
   add_number(command, "--duration", condition.duration_s, {0.1, 60.0}, "Time of a slide, s.");
   add_number(command, "--rest", condition.rest_s, {0.0, 60.0}, "Time at rest before a slide, s.");
-  add_number(command, "--step-period", condition.step_period_s, {0.001, 10.0}, "Of the participant's steps, s.");
+  add_number(command, "--step-period", condition.step_period_s, {0.001, 10.0},
+             "Time between two corrections by the participant, s.");
   add_number(command, "--tracker-noise", options->tracker_noise_mm, {0.0, 100.0},
              "Standard deviation of each tracked coordinate, mm.");
-  add_number(command, "--rate", condition.tracker_rate_hz, {1.0, 10'000.0}, "Of the tracker, Hz.");
+  add_number(command, "--rate", condition.tracker_rate_hz, {1.0, 10'000.0}, "Sample rate of the tracker, Hz.");
   add_seed(command, options->session.seed);
   add_out(command, options->out);
 }

@@ -1,4 +1,4 @@
-// hrt-study report: the paper's figures from the model, and a page that shows them all.
+// hrt-study report: the paper's figures from the model, and an HTML page with all of them.
 #include <memory>
 
 #include "samples/study/cli/arguments.h"
@@ -46,7 +46,7 @@ void run(const ReportOptions& options) {
 void add_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
   CLI::App& command = add_command(
-      app, "report", "Figs. 1c and 4 to 8 and Table I as SVG, and a page of them.",
+      app, "report", "Draw Figs. 1c and 4 to 8 and Table I as SVG, with an HTML page.",
       R"(Makes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Needs python3-matplotlib. Files
 of these names are replaced.
 
@@ -54,8 +54,8 @@ Examples:
   hrt-study report --out report
   hrt-study report --out quick --trials 1000)",
       [options] { run(*options); });
-  add_path(command, "--out", options->out, "Folder for the files; made if missing.")->required();
-  add_trials(command, options->table.trials, "Trials of each cell of Table I.");
+  add_path(command, "--out", options->out, "Folder for the files; created if missing.")->required();
+  add_trials(command, options->table.trials, "Number of trials in each cell of Table I.");
   add_seed(command, options->table.seed);
   add_threads(command, options->table.threads);
 }

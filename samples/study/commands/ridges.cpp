@@ -128,7 +128,7 @@ Figure ridges_figure(std::uint64_t seed) { return figure_of(simulate_ridges({.se
 void add_ridges(CLI::App& app) {
   const auto options = std::make_shared<RidgesOptions>();
   CLI::App& command = add_command(
-      app, "ridges", "The paper's Fig. 1c: slides straight ahead over a plate that rests at five angles.",
+      app, "ridges", "The paper's Fig. 1c: slides straight ahead over a fixed plate at five angles.",
       R"(At rest the participant feels straight ahead: w_T T + (1 - w_T) P = 0 for a plate at T.
 
 Examples:
@@ -137,14 +137,14 @@ Examples:
       [options] { options->writing.write([options] { return simulated(*options); }, ridges_results, ridges_text); });
   RidgeOptions& ridges = options->ridges;
   add_numbers(command, "--angles", ridges.plate_angles_deg, {-90.0, 90.0, false, false},
-              "Angles of the ridges' normal, deg.");
+              "Plate orientations (normal of the ridges), deg.");
   add_number(command, "--tactile-weight", ridges.tactile_weight, tactile_weight_range,
-             "Share of touch in the felt direction (w_T).");
+             "Tactile weight w_T: weight of touch in the perceived direction.");
   add_number(command, "--motor-variance", ridges.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
   add_integer(command, "--trials", ridges.trials, 1, 10'000, "Slides at each angle.");
   add_seed(command, ridges.seed);
-  add_plot(command, options->plot, "Draw the paths there. Needs python3-matplotlib.");
+  add_plot(command, options->plot, "SVG file for a figure of the paths. Needs python3-matplotlib.");
   options->writing.add_options(command);
 }
 

@@ -1,4 +1,4 @@
-// hrt-study robustness: the controllers on simulated people who are not their model.
+// hrt-study robustness: tests the controllers on simulated people who differ from their models.
 #include "samples/study/people/robustness.h"
 
 #include <cctype>
@@ -45,7 +45,7 @@ void simulate(RobustnessStudy& study) {
                                    [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); });
 }
 
-// A file's name, as far as tables and CSV can hold it.
+// File name with the characters that tables and CSV can represent.
 std::string table_name(const std::string& path) {
   std::string name = cut_to(fs::path(path).stem().string(), 13);
   for (char& character : name) {
@@ -55,7 +55,7 @@ std::string table_name(const std::string& path) {
   return name.empty() ? "person" : name;
 }
 
-// The person of the file. Each repetition draws another noise.
+// The person of the file; each repetition has other random noise.
 SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
   const PersonFile file = read_person("--person", options.person);
   if (file.has_duration && options.durations_s.empty()) study.options.durations_s = {file.condition.person.duration_s};
@@ -85,7 +85,7 @@ RobustnessStudy simulated(const Options& options) {
 }
 
 void run(const Options& options) {
-  if (!options.replay.empty())  // in an open loop
+  if (!options.replay.empty())  // open loop
     return options.writing.write([&] { return replay_folder("--replay", options.replay); }, replay_results,
                                  replay_text);
   options.writing.write([&] { return simulated(options); }, robustness_results, robustness_text);
@@ -99,25 +99,26 @@ std::string family_list() {
 }
 
 std::string description() {
-  return R"(Answers: of the people of a family, how many arrive at the real target, how far off are the others,
-how large an error do they feel, and does the controller flag a reach that fails? Each person reaches
-without a controller; with the paper's; --reaches times with ours, which starts without knowledge of the
-person and carries what it learns; and once with ours informed of traits of the person, which shows
-what is lost by not knowing them. All is simulation; there was no human trial.
+  return R"(For each family of people: the percentage of reaches that arrive at the real target, the misses, the
+perceived-direction errors, and whether the controller flags reaches that fail. Each person reaches
+without a controller; with the paper's; --reaches times with ours, which starts with the default prior
+and carries its estimates to the next reach; and once with ours informed of the person's traits, which
+shows the cost of not knowing them. All results are simulation; there was no human trial.
 
-The text is the share of reaches that end within 1.5 deg, and the flags. CSV and JSON have a row for
-each family, duration and controller, each number with its 95 % interval (shares: Wilson's;
-quantiles: between two of the reaches, for any distribution): that share, the miss across the real
-direction, the largest felt error, unreachable found (in this reach or one before) and false, model
-does not fit, off target, silent misses (off target and no flag), false alarms (on target, flagged off
-it or unreachable), and how often the 95 % interval of w_T covers the person's, which is 95 if the
-interval is honest. People who cannot hold the gap, whatever the plate does, are counted apart. A
-field without a value is empty (CSV) or null (JSON). With one sort of people the text has all of it.
+The text has the percentage of reaches that end within 1.5 deg of the real target, and the flags. CSV
+and JSON have a row for each family, duration and controller, each number with its 95 % interval
+(percentages: Wilson's score interval; quantiles: order statistics, for any distribution). The numbers:
+that percentage, the miss across the real direction, the largest perceived-direction error, unreachable
+found (in this or an earlier reach) and false, model does not fit, off target, silent misses (off
+target without a flag), false alarms (on target, but flagged off target or unreachable), and the
+coverage of the 95 % interval of w_T. People for whom the gap is not feasible are counted separately.
+A missing value is empty (CSV) or null (JSON). For one family the text has all numbers.
 
-After each 100 people a row looks at the 95 % interval of its share within 1.5 deg, and takes no more
-once half of that is at most --within points. Its people are the first of --people, so neither threads
-nor other families change a number; what sums up rows counts each alike. Of the intervals 95 %
-stay true (91 % at worst), and a share moves by up to 0.4 points away from 50 %. --within 0 takes all.
+Sequential stopping: after each 100 people, a row ends if half the width of the 95 % interval of its
+percentage within 1.5 deg is at most --within points. Its people are the first of --people, so threads
+and other families change nothing; summaries weight all rows equally. Because of the repeated looks,
+the intervals cover 95 % on average over true percentages (at least 91 %), and the estimates are biased
+by up to 0.4 points away from 50 %. --within 0 simulates all people.
 
 Examples:
   hrt-study robustness
@@ -132,24 +133,24 @@ Examples:
   hrt-study robustness --replay recordings --format csv
 
 --replay reads all .csv files of a folder: the plugin's recordings, and calibration data. It passes each
-recorded path through our controller and prints what the controller would have believed and commanded.
-That is an open loop: the finger could not answer, so it shows neither misses nor felt errors under
-our commands. Beside it there are --format and --out.
+recorded path through our controller and prints its state estimates and commands. The loop is open: the
+finger does not react, so the output has neither misses nor perceived-direction errors under our
+commands. Only --format and --out can be combined with it.
 
---recorded takes the path and the pace of recorded reaches in place of their statistics in the families
-"recorded". A file .csv of the folder has the reaches of one person to one target, in the columns reach,
-time_s, right_mm and away_mm: the fingertip from rest to rest, at 40 Hz or more, in any fixed frame. Each
-reach of a simulated person takes one of the file's, stretched to --durations and turned to the target. The
-answer to touch, and how the ends scatter (0.9 deg), are simulated as in the other families.
+--recorded replaces the path statistics of the families "recorded" by recorded reaches. Each .csv file of
+the folder has the reaches of one person to one target, in the columns reach, time_s, right_mm and
+away_mm: the fingertip from rest to rest, at 40 Hz or more, in any fixed frame. Each simulated reach uses
+one of them, scaled to --durations and rotated to the target. The response to touch and the scatter of
+the ends (0.9 deg) are simulated as in the other families.
 
---person simulates a person of your own: JSON, {"tactile_weight": 0.18, "illusion": "sine"}. --people is
-then the number of times that the person does it all, each time as a stranger. Parameters (those left out
-keep their default):
+--person simulates a person whom you define: JSON, {"tactile_weight": 0.18, "illusion": "sine"}. --people
+is then the number of repetitions, each without knowledge from the others. Parameters (missing ones have
+their default):
 )" + person_parameters() +
          '\n' + tuning_names() +
          R"(
-Families (*: kept apart from the search for our controller's numbers; +: tracker or plate is off;
-~: paths and pace of recorded reaches):
+Families (*: held out of the search for our controller's parameters; +: systematic error of tracker
+or plate; ~: paths and speeds of recorded reaches):
 )" + family_list();
 }
 
@@ -158,30 +159,30 @@ Families (*: kept apart from the search for our controller's numbers; +: tracker
 void add_robustness(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command =
-      add_command(app, "robustness", "The controllers on simulated people who differ from what they assume.",
+      add_command(app, "robustness", "Test the controllers on simulated people who differ from their assumptions.",
                   description(), [options] { run(*options); });
   RobustnessOptions& robustness = options->robustness;
   add_integer(command, "--people", robustness.people, 1, 100'000,
-              "People of each family at each duration, at most: 1000 take three minutes of a core.");
+              "Maximum number of people of each family at each duration.");
   add_integer(command, "--reaches", robustness.reaches, 2, 99,
-              "Reaches of a person with ours; the first and the last are shown.");
+              "Number of reaches of each person under our controller; the first and the last are reported.");
   add_number(command, "--within", robustness.points, {0.0, 50.0},
-             "A cell whose interval is within this many points takes no more people; 0: all do.");
-  add_numbers(command, "--durations", options->durations_s, {0.3, 20.0}, "Durations of a reach without its pauses, s.")
+             "Stopping rule: half width of the 95 % interval at which a cell ends, in percentage points; 0: none.");
+  add_numbers(command, "--durations", options->durations_s, {0.3, 20.0}, "Durations of a reach without pauses, s.")
       ->default_str("0.8,1,1.5,2,3, or that of --person");
   add_families(command, options->families, "all, or none with --person or --recorded", "People to simulate.");
-  add_path(command, "--person", options->person, "A person of your own to simulate, beside the families of --family.");
+  add_path(command, "--person", options->person, "JSON file of a person to simulate, in addition to --family.");
   add_traits(command, "--informed-of", robustness.informed_of, "weight,curve,bias,habit,scatter,log_wander,log_rate",
              "Traits of the person that the informed controller knows.");
   add_tuning(command, robustness.tuning);
   add_path(command, "--recorded", options->recorded,
-           "Folder of recordings, whose paths and paces people have, beside those of --family.");
+           "Folder of recorded reaches whose paths and speeds are simulated, in addition to --family.");
   CLI::Option* replay =
       add_path(command, "--replay", options->replay,
                "Folder of recorded paths to pass through our controller, in place of simulated people.");
   add_seed(command, robustness.seed);
   add_threads(command, robustness.threads);
-  add_path(command, "--csv", options->csv, "File that gets all numbers as well, in one run.");
+  add_path(command, "--csv", options->csv, "CSV file for all numbers, in addition to the output.");
   replay->excludes("--people", "--reaches", "--within", "--durations", "--family", "--person", "--recorded",
                    "--informed-of", "--tune", "--seed", "--threads", "--csv");
   options->writing.add_options(command);

@@ -1,4 +1,4 @@
-// hrt-study scene: content of a glTF scene, and the plate orientation that sustains each pair.
+// hrt-study scene: contents of a glTF scene, and the plate orientation that sustains each pair.
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ const SceneTarget& real_of(const Scene& scene, const SceneTarget& virtual_target
   return scene.targets[virtual_target.served_by.value()];
 }
 
-// The gap is the shorter way round, so that a pair about the direction of 180 degrees is not 360 apart.
+// The gap is in [-180, 180], so that a pair near 180 degrees is not 360 apart.
 GapFeasibility gap_feasibility_of(const Scene& scene, const SceneTarget& virtual_target, double tactile_weight,
                                   double plate_bound_deg) {
   const double virtual_deg = virtual_target.direction_deg;
@@ -35,7 +35,7 @@ GapFeasibility gap_feasibility_of(const Scene& scene, const SceneTarget& virtual
   return paper_gap_feasibility(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
 }
 
-// A value that rounds to zero is written without a sign.
+// Avoids "-0" for a value that rounds to zero.
 std::string degrees(double angle_deg) { return fixed(std::abs(angle_deg) < 0.005 ? 0.0 : angle_deg, 2); }
 
 std::string millimetres(double metres) { return fixed(std::abs(metres) < 0.5e-4 ? 0.0 : metres * 1e3, 1); }
@@ -80,7 +80,7 @@ std::string text(const Scene& scene, const SceneOptions& options) {
   return page;
 }
 
-// A row a pair and weight of touch.
+// One row per pair and tactile weight.
 Results results(const Scene& scene, const SceneOptions& options) {
   Results found{.about = {{"simulation", true},
                           {"plate_node", scene.plate.node_path},
@@ -122,9 +122,9 @@ Examples:
                   });
   add_path(command, "FILE", options->file, "The scene, .gltf or .glb.")->required();
   add_numbers(command, "--tactile-weight", options->tactile_weights, tactile_weight_range,
-              "Shares of touch in the felt direction (w_T).");
+              "Tactile weights w_T of the table.");
   add_number(command, "--plate-bound", options->plate_bound_deg, plate_bound_range,
-             "How far the plate turns from the virtual direction, deg.");
+             "Largest angle between plate and virtual direction, deg.");
   options->writing.add_options(command);
 }
 

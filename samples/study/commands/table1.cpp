@@ -1,4 +1,4 @@
-// hrt-study table1: the paper's Table I and its other claims beside the model.
+// hrt-study table1: compares the paper's Table I and its other claims with the model.
 #include "samples/study/paper/table1.h"
 
 #include <memory>
@@ -16,7 +16,7 @@ void add_table1(CLI::App& app) {
   };
   const auto options = std::make_shared<CommandOptions>();
   CLI::App& command = add_command(
-      app, "table1", "The paper's Table I and its other claims beside what the model gives.",
+      app, "table1", "Compare the paper's Table I and its other claims with the model.",
       R"(A cell agrees if the model's percentage lies in the 95 % interval (Wilson's) of the paper's
 50 trials. Chi-squared compares all 24 cells at once; its mean by chance is 24.
 
@@ -27,13 +27,14 @@ Examples:
       [options] {
         options->writing.write([options] { return simulate_table1(options->table); }, table1_results, table1_text);
       });
-  add_trials(command, options->table.trials, "Trials of each cell.");
+  add_trials(command, options->table.trials, "Number of trials in each cell.");
   add_seed(command, options->table.seed);
-  add_integer(command, "--horizon", options->table.horizon, 1, max_horizon, "Steps that the controller looks ahead.");
+  add_integer(command, "--horizon", options->table.horizon, 1, max_horizon,
+              "Prediction horizon of the controller, steps.");
   add_number(command, "--sensory-variance", options->table.sensory_variance_deg2, positive_variance_range,
-             "Variance of what touch and proprioception report, deg^2; the paper does not give it.");
+             "Sensory variance of touch and proprioception, deg^2; the paper does not give it.");
   add_number(command, "--plate-bound", options->table.plate_bound_deg, plate_bound_range,
-             "How far the plate turns from the virtual direction, deg; the paper has 90.");
+             "Largest angle between plate and virtual direction, deg; the paper has 90.");
   add_integer(command, "--steps", options->table.steps, 1, max_trial_steps, "Model steps of a reach.");
   add_threads(command, options->table.threads);
   options->writing.add_options(command);

@@ -1,4 +1,4 @@
-// hrt-study trial: one simulated reach as CSV, a row a step; or traced, a row a sample, with pictures.
+// hrt-study trial: one simulated reach as CSV, one row per step; or a trace with one row per sample, and figures.
 #include "core/paper_simulation/trial.h"
 
 #include <cmath>
@@ -15,13 +15,13 @@ namespace {
 
 struct TrialOptions {
   Condition condition;
-  std::optional<double> assumed_tactile_weight;  // the participant's
-  std::optional<double> fixed_plate_deg;         // the controller turns it
+  std::optional<double> assumed_tactile_weight;  // default: the participant's
+  std::optional<double> fixed_plate_deg;         // default: set by the controller
   std::uint64_t seed = 1;
   std::uint32_t condition_number = 0;
   std::uint32_t trial = 0;
   std::string out;
-  std::string trace;  // a folder; empty: the paper's person, by steps
+  std::string trace;  // output folder of a trace; empty: the paper's model, by steps
   std::vector<const PeopleFamily*> families{&people_families().front()};
   double duration_s = 1.5;
   int reach = 1;
@@ -83,7 +83,7 @@ void run(const TrialOptions& options) {
 void add_trial(CLI::App& app) {
   const auto options = std::make_shared<TrialOptions>();
   CLI::App& command =
-      add_command(app, "trial", "One simulated reach as CSV, a row a step.",
+      add_command(app, "trial", "Simulate one reach as CSV, one row per step.",
                   R"(Row k holds what happened in step k. The last row holds only the direction in which the finger
 moves after the last step. Numbers have full precision. The same seed, condition and trial
 number give the random numbers of that trial in a batch.
@@ -105,18 +105,18 @@ Examples:
              "Direction of the virtual target, deg; less than 90 from the real one.");
   const std::vector<CLI::Option*> of_paper = {
       add_number(command, "--tactile-weight", participant.tactile_weight, tactile_weight_range,
-                 "Share of touch in the direction that the participant feels (w_T)."),
+                 "Tactile weight w_T: weight of touch in the perceived direction."),
       command
           .add_option("--assumed-tactile-weight", options->assumed_tactile_weight,
-                      "The share that the controller assumes. Default: that of --tactile-weight.")
+                      "Tactile weight that the controller assumes. Default: that of --tactile-weight.")
           ->check(must_be(tactile_weight_range)),
       add_number(command, "--motor-variance", participant.motor_variance_deg2, variance_range,
                  "Variance of the motor command in a step (sigma_u^2), deg^2."),
       add_number(command, "--sensory-variance", participant.sensory_variance_deg2, positive_variance_range,
-                 "Variance of what touch and proprioception report (sigma_h^2), deg^2."),
+                 "Sensory variance of touch and proprioception (sigma_h^2), deg^2."),
       add_number(command, "--initial-variance", participant.initial_variance_deg2, variance_range,
                  "Variance of the perceived direction before the first step, deg^2."),
-      add_integer(command, "--horizon", mpc.horizon, 1, max_horizon, "Steps that the controller looks ahead."),
+      add_integer(command, "--horizon", mpc.horizon, 1, max_horizon, "Prediction horizon of the controller, steps."),
       add_number(command, "--perceived-weight", mpc.perceived_weight, positive_variance_range,
                  "Weight of the perceived direction's error in the controller's cost."),
       add_number(command, "--actual-weight", mpc.actual_weight, variance_range,
@@ -124,7 +124,7 @@ Examples:
       add_number(command, "--plate-bound", mpc.plate_bound_deg, plate_bound_range,
                  "Largest angle between plate and virtual direction, deg."),
       add_number(command, "--plate-rate-bound", mpc.plate_rate_bound_deg, {0.0, 360.0, false, true, true},
-                 "Largest turn of the plate in one step, deg; inf: no limit."),
+                 "Largest rotation of the plate in one step, deg; inf: no limit."),
       add_integer(command, "--steps", condition.steps, 1, max_trial_steps, "Model steps of a reach, 0.1 s each."),
       add_number(command, "--plate-start", condition.plate_orientation_deg, direction_range,
                  "Orientation of the plate before the first step, deg; matters with a rate bound."),
@@ -137,7 +137,8 @@ Examples:
       add_out(command, options->out)};
   add_seed(command, options->seed);
   add_integer(command, "--trial", options->trial, 0, UINT32_MAX, "Trial whose random numbers are drawn.");
-  CLI::Option* trace = add_path(command, "--trace", options->trace, "Folder that gets the trace of a person's reach.");
+  CLI::Option* trace =
+      add_path(command, "--trace", options->trace, "Folder for the trace of a reach by a simulated person.");
   add_families(command, options->families, "linear", "The person's family.")->needs(trace);
   add_number(command, "--duration", options->duration_s, {0.3, 10.0}, "Duration of the motion, s.")->needs(trace);
   add_integer(command, "--reach", options->reach, 1, 100, "Number of the reach of this person.")->needs(trace);

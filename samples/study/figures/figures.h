@@ -1,4 +1,4 @@
-// Figures, which figures.py draws by matplotlib, and the folder in which a result is made.
+// Figures, which figures.py draws with matplotlib, and a staging folder for results.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 namespace hrt::study {
 
 struct Figure {
-  std::string name;     ///< of its file, without ending: selects the drawing
+  std::string name;     ///< file name without extension; selects the drawing
   std::string title;    ///< plain text, escaped on output
   std::string caption;  ///< plain text, escaped on output
   Row data;
@@ -27,7 +27,7 @@ Figure ridges_figure(std::uint64_t seed);
 /// Figs. 4 to 8 of the paper: true paths, perceived paths, plate orientation of one trial.
 std::vector<Figure> path_figures(std::uint64_t seed);
 
-/// HTML that shows `text`, then NAME.svg of each figure in the same folder, with its caption.
+/// Returns an HTML page with `text` and then each figure (NAME.svg in the same folder) with its caption.
 std::string html_page(const std::string& text, const std::vector<Figure>& figures);
 
 struct TracedSample {
@@ -35,7 +35,7 @@ struct TracedSample {
   PlatePoint finger, felt;
   double plate_deg;
   double commanded_deg;
-  double felt_error_deg;                                   ///< as the controller has it
+  double felt_error_deg;                                   ///< estimate of the controller
   std::array<double, PersonState::count> mean, deviation;  ///< in the order of PersonState
 };
 
@@ -44,21 +44,21 @@ struct Trace {
   std::vector<TracedSample> samples;
 };
 
-/// Reach `reach`, from 1 on, of a person led by our controller, which has learnt from those before.
+/// Simulates reach number `reach`, from 1, of a person under our controller, with the estimates from those before.
 Trace trace_reach(const PersonCondition& condition, int reach, std::uint64_t seed, std::uint32_t index);
 
-/// A row a sample; a column a state, beside it its deviation.
+/// Returns CSV with one row per sample, and the mean and SD of each state.
 std::string trace_csv(const Trace& trace);
 
 /// "reach", the reach from above as one moving picture: plate and ridges, the finger and its path, and where it is
 /// felt; and "trace", every state of the filter over time, with two deviations to both sides.
 std::vector<Figure> trace_figures(const Trace& trace);
 
-/// A temporary folder that collects the files of one result until all are made: they appear whole or not at all.
+/// A staging folder for the files of one result, which are published together when complete, or not at all.
 class Workshop {
  public:
-  /// Makes `out` if it is missing. Throws UsageError naming `argument` if it can't be written, and std::runtime_error
-  /// if python3 has no matplotlib.
+  /// Creates `out` if it is missing. Throws UsageError naming `argument` if it cannot be written, and
+  /// std::runtime_error if python3 has no matplotlib.
   Workshop(const std::string& argument, const std::string& out);
   ~Workshop();
   Workshop(const Workshop&) = delete;
@@ -69,7 +69,7 @@ class Workshop {
 
   void write(const std::string& name, std::string_view content);
 
-  /// The content of a file that was drawn or written.
+  /// Returns the content of a drawn or written file.
   std::string read(const std::string& name) const;
 
   /// Moves the files to `out`.
@@ -82,7 +82,7 @@ class Workshop {
   bool was_made_;
 };
 
-/// The picture for a file at `path`, drawn in its folder. Throws as Workshop.
+/// Draws a figure for the file `path`. Throws like Workshop.
 std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure);
 
 }  // namespace hrt::study

@@ -6,7 +6,7 @@
 namespace hrt::study {
 namespace {
 
-// A state of the filter with its unit, such as "bias_deg".
+// Name of a filter state with its unit, such as "bias_deg".
 std::string state_name(const StateVariable& variable) {
   return *variable.unit ? std::string(variable.name) + '_' + variable.unit : variable.name;
 }

@@ -1,5 +1,4 @@
-// CSV that a caller names: its lines, the columns of its header, its numbers. What is wrong is refused with
-// file, line, column and the allowed values.
+// Parser of CSV files of the user. Errors name file, line, column and the allowed values.
 #pragma once
 
 #include <cstddef>
@@ -12,36 +11,37 @@
 
 namespace hrt::study {
 
-/// Goes through a text line by line. Lines may end with CRLF, fields may be in quotes, and a byte order mark may
-/// come first.
+/// Reads a text line by line. Accepts CRLF, quoted fields and a byte order mark.
 class CsvReader {
  public:
   /// `name` is the file's name in errors.
   CsvReader(std::string name, std::string_view text);
 
-  /// Goes to the next line that is not blank; false after the last one.
+  /// Advances to the next line that is not blank. Returns false after the last one.
   bool next();
 
-  /// The line, without the blanks around it.
+  /// Returns the current line, trimmed.
   std::string_view line() const { return line_; }
 
-  /// "FILE, line 3".
+  /// Returns the position for messages: "FILE, line 3".
   std::string where() const;
 
-  /// This line is the header: it must have each of `columns`, "a,b,c", once. `allowed` says what it must be.
+  /// Parses the current line as the header, which must have each of `columns` ("a,b,c") once. `allowed`: description of
+  /// a valid header for the error.
   void take_header(std::string_view columns, const std::string& allowed);
   bool has_header() const { return !places_.empty(); }
 
-  /// This line is a row: it must have as many fields as the header.
+  /// Parses the current line as a row; it must have as many fields as the header.
   void take_row() const;
 
-  /// In this row, under a column of take_header().
+  /// Returns the field of the current row in a column given to take_header(). number() throws UsageError outside
+  /// `range`.
   std::string_view text(std::string_view column) const;
   double number(std::string_view column, const NumberRange& range) const;
 
-  /// `text`, of `what` in this line, is not allowed.
+  /// Returns an error: `text`, the value of `what` in this line, is not `allowed`.
   UsageError wrong(const std::string& what, std::string_view text, const std::string& allowed) const;
-  /// The error that this row's value in a column is not allowed.
+  /// Returns an error: the value of `column` in this row is not `allowed`.
   UsageError wrong(std::string_view column, const std::string& allowed) const;
 
  private:
@@ -50,11 +50,11 @@ class CsvReader {
   std::size_t number_ = 0;
   std::string_view line_;
   std::vector<std::string> fields_;
-  std::size_t width_ = 0;                                         // fields of the header
-  std::vector<std::pair<std::string_view, std::size_t>> places_;  // of the columns
+  std::size_t width_ = 0;                                         // number of fields of the header
+  std::vector<std::pair<std::string_view, std::size_t>> places_;  // index of each column
 };
 
-/// The first 40 characters of a text, as an error quotes them.
+/// Returns the first 40 characters of a text, for quotes in errors.
 std::string shown(std::string_view text);
 
 }  // namespace hrt::study

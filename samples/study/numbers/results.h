@@ -14,33 +14,33 @@ class App;
 
 namespace hrt::study {
 
-/// Values in their order. A number that is not finite becomes null, and an empty field of CSV.
+/// Ordered named values. A number that is not finite becomes null in JSON and an empty field in CSV.
 using Row = nlohmann::ordered_json;
 
 struct Results {
-  Row about;              ///< of all rows: in JSON alone
-  std::vector<Row> rows;  ///< numbers, words and flags of the same names
+  Row about;              ///< values common to all rows; written to JSON only
+  std::vector<Row> rows;  ///< numbers, strings and flags; each row has the same names
 };
 
-/// NAME_percent, NAME_low_percent and NAME_high_percent.
+/// Adds NAME_percent, NAME_low_percent and NAME_high_percent.
 void put(Row& row, const std::string& name, const Share& share);
-/// NAME, NAME_low and NAME_high before `unit`.
+/// Adds NAME, NAME_low and NAME_high, each followed by `unit`.
 void put(Row& row, const std::string& name, const std::string& unit, const Quantile& quantile);
 
-/// A header, and a line for each row; flags are 1 and 0.
+/// Returns CSV: a header and a line per row; flags are 1 and 0.
 std::string csv_of(const Results& results);
-/// `about`, then "rows". Text that is not UTF-8 is replaced.
+/// Returns JSON: the members of `about`, then "rows". Invalid UTF-8 is replaced.
 std::string json_of(const Results& results);
 
-/// Destination and format of a command's results: --format and --out.
+/// Destination and format of the results of a command: --format and --out.
 struct Writing {
   std::string format = "text";
   std::string out;
 
   void add_options(CLI::App& command);
 
-  /// Writes the result of `make`, as `results_of` or `text_of` it. Throws as Output, before the work, if --out cannot
-  /// be written.
+  /// Calls `make` and writes its result by `results_of` or `text_of`. If --out cannot be written, throws like Output
+  /// before `make` is called.
   void write(auto&& make, auto&& results_of, auto&& text_of) const {
     const Output output("--out", out);
     const auto made = make();

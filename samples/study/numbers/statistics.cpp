@@ -38,7 +38,7 @@ double squared_difference(double percent_a, double trials_a, double percent_b, d
 }
 
 double chi_squared_tail(double chi_squared, int degrees_of_freedom) {
-  // For an even number it is that of a Poisson variable of mean x/2 being below half the number.
+  // For even degrees of freedom k: P(chi-squared > x) = P(N < k/2), where N is Poisson with mean x/2.
   const double mean = 0.5 * chi_squared;
   double term = 1.0;
   double sum = 1.0;
@@ -70,8 +70,8 @@ double quantile(std::vector<double> values, double share) {
 }
 
 QuantileRanks quantile_ranks(std::uint64_t count, double share) {
-  // The number of values at or below the quantile is binomial: of 1 to count ranks, low is the last with
-  // P(number < low) <= 1 / 40, high the first with P(number >= high) <= 1 / 40.
+  // The number N of values at or below the quantile is binomial. Of the ranks 1 to count, low is the last with
+  // P(N < low) <= 1 / 40, and high the first with P(N >= high) <= 1 / 40.
   const auto n = static_cast<double>(count);
   const double log_odds = std::log(share / (1.0 - share));
   double log_term = n * std::log1p(-share);

@@ -8,7 +8,7 @@
 
 namespace hrt::study {
 
-/// Trials behind each percentage of the paper.
+/// Number of trials behind each percentage of the paper.
 inline constexpr double paper_trials = 50;
 
 /// One row of Table I: the percentage of trials that end within 1.5 degrees of the real target.
@@ -22,8 +22,8 @@ struct PaperCell {
 struct PaperCondition {
   double motor_variance_deg2;
   double tactile_weight;
-  double mean_percent;  ///< as the paper's text gives it
-  double sd_percent;    ///< of the six, as the paper's text gives it
+  double mean_percent;  ///< from the text of the paper
+  double sd_percent;    ///< SD over the six pairs, from the text of the paper
   std::array<PaperCell, 6> cells;
 };
 
@@ -31,7 +31,7 @@ inline constexpr std::array<PaperCondition, 4> paper_table1{{
     {0.5, 0.15, 93.0, 3.3, {{{-5, 5, 94}, {5, -5, 96}, {0, 10, 90}, {-10, 0, 94}, {10, 0, 96}, {0, -10, 88}}}},
     {0.5, 0.10, 82.7, 3.0, {{{-5, 5, 82}, {5, -5, 80}, {0, 10, 80}, {-10, 0, 82}, {10, 0, 88}, {0, -10, 84}}}},
     {1.0, 0.15, 81.3, 3.0, {{{-5, 5, 78}, {5, -5, 84}, {0, 10, 78}, {-10, 0, 80}, {10, 0, 82}, {0, -10, 86}}}},
-    // 79 % of 50 trials is no whole number; it is taken as printed.
+    // 79 % of 50 trials is not an integer; the printed value is used.
     {1.0, 0.10, 77.8, 3.5, {{{-5, 5, 76}, {5, -5, 72}, {0, 10, 80}, {-10, 0, 82}, {10, 0, 78}, {0, -10, 79}}}},
 }};
 
@@ -40,7 +40,7 @@ inline constexpr double paper_impaired_touch_percent = 40;
 /// Section III-B and Fig. 7: P_R = 0, theta_V = 12, variance 2.
 inline constexpr double paper_wide_gap_percent = 60;
 
-/// Condition 1 of Table I with these values, which the controller knows.
+/// Condition 1 of Table I with these values, which are known to the controller.
 inline Condition make_condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
                                 double virtual_direction_deg) {
   Condition condition{.real_direction_deg = real_direction_deg, .virtual_direction_deg = virtual_direction_deg};

@@ -10,7 +10,7 @@
 namespace hrt::study {
 namespace {
 
-// Two proportions that differ by chance alone exceed this in one case of twenty.
+// 95 % quantile of chi-squared with one degree of freedom.
 constexpr double significant = 3.841458820694124;
 
 Condition condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
@@ -97,7 +97,7 @@ std::vector<CellGroup> paper_claims(const Table1Options& options) {
   return claims;
 }
 
-// The six pairs of each condition, as wide as each amplitude.
+// For each condition of Table I and each gap of `amplitudes_deg`: the six pairs, scaled from 10 degrees to that gap.
 std::vector<CellGroup> amplitude_groups(const Table1Options& options) {
   std::vector<CellGroup> groups;
   for (std::size_t i = 0; i < paper_table1.size(); ++i)
@@ -113,7 +113,7 @@ std::vector<CellGroup> amplitude_groups(const Table1Options& options) {
   return groups;
 }
 
-// Fills in whether the group's mean lies within the paper's interval, and `reason` if it does not.
+// Sets the verdict: whether the group's mean lies within the paper's interval, with `reason` if it does not.
 void judge(CellGroup& group, const std::string& reason = {}) {
   const PercentInterval interval = *group.paper_interval();
   group.reproduced = interval.contains(group.mean_percent());
@@ -122,14 +122,14 @@ void judge(CellGroup& group, const std::string& reason = {}) {
                                    : reason;
 }
 
-// "reproduced: 1.2 percentage points below", for a group that has been judged.
+// Extends a verdict by the difference: "reproduced: 1.2 percentage points below".
 std::string compared_words(const CellGroup& group, const CellGroup& other) {
   const double gain_percent = group.mean_percent() - other.mean_percent();
   return std::string(group.reproduced ? "reproduced" : "NOT reproduced") + ": " + fixed(std::abs(gain_percent), 1) +
          " percentage points " + (gain_percent < 0.0 ? "below" : "above");
 }
 
-// A window of three steps is the shortest that does as well as any.
+// Judges whether a horizon of three steps is the shortest without a significant loss.
 void judge_horizons(const std::vector<CellGroup*>& horizons) {
   const CellGroup& three = *horizons[2];
   const auto trials = static_cast<double>(three.cells.size() * three.cells.front().result.trials);
@@ -140,7 +140,7 @@ void judge_horizons(const std::vector<CellGroup*>& horizons) {
     } else {
       const double gain_percent = group->mean_percent() - three.mean_percent();
       const double squared = squared_difference(group->mean_percent(), trials, three.mean_percent(), trials);
-      // A longer window may gain imperceptibly, a shorter one must lose.
+      // Longer horizons must not be significantly better, and shorter ones must be significantly worse.
       const bool no_better = gain_percent < 1.0 || squared < significant;
       group->reproduced = horizon > 3 ? no_better : gain_percent < 0.0;
       group->verdict = compared_words(*group, three) + " horizon 3";
@@ -251,7 +251,7 @@ Table1 simulate_table1(const Table1Options& options) {
     for (const Cell& cell : group.cells) {
       const auto trials = static_cast<double>(cell.result.trials);
       table.chi_squared += squared_difference(*cell.paper_percent, paper_trials, cell.result.hit_percent(), trials);
-      // A share that the model never or always hits is taken half a trial from there.
+      // Percentages of 0 and 100 are replaced by values half a trial away, so that the logarithm is finite.
       const double share = std::clamp(cell.result.hit_percent() / 100.0, 0.5 / trials, 1.0 - 0.5 / trials);
       const double paper_share = *cell.paper_percent / 100.0;
       table.log_likelihood +=

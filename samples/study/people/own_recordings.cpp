@@ -12,10 +12,10 @@ namespace hrt::study {
 namespace {
 
 constexpr std::size_t max_reaches_bytes = 1U << 28;
-constexpr double moving_share = 0.05;    // of the largest speed
-constexpr double min_reach_mm = 20.0;    // shorter ones have no direction worth the name
+constexpr double moving_share = 0.05;    // fraction of the largest speed
+constexpr double min_reach_mm = 20.0;    // the direction of shorter ones is too uncertain
 constexpr std::size_t min_samples = 20;  // in motion
-constexpr double smoothing_s = 0.05;     // to either side: a tracker's noise is no speed
+constexpr double smoothing_s = 0.05;     // half width; reduces the speed that tracker noise simulates
 constexpr double max_position_mm = 1e5;
 
 using Samples = std::vector<TimedPoint>;
@@ -35,7 +35,7 @@ Samples smoothed(const Samples& samples) {
   return smooth;
 }
 
-// From the first to the last sample of a finger in motion.
+// Returns the samples from the first to the last in motion.
 Samples motion_of(const Samples& samples) {
   std::vector<double> speeds_mm_s;
   for (std::size_t i = 1; i < samples.size(); ++i)
@@ -49,7 +49,7 @@ Samples motion_of(const Samples& samples) {
   return first < last ? Samples(samples.begin() + first, samples.begin() + last + 1) : Samples{};
 }
 
-// The position after a fraction of the path, whose length up to each sample is `along_mm`.
+// Returns the position at a fraction of the path. `along_mm`: path length up to each sample.
 PlatePoint position_at(const Samples& samples, const std::vector<double>& along_mm, double fraction) {
   const double at_mm = std::clamp(fraction, 0.0, 1.0) * along_mm.back();
   const auto after = std::clamp<std::ptrdiff_t>(

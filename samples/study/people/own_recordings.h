@@ -1,4 +1,4 @@
-// Recorded reaches of a lab's own people, whose paths and paces simulated people take.
+// Recorded reaches of real people, whose paths and speeds simulated people reproduce.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace hrt::study {
 
-/// Files .csv of a folder, in the order of their names. `what` is what they should be. Throws UsageError if the folder
-/// has no such file.
+/// Returns the .csv files of a folder, sorted by name. `what`: expected content, for errors. Throws UsageError if the
+/// folder has no such file.
 std::vector<std::string> csv_files(const std::string& argument, const std::string& folder, const std::string& what);
 
 /// Reads the reaches of one person to one target. Columns, in any order:
@@ -24,8 +24,8 @@ std::vector<std::string> csv_files(const std::string& argument, const std::strin
 /// the file's name in errors. Throws UsageError naming the line or reach and what is allowed.
 std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_view text);
 
-/// People with the paths and paces of the files of `folder`, one file a person: person i takes the reaches of file
-/// i modulo their number, in random order. Their answer to touch is drawn as of the family "linear".
+/// Returns people with the paths and speeds of the files of `folder`, one file per person: person i has the reaches of
+/// file i modulo the number of files, in random order. Their response to touch is drawn as in the family "linear".
 SimulatedPeople people_of_recordings(const std::string& argument, const std::string& folder);
 
 }  // namespace hrt::study

@@ -10,7 +10,7 @@
 namespace hrt::study {
 namespace {
 
-// Draws of the order of trials, apart from those of their steps and of the tracker.
+// Random stream of the order of trials, separate from those of the steps and the tracker.
 constexpr std::uint32_t order_draw = 1U << 31;
 
 // Balanced, randomised order of plate angles.
@@ -32,9 +32,9 @@ std::vector<double> angles_in_order(const Session& session) {
 
 std::string comment(const std::string& name, double value) { return "#   " + name + ' ' + number(value) + '\n'; }
 
-// A plate "at rest" as its own sensor may see it.
+// Tolerance of the sensor for a plate at rest.
 constexpr double rest_tolerance_deg = 1.0;
-// Times are written with nine digits after the point.
+// Times have nine decimals.
 constexpr double min_spacing_s = 0.5e-9;
 
 class SlidesReader {
@@ -70,7 +70,7 @@ class SlidesReader {
 
   void begin_trial(double number_of_trial, double plate_deg) {
     if (!seen_.insert(number_of_trial).second)
-      throw csv_.wrong("trial", "a number that no trial before has; the rows of a trial stand together");
+      throw csv_.wrong("trial", "a number that no earlier trial has; the rows of a trial must be contiguous");
     end_trial();
     number_ = number_of_trial;
     first_plate_deg_ = plate_deg;
@@ -82,7 +82,7 @@ class SlidesReader {
   void add(const TimedPoint& sample, double plate_deg) {
     std::vector<TimedPoint>& samples = trials_.back().samples;
     if (!samples.empty() && sample.time_s - samples.back().time_s < min_spacing_s)
-      throw csv_.wrong("time_s", "later than in the row before, by a nanosecond or more");
+      throw csv_.wrong("time_s", "at least a nanosecond later than in the previous row");
     samples.push_back(sample);
     trials_.back().plate_deg.push_back(plate_deg);
     turns_ = turns_ || std::abs(plate_deg - first_plate_deg_) > rest_tolerance_deg;
@@ -103,7 +103,7 @@ class SlidesReader {
   double number_ = 0.0;
   double first_plate_deg_ = 0.0;
   double plate_sum_deg_ = 0.0;
-  bool turns_ = false;  // the plate, in this trial
+  bool turns_ = false;  // the plate moved in this trial
 };
 
 }  // namespace

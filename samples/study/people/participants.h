@@ -1,5 +1,4 @@
-// Calibration data: slides over a plate at rest as CSV, a row a tracked position, and simulated people who
-// made them.
+// Calibration data as CSV: slides over a fixed plate, one row per tracked position; read from a file or simulated.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +11,7 @@
 
 namespace hrt::study {
 
-/// The columns of calibration data, in the order in which they are written.
+/// Columns of calibration data, in output order.
 inline constexpr const char* calibration_header = "trial,time_s,right_m,away_m,plate_orientation_deg";
 
 /// A simulated person's session: `trials_per_angle` slides at each plate angle, in random order.
@@ -26,11 +25,11 @@ struct Session {
 
 std::vector<CalibrationTrial> simulate_session(const Session& session);
 
-/// The session as CSV, under comments with the true values of the simulated person.
+/// Returns the session as CSV, after comments with the true values of the simulated person.
 std::string session_csv(const Session& session);
 
-/// Reads calibration data; `name` is the file's name in errors. Comments (#), empty lines, CRLF and columns
-/// of other names are ignored. Throws UsageError naming line, column and the allowed values.
+/// Parses calibration data. Comments (#), empty lines, CRLF and unknown columns are ignored. `name`: file name for
+/// errors. Throws UsageError naming line, column and the allowed values.
 std::vector<CalibrationTrial> parse_calibration_csv(const std::string& name, std::string_view text);
 
 }  // namespace hrt::study

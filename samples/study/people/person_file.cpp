@@ -65,7 +65,7 @@ constexpr NumberParameter number_parameters[] = {
 
 #undef HRT_FIELD
 
-// Words in the order of the enumeration that they stand for; its last ones are for families alone.
+// Names in the order of the enumeration; its last values are for families only and have no name.
 constexpr const char* illusions[] = {"linear", "saturating", "sine", "tanh", "dead_band", "unequal"};
 constexpr const char* steerings[] = {"steps", "continuous", "predictive", "place", "heavy_arm", "crossings"};
 constexpr const char* paces[] = {"minimum_jerk", "even", "skewed", "stop_and_go", "pause", "two_parts", "reversal"};
@@ -100,7 +100,7 @@ std::string all_names() {
   return text;
 }
 
-// `where` is the file and the parameter.
+// `where`: file and parameter, for errors.
 void take(const std::string& where, std::string_view parameter, const Json& value, PersonFile* file) {
   for (const WordParameter& known : word_parameters) {
     if (parameter != known.name) continue;

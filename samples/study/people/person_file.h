@@ -1,4 +1,4 @@
-// A simulated person from a file: somebody's own parameters, by name and with units.
+// A simulated person from a JSON file of parameters with names and units.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@ namespace hrt::study {
 
 struct PersonFile {
   PersonCondition condition;
-  bool has_duration = false;  ///< the file gives condition.person.duration_s
+  bool has_duration = false;  ///< the file sets condition.person.duration_s
 };
 
-/// Reads JSON, {"tactile_weight": 0.18, "illusion": "sine"}. What the file does not name keeps its default.
-/// Throws UsageError naming file, parameter and the allowed values. `name` is the file's name in errors.
+/// Parses JSON, {"tactile_weight": 0.18, "illusion": "sine"}. Missing parameters have their default. `name`: file
+/// name for errors. Throws UsageError naming file, parameter and the allowed values.
 PersonFile parse_person(const std::string& name, std::string_view text);
 
 /// Reads the file at `path`, of at most 1 MiB; throws UsageError naming `argument` if that fails.
 PersonFile read_person(const std::string& argument, const std::string& path);
 
-/// All parameters with their ranges and defaults, a line each.
+/// Returns all parameters with ranges and defaults, one per line.
 std::string person_parameters();
 
 }  // namespace hrt::study

@@ -16,7 +16,7 @@ constexpr std::string_view recording_start = "# haptic retargeting recording, ve
 constexpr std::string_view readable_version = "4";
 constexpr std::string_view config_start = "# config ";
 
-// Flags of a sample: plugin/include/haptic_retargeting/reach.h.
+// Flags of a sample, from plugin/include/haptic_retargeting/reach.h.
 constexpr unsigned direction_flag = 1;
 constexpr unsigned plate_position_flag = 2;
 constexpr unsigned measured_plate_flag = 4;
@@ -68,13 +68,13 @@ class PathsReader {
   }
 
   double number_in(std::string_view column, const NumberRange& range) const {
-    return csv_.text(column).empty() ? 0.0 : csv_.number(column, range);  // recordings leave out zeros
+    return csv_.text(column).empty() ? 0.0 : csv_.number(column, range);  // recordings omit zeros
   }
 
   void read_row() {
     csv_.take_row();
     const std::string_view what = csv_.text("call");
-    if (number_in("result", {-1e9, 1e9}) != 0.0) return;  // a refused call
+    if (number_in("result", {-1e9, 1e9}) != 0.0) return;  // the call failed
     if (what == "begin") return begin();
     if (what == "update") return update();
     if (what == "end" || what == "cancel") return end_reach();
@@ -90,7 +90,7 @@ class PathsReader {
     measured_ = 0;
   }
 
-  // Reads the aim of a row that begins a reach, or of one in which a reach starts at the finger.
+  // Reads the targets from a row that begins a reach or starts one at the finger.
   void aim() {
     Reach& reach = path_->reach;
     reach.real_direction_deg = number_in("real_direction_deg", direction_range);
@@ -156,7 +156,7 @@ class PathsReader {
   std::optional<RecordedPath> path_;
   std::optional<PlateModel> plate_;
   std::size_t measured_ = 0;
-  std::string why_;  // the reach is left out
+  std::string why_;  // reason for which the reach is skipped; empty: used
 };
 
 RecordedPaths read_calibration(const std::string& name, std::string_view text) {

@@ -1,6 +1,5 @@
-// Recorded fingertip paths, from the plugin's recordings and from calibration data, under our controller, in an open
-// loop: what it would have believed and commanded. The finger cannot answer: a path is as it was recorded, whatever the
-// plate would have done.
+// Open-loop replay of recorded fingertip paths (the plugin's recordings, calibration data) through our controller: its
+// state estimates and commands. The path is fixed, so the finger does not react to the commands.
 #pragma once
 
 #include <string>
@@ -15,52 +14,51 @@
 
 namespace hrt::study {
 
-/// How the plate's orientation under a path is known.
+/// Source of the plate orientation under a path.
 enum class PlateSource {
-  measured,   ///< its device reported it
-  commanded,  ///< from the recorded commands, and the servo that the recorded session declares
-  resting,    ///< calibration data: at rest
+  measured,   ///< reported by the plate
+  commanded,  ///< computed from the recorded commands and the recorded servo model
+  resting,    ///< calibration data: constant
 };
 
-/// One path, with where the plate stood in each sample's plate_orientation_deg.
+/// One path; each sample has the plate orientation.
 struct RecordedPath {
   std::string file;
-  int number = 0;  ///< in the file, from 1
+  int number = 0;  ///< number in the file, from 1
   Reach reach{};
   std::vector<FingerSample> samples;
   PlateSource plate_source = PlateSource::commanded;
 };
 
-/// The paths of a file, and of reaches that have none the reason.
+/// The paths of a file, and the reasons for skipped reaches.
 struct RecordedPaths {
   std::vector<RecordedPath> paths;
   std::vector<std::string> left_out;  ///< a sentence each
-  PlateDynamics plate;                ///< as the recorded session declares it
+  PlateDynamics plate;                ///< from the configuration of the recorded session
   std::int64_t tracker_latency_ns = 0;
 };
 
-/// The gap that is assumed where a file has no real target, to the right of the goal straight ahead, and the
-/// distance to both targets.
+/// Assumed for files without targets: gap to the right of the goal straight ahead, and distance to both targets.
 inline constexpr double assumed_gap_deg = 10.0;
 inline constexpr double assumed_distance_mm = 100.0;
 
-/// Reads a recording (format 3) or calibration data. `name` is the file's name in errors. Throws UsageError
-/// naming file, line and the allowed values.
+/// Parses a recording (format 3) or calibration data. `name`: file name for errors. Throws UsageError naming file, line
+/// and the allowed values.
 RecordedPaths parse_recorded_paths(const std::string& name, std::string_view text);
 
-/// One path. Angles in degrees.
+/// Result of one path. Angles in degrees.
 struct ReplayedPath {
   RecordedPath path;
-  double bearing_error_deg;     ///< of the last position from the start, less the real target's: as recorded
-  double peak_felt_error_deg;   ///< as estimated, under the plate that stood there
-  Quantile command_change_deg;  ///< median size, modulo 180, of command less where the plate stood
-  PlateCommand last;            ///< of the controller
+  double bearing_error_deg;     ///< recorded bearing of the end minus that of the real target
+  double peak_felt_error_deg;   ///< largest estimated perceived-direction error, with the recorded plate
+  Quantile command_change_deg;  ///< median |command - recorded orientation|, modulo 180
+  PlateCommand last;            ///< last command of the controller
   ReachSummary summary;
   PersonBelief person;  ///< carried to the next reach of the file
-  bool learnt = false;  ///< the reach taught something, which the next one of the file began from
+  bool learnt = false;  ///< the reach updated the estimates with which the next one of the file begins
 };
 
-/// Each path of a file under our controller, one after another, as reaches of one person.
+/// Replays the paths of a file in order, as reaches of one person.
 std::vector<ReplayedPath> replay(const RecordedPaths& recorded);
 
 struct Replayed {
@@ -68,8 +66,8 @@ struct Replayed {
   std::vector<std::string> left_out;  ///< a sentence each
 };
 
-/// All .csv files of a folder, in the order of their names. Throws UsageError naming `argument` if the folder
-/// has no such file, or one cannot be read.
+/// Replays all .csv files of a folder, sorted by name. Throws UsageError naming `argument` if the folder has none, or
+/// one cannot be read.
 Replayed replay_folder(const std::string& argument, const std::string& folder);
 
 std::string replay_text(const Replayed& replayed);

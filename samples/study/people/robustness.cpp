@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint64_t people_between_looks = 100;
 
-// w_T at the end of a reach, as commands define it: the felt shift over the offset, at 60 degrees to the side
-// that leads to the real target.
+// w_T at the end of a reach as in hrt_command: perceived shift divided by the angle of the ridges, at 60 degrees to the
+// side that leads to the real target.
 double true_weight(const PersonCondition& condition) {
   SimulatedIllusion illusion = condition.person.illusion;
   illusion.tactile_weight += condition.person.weight_drift;
@@ -47,7 +47,7 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
                        covered(summary.bearing_error_deg - outcome.bearing_error_deg, summary.bearing_error_sd_deg))};
 }
 
-// All reaches up to the one that is asked for.
+// Simulates all reaches up to the requested one.
 std::vector<ReachResult> simulate(const PersonCondition& condition, Leading leading, const RobustnessOptions& options,
                                   std::uint32_t index) {
   const RetargeterConfig controller = leading == Leading::paper ? paper_controller()
@@ -138,7 +138,7 @@ std::vector<RobustnessRow> simulate_robustness(
       rows.push_back({.people = sort, .duration_s = duration_s, .cells = {}});
 
   constexpr std::size_t columns = leadings.size();
-  std::vector<std::vector<ReachResult>> results(rows.size() * columns);  // of each cell, by person
+  std::vector<std::vector<ReachResult>> results(rows.size() * columns);  // by cell, then person
   for (std::uint64_t before = 0, now = 0; before < options.people; before += now) {
     now = std::min(people_between_looks, options.people - before);
     std::vector<std::size_t> taking;

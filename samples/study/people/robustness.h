@@ -1,5 +1,5 @@
-// How the controllers do on people who are not their model: every family of core/simulation/people.h, at
-// several paces, without a controller, with the paper's and with ours. Results are of simulation.
+// Tests the controllers on people who differ from their models: each family of core/simulation/people.h at several
+// durations, without a controller, with the paper's and with ours. All results are simulation.
 #pragma once
 
 #include <array>
@@ -22,12 +22,12 @@ enum class Leading {
   none,      ///< no controller: the plate stays at 0
   paper,     ///< the paper's controller, which assumes w_T = 0.15
   first,     ///< ours, on the first reach of an unknown person
-  last,      ///< ours, on the last of some reaches, with the knowledge of those before it
+  last,      ///< ours, on the last of several reaches, with the estimates from those before
   informed,  ///< ours, given some of the person's traits before the first reach
 };
 inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::last, Leading::informed};
 
-/// Name of each, in CSV and JSON, and in text.
+/// Names of the controllers in CSV and JSON, and in text.
 inline constexpr const char* leading_names[] = {"none", "paper", "first", "last", "informed"};
 inline constexpr const char* leading_titles[] = {"no controller", "the paper's", "ours, first reach",
                                                  "ours, last reach", "ours, informed"};
@@ -35,9 +35,9 @@ inline constexpr const char* leading_titles[] = {"no controller", "the paper's",
 /// The result of one reach. Angles in degrees.
 struct ReachResult {
   bool can_hold;               ///< as gap_is_feasible() of the person
-  double bearing_error_deg;    ///< true, of the end
-  double miss_mm;              ///< true, across the real direction; >= 0
-  double peak_felt_error_deg;  ///< the simulated person's
+  double bearing_error_deg;    ///< true bearing error of the end
+  double miss_mm;              ///< true distance of the end across the real direction; >= 0
+  double peak_felt_error_deg;  ///< largest perceived-direction error, ground truth
   bool unreachable = false;    ///< flags of the reach's summary
   bool found = false;          ///< unreachable in this reach or an earlier one of the person
   bool misfit = false;
@@ -53,14 +53,14 @@ struct ReachResult {
   bool false_alarm() const;  ///< is near, and flagged unreachable or off target
 };
 
-/// Many reaches. Intervals are 95 %.
+/// Statistics of many reaches, with 95 % intervals.
 struct ReachGroup {
   Share near;
   Quantile miss_median_mm;
-  Quantile miss_95_mm;  ///< 95 % of reaches miss by no more
+  Quantile miss_95_mm;  ///< 95 % quantile of the misses
   Quantile peak_felt_error_median_deg;
   Quantile peak_felt_error_95_deg;
-  Share unreachable;  ///< in this reach
+  Share unreachable;  ///< unreachable in this reach
   Share found;        ///< unreachable in this reach or one before
   Share silent;       ///< a miss without a flag
   Share false_alarm;  ///< near, and flagged unreachable or off target
@@ -69,10 +69,10 @@ struct ReachGroup {
 struct RobustnessCell {
   ReachGroup can_hold;     ///< of people who can hold the gap
   ReachGroup cannot_hold;  ///< of those who cannot
-  // Shares of all people.
+  // Percentages of all people.
   Share misfit;
   Share off_target;
-  Share weight_covered, bias_covered, habit_covered, miss_covered;  ///< of those who were estimated
+  Share weight_covered, bias_covered, habit_covered, miss_covered;  ///< percentage among estimates
 
   std::uint64_t people() const { return can_hold.near.of + cannot_hold.near.of; }
   /// The people who can hold the gap, or those who cannot.
@@ -81,7 +81,7 @@ struct RobustnessCell {
 
 RobustnessCell summarise(std::span<const ReachResult> results);
 
-/// The source of the people of a row.
+/// Source of the people of a row.
 struct SimulatedPeople {
   std::string name;
   std::string description;
@@ -92,7 +92,7 @@ struct SimulatedPeople {
 
 SimulatedPeople people_of(const PeopleFamily& family);
 
-/// One sort of people at one pace.
+/// One kind of people at one duration.
 struct RobustnessRow {
   SimulatedPeople people;
   double duration_s;
@@ -101,12 +101,12 @@ struct RobustnessRow {
   const RobustnessCell& cell(Leading leading) const { return cells[static_cast<std::size_t>(leading)]; }
 };
 
-/// Half the width of its interval, in points; NaN of no cases.
+/// Returns half the width of the interval, in percentage points; NaN without cases.
 double half_interval(const Share& share);
 
 struct RobustnessOptions {
-  std::uint64_t people = 100;  ///< of each sort at each duration, at most
-  std::uint64_t reaches = 5;   ///< of the controller for people, one after another: 2 or more
+  std::uint64_t people = 100;  ///< maximum number of people of each kind at each duration
+  std::uint64_t reaches = 5;   ///< successive reaches under the controller for people, >= 2
   double points = 4.0;         ///< a cell whose share within near_deg has such a half_interval() takes no more people
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
@@ -115,19 +115,18 @@ struct RobustnessOptions {
   Tuning tuning;  ///< of the controller for people
 };
 
-/// All people at every duration, the durations of one sort one after another.
-/// Person i of a sort and duration is the same with every controller; a cell takes them in order, and looks at
-/// its interval after each 100. The same for any number of threads, and whatever else is simulated.
-/// `progress` is called on this thread.
+/// Simulates all people at all durations; the durations of one kind are adjacent rows. Person i of a kind and duration
+/// is the same with each controller. A cell takes people in order and tests the stopping rule after each 100, so the
+/// result depends neither on threads nor on other rows. `progress` is called on this thread.
 std::vector<RobustnessRow> simulate_robustness(
     std::span<const SimulatedPeople> people, const RobustnessOptions& options,
     const std::function<void(std::uint64_t done, std::uint64_t total)>& progress = {});
 
-/// Mean over rows of the percentage within near_deg, each row the same; NaN without any who can hold.
+/// Returns the unweighted mean over rows of the percentage within near_deg; NaN if no gap is feasible.
 double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading);
 
-/// One share, of all rows together, each counted as if it had taken as many people as the others: of Kish's
-/// effective number of cases, which is their sum if they have.
+/// Returns one percentage of all rows with equal weights. Its number of cases is Kish's effective sample size, which is
+/// the sum if all rows have the same number of people.
 Share pooled(std::span<const RobustnessRow> rows, Leading leading,
              const std::function<Share(const RobustnessCell&)>& share);
 
@@ -137,11 +136,11 @@ struct RobustnessStudy {
   std::vector<RobustnessRow> rows;  ///< simulate_robustness() of both
 };
 
-/// The name of the people, with the mark of their sort: * kept apart, + misplaced, ~ recorded.
+/// Returns the name of the people with a mark: * held out, + misplaced, ~ recorded.
 std::string label(const SimulatedPeople& people);
 
 std::string robustness_text(const RobustnessStudy& study);
-/// A row a family, duration and controller.
+/// Returns one row per family, duration and controller.
 Results robustness_results(const RobustnessStudy& study);
 
 }  // namespace hrt::study

@@ -73,7 +73,7 @@ std::string near_table(const RobustnessStudy& study) {
          mean_line("mean, off +", false, FamilyKind::misplaced);
 }
 
-// "0.42 (0.38-0.47)"; what too few values bound is left out.
+// "0.42 (0.38-0.47)"; a bound that the sample does not determine is "?".
 std::string with_interval(const Quantile& quantile, int decimals) {
   if (std::isnan(quantile.value)) return "-";
   return fixed(quantile.value, decimals) + " (" + between(quantile.low, quantile.high, decimals) + ")";
@@ -121,7 +121,7 @@ std::string flags_table(const Rows& all, std::uint64_t reaches) {
   return page;
 }
 
-// All numbers of one sort of people.
+// All numbers of one kind of people.
 std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   std::string page = people.name + ": " + people.description + '\n';
   for (const bool can_hold : {true, false}) {
@@ -174,7 +174,7 @@ void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
   put_flag("miss_covered", cell.miss_covered);
 }
 
-// The condition common to all reaches.
+// Description of the conditions of all reaches.
 std::string condition_words(const RobustnessStudy& study) {
   const RobustnessOptions& options = study.options;
   const bool has_families = std::any_of(study.people.begin(), study.people.end(),

@@ -159,8 +159,7 @@ TEST(ExperimentJournal, DamageIsRefusedByLine) {
   EXPECT_EQ(crc32("123456789"), 0xcbf43926U);  // its check value
   const std::size_t third = journal.find("\"number\":3");
   journal[third + 20] ^= 1;
-  EXPECT_EQ(refusal_of([&] { read_journal(journal, "j"); }),
-            "j: line 3 is damaged, and not where a process was cut off");
+  EXPECT_TRUE(refusal_of([&] { read_journal(journal, "j"); }).starts_with("j: line 3 is damaged"));
   journal[third + 20] ^= 1;
   const std::size_t begin = journal.rfind('\n', third) + 1;
   journal.erase(begin, journal.find('\n', begin) + 1 - begin);
@@ -172,7 +171,7 @@ TEST(ExperimentJournal, ASecondProcessIsRefused) {
   const Disk disk;
   fs::create_directories(folder.path / session_name);
   const Journal journal(folder.path / session_name / "journal.jsonl", disk, [] { return Now{}; });
-  EXPECT_TRUE(has(refusal_of([&] { run_simulated(small_design(1), folder.path); }), "another process writes it"));
+  EXPECT_TRUE(has(refusal_of([&] { run_simulated(small_design(1), folder.path); }), "journal.jsonl: another process"));
 }
 
 // A full disk, as a limit of the size of a file.
