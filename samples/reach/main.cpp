@@ -52,7 +52,7 @@ class Attendant {
   void attend(XrTime time) {
     if (stage_.session.recentrings() != recentrings_) {
       recentrings_ = stage_.session.recentrings();
-      prompt_.say("The runtime moved its space, as when the view is recentred. The plate keeps its place in the room.");
+      prompt_.say("The runtime moved its space, as by recentring. The plate keeps its position in the room.");
     }
     while (const std::optional<char> key = prompt_.key()) obey(*key, time);
   }
@@ -72,7 +72,7 @@ class Attendant {
       case 'n':
       case 'b':
         if (in_reaches_) throw OtherReach(key == 'b');
-        return prompt_.say("That key is for reaches.");
+        return prompt_.say("That key works during reaches only.");
       default:
         return;
     }
@@ -188,7 +188,7 @@ class Run {
       // Done before a device is opened, which must be serviced from then on.
       if (touch_)
         scene_place_ = {session.floor_space(), targets_.plate_pose,
-                        "The plate is where --finger has it in the touch frame."};
+                        "The plate's position in the touch frame is that of --finger."};
       if (!is_registered() && !scene_place_) scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
     }
     const std::unique_ptr<Plate> plate =
@@ -338,7 +338,7 @@ class Run {
 
   // Source of the printed numbers, in words.
   std::string origin() const {
-    if (!is_simulated_) return "Tracked directions; felt ones as the model predicts.";
+    if (!is_simulated_) return "Directions are tracked; perceived directions are predicted by the model.";
     return "SIMULATION, seed " + std::to_string(options_.seed) + ": no person took part.";
   }
 

@@ -31,13 +31,13 @@ std::string lack_of_fit_text(std::uint32_t lack_of_fit) {
   std::string text;
   if (lack_of_fit & HRT_LACK_OF_FIT_ANGLE)
     text +=
-        "No curve fits over the plate's angles: check the plate's zero and the way that the user faces, and "
-        "repeat.\n";
+        "No illusion curve fits the slides: check the plate's zero and that the user faces straight ahead, "
+        "and repeat.\n";
   if (lack_of_fit & HRT_LACK_OF_FIT_ORDER)
-    text += "The slides change from first to last: let the user practise or rest, and repeat.\n";
+    text += "The slides changed from first to last: let the user practise or rest, and repeat.\n";
   if (lack_of_fit & HRT_LACK_OF_FIT_PATH)
     text +=
-        "The paths bend as neither a habit nor steering does: ask for slower, longer and even slides, and "
+        "The shape of the paths does not fit the model: ask for slower, longer and steady slides, and "
         "repeat.\n";
   return text;
 }
@@ -54,7 +54,7 @@ void StatusLine::show(const TargetPair& pair, const Moment& moment) {
         stderr, "%.9f s  %s  tip %+8.2f right %+8.2f away mm  bearing %+7.2f  feels %+7.2f  plate %+7.2f deg%s%s\n",
         static_cast<double>(moment.time) * 1e-9, pair.virtual_name.c_str(), moment.position_m[0] * 1e3,
         -moment.position_m[2] * 1e3, moment.bearing_deg, moment.felt_direction_deg, moment.plate_orientation_deg,
-        moment.tracked ? "" : "  not tracked", moment.saturated ? "  at its bound" : "");
+        moment.tracked ? "" : "  not tracked", moment.saturated ? "  plate at a limit" : "");
     return;
   }
   const auto now = std::chrono::steady_clock::now();
@@ -156,15 +156,14 @@ bool is_enough(const hrt_setup_result& result) {
 
 std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config) {
   return format("%u slides, %u used\n", result.slides, result.slides_used) +
-         line("share of touch (w_T) at 60 deg", result.tactile_weight, "") +
-         line("largest gap that a plate can hold", result.max_gap_deg, "deg") +
-         line("bias, left positive", result.bias_deg, "deg") +
+         line("tactile weight (w_T) at 60 deg", result.tactile_weight, "") +
+         line("largest feasible gap", result.max_gap_deg, "deg") + line("bias, left positive", result.bias_deg, "deg") +
          format("%-34s %8.0f deg at most\n", "the plate is turned from the motion", config.person.motion_bound_deg) +
          format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker.noise_m) +
          format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker.correlated_noise_m) +
          lack_of_fit_text(result.lack_of_fit) +
-         (is_enough(result) ? "Enough: the share of touch is known as well as was asked.\n"
-                            : "The share of touch is not known as well as was asked.\n");
+         (is_enough(result) ? "Enough: the tactile weight is known as precisely as required.\n"
+                            : "The tactile weight is not known as precisely as required.\n");
 }
 
 }  // namespace hrt::reach

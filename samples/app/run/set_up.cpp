@@ -116,7 +116,7 @@ void SetUp::lead(Stage& stage, XrTime* now, std::ostream* slides) {
     if (step.instruction == HRT_STEP_REST_AT_START && stage.hint && *now - asked_at_ > settle_ns)
       stage.hint(sightings_->where(stage));
     if (*now - asked_at_ > stage.time_limit_ns)
-      throw Failure(ExitCode::no_hand, "it was not done " + within_s(stage.time_limit_ns) + ": " + request_ + " " +
+      throw Failure(ExitCode::no_hand, "not fulfilled " + within_s(stage.time_limit_ns) + ": " + request_ + " " +
                                            ((step.part & world_parts) != 0 ? sightings_->why_no_touch(stage)
                                                                            : sightings_->why_not_begun(stage)));
   }

@@ -28,7 +28,7 @@ struct Found {
 };
 Found weight_of(const Outcome& outcome) {
   Found found;
-  const std::string name = "share of touch (w_T) at 60 deg";
+  const std::string name = "tactile weight (w_T) at 60 deg";
   const std::size_t at = outcome.out.find(name);
   if (at == std::string::npos) return found;
   std::sscanf(outcome.out.c_str() + at + name.size(), "%lf 95 %% within %lf to %lf", &found.value, &found.lower,
@@ -70,7 +70,7 @@ TEST(ReachCalibrate, WritesAnImpreciseResultWhenTheSlidesRunOut) {
   const std::string shaky = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.2,
       "steering": "continuous", "noise_deg2_per_s": 200}]})";
   const Outcome outcome = expect_exit(1, run_scripted(shaky, {desk, "--calibrate", profile, "--max-slides", "16"}));
-  EXPECT_TRUE(has(outcome.out, "not known as well as was asked"));
+  EXPECT_TRUE(has(outcome.out, "not known as precisely as required"));
   EXPECT_TRUE(std::filesystem::exists(profile));
 }
 

@@ -282,9 +282,9 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
   terminal.type("rwn");
   expect_exit(0, program.wait());
   const std::string heard = voice.heard();
-  EXPECT_TRUE(has(
-      heard, {"Keys: r repeats", "Mark 1 is  start ", "That key is for reaches.", "(3 of 3)", "The plate is registered",
-              "Put your index finger on the start", "Done.", "1 of 1 targets that can be held were reached"}));
+  EXPECT_TRUE(has(heard, {"Keys: r repeats", "Mark 1 is  start ", "That key works during reaches only.", "(3 of 3)",
+                          "The plate is registered", "Put your index finger on the start", "Done.",
+                          "1 of 1 targets that can be held were reached"}));
 }
 
 // Runs a calibration to its end in a runtime without a floor space: all instructions are spoken, and keys are the
@@ -313,9 +313,9 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   after("The right index finger is ", "r");
   const Outcome outcome = expect_exit(0, program.wait());
   const std::string heard = voice.heard();
-  EXPECT_TRUE(has(heard, {"You will slide one fingertip straight ahead", "That key is for reaches.",
-                          "Slide evenly towards what feels straight ahead", "share of touch"}));
-  EXPECT_NEAR(value_of(outcome.out, "share of touch (w_T) at 60 deg"), 0.2, 0.02) << outcome.out;
+  EXPECT_TRUE(has(heard, {"You will slide one fingertip straight ahead", "That key works during reaches only.",
+                          "Slide evenly towards what feels straight ahead", "tactile weight"}));
+  EXPECT_NEAR(value_of(outcome.out, "tactile weight (w_T) at 60 deg"), 0.2, 0.02) << outcome.out;
   EXPECT_TRUE(has(read_file(profile), "\"tactile_weight\":"));
 }
 

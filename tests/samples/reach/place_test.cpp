@@ -55,11 +55,11 @@ TEST(ReachRecentring, APersonsPlateStaysInTheRoom) {
     expect_reached(outcome);
     EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
     EXPECT_EQ(rows_of(outcome)[0].lost, 0);
-    expect_said(outcome, "The plate keeps its place in the room.");
+    expect_said(outcome, "The plate keeps its position in the room.");
   }
   const Outcome stage = run_scripted(path.script(recentre(R"("space": "STAGE", )" + far)), person_and());
   expect_reached(stage);
-  expect_said(stage, "The plate keeps its place in the room.");
+  expect_said(stage, "The plate keeps its position in the room.");
   // Recentring of a space that does not hold the plate has no effect.
   const Outcome other = run_scripted(path.script(recentre(far)), person_and());
   expect_reached(other);

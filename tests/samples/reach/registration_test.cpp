@@ -123,7 +123,7 @@ TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
 
 TEST_F(ReachRegistration, WaitForATouchHasATimeLimit) {
   const Outcome outcome = expect_exit(8, run(Path(), {"--register", file, "--time-limit", "4"}));
-  expect_said(outcome, "it was not done within 4 s: Lift your finger. Then touch mark 1");
+  expect_said(outcome, "not fulfilled within 4 s: Lift your finger. Then touch mark 1");
 }
 
 TEST_F(ReachRegistration, TakesMarksFromAFile) {
