@@ -128,8 +128,8 @@ struct Tuning {
   double min_leg_mm = 10.0;  ///< mm [s] smaller distances do not determine a bearing, because of tracker noise
 
   // Learning.
-  double wander_step = 0.5;      ///< [s] eps of motion_log.h
-  double wander_evidence = 0.8;  ///< [s] beta of motion_log.h
+  double wander_step = 0.5;      ///< [s] step of log_wander between the compared filters, eps in motion_log.h
+  double wander_evidence = 0.8;  ///< [s] factor of a motion's log likelihood, beta in motion_log.h: positions correlate
   /// [s] limit of the change of log_wander in one reach: beyond it the quadratic approximation is invalid
   double max_wander_change = 1.0;
   /// [s] a reach that ends before this fraction of the duration changes no estimate, as hrt_adaptation promises.

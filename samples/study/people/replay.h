@@ -42,7 +42,7 @@ struct RecordedPaths {
 inline constexpr double assumed_gap_deg = 10.0;
 inline constexpr double assumed_distance_mm = 100.0;
 
-/// Parses a recording (format 3) or calibration data. `name`: file name for errors. Throws UsageError naming file, line
+/// Parses a recording (format 4) or calibration data. `name`: file name for errors. Throws UsageError naming file, line
 /// and the allowed values.
 RecordedPaths parse_recorded_paths(const std::string& name, std::string_view text);
 
