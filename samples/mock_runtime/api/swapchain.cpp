@@ -29,7 +29,7 @@ void require_possible(const XrSwapchainCreateInfo& info, const Session& session)
   require_size(info.arraySize, UINT32_MAX, "arraySize");
   require_size(info.mipCount, UINT32_MAX, "mipCount");
   require_valid(info.faceCount == 1 || info.faceCount == 6, "faceCount is {}; must be 1 or 6", info.faceCount);
-  const int mips = std::bit_width(std::max(info.width, info.height));
+  const auto mips = static_cast<int>(std::bit_width(std::max(info.width, info.height)));
   require(info.mipCount <= static_cast<std::uint32_t>(mips), XR_ERROR_FEATURE_UNSUPPORTED,
           "mipCount is {}; images of {} x {} have at most {}", info.mipCount, info.width, info.height, mips);
   require(info.faceCount == 1 && info.sampleCount == 1 && (info.createFlags & protected_content) == 0,
