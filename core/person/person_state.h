@@ -51,10 +51,10 @@ inline constexpr StateVariable person_state[PersonState::count] = {
     {PersonState::log_wander, "log_wander", "", -1.5, 3.0},
     {PersonState::right, "right", "mm", 0.0, 0.0},
     {PersonState::away, "away", "mm", 0.0, 0.0},
-    {PersonState::steered, "steered", "deg", 0.0, 0.0},
+    {PersonState::steered, "steered", "deg", -3600.0, 3600.0},
     {PersonState::phase, "phase", "", 0.0, 1.0},
-    {PersonState::wander, "wander", "deg", 0.0, 0.0},
-    {PersonState::strayed, "strayed", "mm", 0.0, 0.0},
+    {PersonState::wander, "wander", "deg", -360.0, 360.0},
+    {PersonState::strayed, "strayed", "mm", -10000.0, 10000.0},
     {PersonState::noise_right, "noise_right", "mm", 0.0, 0.0},
     {PersonState::noise_away, "noise_away", "mm", 0.0, 0.0},
 };
