@@ -62,7 +62,7 @@ inline ParticipantStep participant_step(const ParticipantInput& input) {
   return {felt_deg, perceived_deg, goal_deg - perceived_deg};
 }
 
-/// As participant_step(), for ridges: the normal within 90 degrees of the goal is perceived.
+/// Computes participant_step() for a plate orientation: the ridge normal within 90 degrees of the goal is perceived.
 inline ParticipantStep participant_step_on_plate(ParticipantInput input) {
   input.plate_orientation_deg = ridge_normal_deg(input.plate_orientation_deg, input.goal_direction_deg);
   return participant_step(input);

@@ -2,7 +2,7 @@
 // a limit of the perceived-direction error.
 //
 // If the perceived shift Gamma is constant relative to the motion, the steered direction psi relaxes to G - Gamma at
-// the rate k, whatever the illusion curve. The position at arrival is therefore an affine function of Gamma:
+// the rate k, for any illusion curve. The position at arrival is therefore an affine function of Gamma:
 //
 //   1. predict the motion over the dead time, in which a command given now has no effect yet;
 //   2. integrate the lateral path from there to arrival: miss(Gamma) = m + M Gamma;

@@ -79,7 +79,8 @@ void NoiseLearner<Point>::learn(const RecentPlaces<Point>& places, int rested) {
   update();
 }
 
-// Uses the distance of a position from the line through its neighbours, in which a uniform motion cancels.
+// Uses the distance of a position from the line through the positions before and after it, in which a uniform motion
+// cancels.
 template <class Point>
 void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
   if (known_ || places.count() < 3) return;

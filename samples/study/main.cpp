@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.footer(
       R"(Start with:
-  hrt-study table1                 the paper's Table I beside the model
+  hrt-study table1                 the paper's Table I next to the model's
   hrt-study trial                  one reach, step by step
   hrt-study report --out report    figures and a page that shows them all
 

@@ -48,7 +48,7 @@ hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
   return HRT_OK;
 }
 
-/// As read_struct(), for a configuration: null means the defaults.
+/// Reads a configuration like read_struct(). A null pointer means the defaults.
 template <class Struct>
 hrt_result read_configuration(const char* name, const Struct* given, Struct* known) {
   *known = defaults<Struct>;

@@ -22,7 +22,7 @@ std::size_t write_number(double number, char (&out)[max_number]);
 /// does not change `*out` if `text` has any other character, or if the number is too large for a double.
 bool read_number(std::string_view text, double* out);
 
-/// As above, for an integer.
+/// Reads `text` as an integer in decimal digits. Returns false and does not change `*out` if it is not one that fits.
 template <class Integer>
 bool read_number(std::string_view text, Integer* out) {
   Integer number{};

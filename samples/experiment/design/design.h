@@ -40,7 +40,7 @@ struct Validity {
   double min_s;
   double max_s;
   double max_dropped_share;
-  unsigned max_attempts;  ///< after so many, the trial is missing
+  unsigned max_attempts;  ///< the trial is missing after this number of failed attempts
 };
 
 /// Two-interval forced choice: which of two reaches was bent? QUEST+ selects the gap.

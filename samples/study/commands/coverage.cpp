@@ -149,7 +149,7 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   double bias_deg = person.bias_deg - person.own_bias_deg;
   double habit_deg = person.habit_deg;
   if (person.steering == Steering::place) {
-    // They aim beside the place until they are near: the goal is bias (1 + log(1 - s)) at the share s of the path.
+    // They aim past the position until they are near: the goal is bias (1 + log(1 - s)) at the share s of the path.
     habit_deg = -0.5 * bias_deg * logarithm(0.15);
     bias_deg *= 1.0 + logarithm(0.5);
   }

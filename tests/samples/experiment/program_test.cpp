@@ -134,7 +134,7 @@ struct AtPlate {
                                "serial:" + device.device(), "--data", folder / "data"});
     program.emplace(more, written(folder, "script.json", script), terminal.descriptor(), err);
   }
-  // Until the journal has so many events of this name.
+  // Waits until the journal has `count` events of this name.
   bool has_come(const std::string& event, std::size_t count) const {
     return plate::eventually([&] { return occurrences(journal_of(folder), "\"event\":\"" + event) >= count; });
   }
@@ -190,7 +190,7 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   }
 }
 
-// A person whose hand follows a path, led with these keys until the journal has so many events of a name.
+// A person whose hand follows a path, steered by these keys until the journal has `until` events of a name.
 Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::string& event, std::size_t until,
              const std::string& more = "") {
   const plate::Pty terminal(80);
