@@ -46,7 +46,7 @@ std::optional<std::vector<double>> parse_list(std::string_view text, const Numbe
 template <typename Value>
 CLI::Option* add_parsed(CLI::App& app, const std::string& name, Value& value, const std::string& allowed,
                         const std::string& standard, const std::string& help,
-                        std::function<std::optional<Value>(const std::string&)> parsed) {
+                        const std::function<std::optional<Value>(const std::string&)>& parsed) {
   return app
       .add_option_function<std::string>(
           name, [&value, parsed](const std::string& text) { value = *parsed(text); }, help)
