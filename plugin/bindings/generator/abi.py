@@ -1,5 +1,6 @@
-"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Hosts do not have nested structs. Their
-fields are renamed and become fields of the outer struct, also in texts: plate.max_speed_deg_s is plate_max_speed_deg_s."""
+"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Hosts have no nested structs:
+the fields of a nested struct become fields of the outer one, with its name as prefix, also in texts. For example,
+plate.max_speed_deg_s becomes plate_max_speed_deg_s."""
 
 from __future__ import annotations
 

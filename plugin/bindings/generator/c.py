@@ -20,7 +20,7 @@ def _render_init(abi: Abi, notice: str, name: str, headers: tuple[str, ...]) -> 
     cycle = "" if headers is CORE else "  /* NOLINT(misc-header-include-cycle) */"
     guard = f"HAPTIC_RETARGETING_{name.upper().replace('.', '_')}"
     return (f"/*\n * {notice}\n *\n"
-            " * Each struct by value, ready for use: with its defaults, or zero with its size.\n"
+            " * Functions that return structs, ready for use: with their defaults, or else zero with their size.\n"
             f" *\n *   {structs[0].name} value = {structs[0].name}_init();\n */\n"
             f"/* clang-format off */\n#ifndef {guard}\n#define {guard}\n\n"
             + "".join(f'#include "{header}"{cycle}\n' for header in headers)
@@ -31,7 +31,7 @@ def _render_init(abi: Abi, notice: str, name: str, headers: tuple[str, ...]) -> 
 
 def _init(struct: Struct) -> str:
     name = struct.name
-    what = "Every field with its default" if struct.has_default else "All zero, with its size"
+    what = "Returns the struct with the default of every field" if struct.has_default else "Returns the struct with its size; all other fields are zero"
     return (f"/** {what}. [any-thread] */\n"
             f"static inline {name} {name}_init(void) {{\n  {name} value = HRT_EMPTY;\n{fill(struct)}  return value;\n}}\n")
 
@@ -46,7 +46,7 @@ def fill(struct: Struct) -> str:
 def render_functions(abi: Abi, notice: str) -> str:
     members = [(f, f.name.removeprefix("hrt_")) for f in abi.functions]
     return (f"/*\n * {notice}\n *\n"
-            " * All functions as a table, for hosts that open the library when they run: the headers, and no linking.\n"
+            " * A table of all functions, for hosts that load the library at run time and do not link it.\n"
             " *\n *   hrt_functions hrt;\n"
             f' *   void* library = dlopen("libhaptic_retargeting.so.{abi.soversion}", RTLD_NOW | RTLD_LOCAL);\n'
             " *   const char* missing = hrt_functions_load(dlsym, library, &hrt);\n"
@@ -58,9 +58,10 @@ def render_functions(abi: Abi, notice: str) -> str:
             + "\n/** Every function, without hrt_. */\ntypedef struct hrt_functions {\n"
             + "".join(f"  PFN_{f.name} {member};\n" for f, member in members)
             + "} hrt_functions;\n\n"
-            "/** Returns the address of a symbol, or null: dlsym() as it is; on Windows, what calls GetProcAddress(). */\n"
+            "/** Returns the address of a symbol, or null: dlsym() itself; on Windows, a function that calls\n"
+            " *  GetProcAddress(). */\n"
             "typedef void* (*hrt_get_proc)(void* library, const char* name);\n\n"
-            "/** Fills the table. Returns null, or the name of the first function that the library lacks; those that\n"
+            "/** Fills the table. Returns null, or the name of the first function that the library lacks. Functions that\n"
             " *  it lacks are null in the table. [any-thread] */\n"
             "static inline const char* hrt_functions_load(hrt_get_proc get_proc, void* library,\n"
             "                                             hrt_functions* out_functions) {\n"

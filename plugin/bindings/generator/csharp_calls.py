@@ -30,7 +30,7 @@ def render(abi: Abi, plate: Abi, notice: str) -> str:
     text = "\n".join(f"public {'static ' if owner == _STATIC else 'sealed '}partial class {owner}\n{{\n"
                      + textwrap.indent("\n".join(bodies), "    ", lambda line: line.strip() != "") + "}\n"
                      for owner, bodies in methods.items())
-    return (f"// {notice} They say more of each call.\nusing System;\nusing System.Text;\n\nnamespace Hrt\n{{\n"
+    return (f"// {notice} The C headers describe each call.\nusing System;\nusing System.Text;\n\nnamespace Hrt\n{{\n"
             + textwrap.indent(text, "    ", lambda line: line.strip() != "") + "}\n")
 
 

@@ -105,9 +105,9 @@ typedef struct hrt_sample {
 /** @flags HRT_COMMAND Reasons of a command, and warnings: hrt_command::flags. */
 typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_HELD UINT32_C(1)         /**< the controller computed no new command: the last one is repeated */
-#define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< without a position now or, under FIXED_DIRECTION, in the last step */
-#define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound or a stop limits the command */
-#define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed limits the command */
+#define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< no position now or, under FIXED_DIRECTION, in the last step */
+#define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the command is limited by the plate's bound or a stop */
+#define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the command is limited by the largest speed of the plate */
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the reach is interrupted */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */

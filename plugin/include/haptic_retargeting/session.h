@@ -185,8 +185,8 @@ typedef struct hrt_session_person {
   /** Tactile weight w_T: fraction of touch, rather than of the arm's own sense, in the perceived direction. The higher
    *  the user's weight, the further a rotation of the plate steers the hand. If this value is above the user's weight,
    *  the controller steers too little. Under GUIDANCE_ARRIVAL, it is the perceived shift divided by the angle at 60
-   *  degrees, and person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2 @profile @flatten tactile_weight
-   *  */
+   *  degrees, and person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2 @profile
+   *  @flatten tactile_weight */
   double tactile_weight;
   /** SD of person.tactile_weight, from which adaptation starts. A larger value makes adaptation faster and noisier;
    *  under GUIDANCE_ARRIVAL, it also raises the uncertainty of the illusion curve in proportion. @range 0.001 to 0.49

@@ -180,7 +180,7 @@ typedef struct hrt_setup_step {
   char text[HRT_TEXT_SIZE];
 } hrt_setup_step;
 
-/** An estimate with its 95 % interval. */
+/** An estimate with its 95 % interval. The unit is that of the field that has this type. */
 typedef struct hrt_interval {
   double value; /**< estimate @unit mixed */
   double lower; /**< lower end @unit mixed */
@@ -196,11 +196,12 @@ typedef uint32_t hrt_setup_lack_of_fit;
 /** The residuals depend on the plate orientation: no illusion curve of the model fits the slides. Check the plate
  *  orientations and the direction of the slides. */
 #define HRT_LACK_OF_FIT_ANGLE UINT32_C(1)
-/** The residuals depend on the order of the slides: the user learns or gets tired. Allow practice or rest, and repeat.
- *  */
+/** The residuals depend on the order of the slides: the user learns or gets tired. Allow practice or rest, and repeat
+ * the
+ *  calibration. */
 #define HRT_LACK_OF_FIT_ORDER UINT32_C(2)
 /** The residuals depend on the position along the path: the paths are curved more than habit and steering explain. Ask
- *  for slower, longer and more even slides, and repeat. */
+ *  for slower, longer and more even slides, and repeat the calibration. */
 #define HRT_LACK_OF_FIT_PATH UINT32_C(4)
 
 /** @flags HRT_RETEST hrt_setup_result::differing: differences of a retest. */
