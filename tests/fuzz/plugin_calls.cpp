@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 
 #include "haptic_retargeting/gap.h"
 #include "haptic_retargeting/haptic_retargeting.h"
@@ -58,40 +59,12 @@ class Caller {
   Caller& operator=(const Caller&) = delete;
 
   void call() {
-    switch (bytes_.ConsumeIntegralInRange(0, 20)) {
-      case 0:
-        return create();
-      case 1:
-        return check(hrt_session_destroy(session()));
-      case 2:
-        return set_config();
-      case 3:
-        return add_target();
-      case 4:
-        return check(hrt_target_remove(session(), target()));
-      case 5:
-        return list();
-      case 6:
-        return gap();
-      case 7:
-        return begin();
-      case 8:
-        return end();
-      case 9:
-        return retarget();
-      case 10:
-        return check(hrt_reach_cancel(session()));
-      case 11:
-        return state();
-      case 12:
-        return assign();
-      case 13:
-        return residual();
-      case 14:
-        return set_up();
-      default:
-        return update();
-    }
+    constexpr void (Caller::* calls[])() = {
+        &Caller::create, &Caller::destroy, &Caller::set_config, &Caller::add_target, &Caller::remove,
+        &Caller::list,   &Caller::gap,     &Caller::begin,      &Caller::end,        &Caller::retarget,
+        &Caller::cancel, &Caller::state,   &Caller::assign,     &Caller::residual,   &Caller::set_up};
+    const auto chosen = bytes_.ConsumeIntegralInRange<size_t>(0, 20);
+    chosen < std::size(calls) ? (this->*calls[chosen])() : update();  // most calls are updates
   }
 
  private:
@@ -133,6 +106,11 @@ class Caller {
     hrt_session_destroy(slot);
     slot = created;
   }
+
+  void destroy() { check(hrt_session_destroy(session())); }
+  void remove() { check(hrt_target_remove(session(), target())); }
+  void cancel() { check(hrt_reach_cancel(session())); }
+  void retarget() { check(hrt_reach_retarget(session(), target(), target())); }
 
   void set_config() {
     hrt_session_config config = hrt_session_config_init();
@@ -195,8 +173,6 @@ class Caller {
       require((out[i].reachable == 1) == (out[i].real_target.value != 0));
     }
   }
-
-  void retarget() { check(hrt_reach_retarget(session(), target(), target())); }
 
   void state() {
     const hrt_session asked = session();
