@@ -41,7 +41,7 @@ namespace Hrt.HostTests
                     Marshal.Prelink(method); // throws if the library has no such function
         }
 
-        // Callbacks from native code must be static and marked, or ahead-of-time compilation omits them.
+        // Ahead-of-time compilation omits callbacks from native code unless they are static and have the attribute.
         [Test]
         public void CallbacksAreCompiledAhead()
         {

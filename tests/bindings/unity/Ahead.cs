@@ -1,6 +1,6 @@
-// Runs typical script code with ahead-of-time compilation and without code generation at run time, as under IL2CPP: frames
-// and events of a component, errors of the library, set-ups, a callback on a thread of the library, and the scripted
-// reach.
+// Typical code of scripts, to run with ahead-of-time compilation and without code generation at run time, as under IL2CPP:
+// frames and events of a component, errors of the library, set-ups, a callback on a thread of the library, and the
+// scripted reach.
 using System;
 using System.IO;
 using Hrt;
@@ -69,7 +69,7 @@ static class Ahead
             try
             {
                 session.FinishSetup();
-                Expect(false, "nothing was touched");
+                Expect(false, "FinishSetup() does not throw, although no mark was touched");
             }
             catch (HapticRetargetingException e)
             {

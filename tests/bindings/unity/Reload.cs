@@ -37,15 +37,15 @@ static class Reload
             wrong = scripts.LeaveEverythingOpen(path);
             AppDomain.Unload(domain);
         }
-        if (wrong == "") wrong = FillTheDiskUnheard(path);
+        if (wrong == "") wrong = RecordUntilFailure(path);
         File.Delete(path);
         if (wrong != "") Console.Error.WriteLine(wrong);
         else Console.WriteLine("{0} domains unloaded, each with {1} sessions open", Reloads, Constants.SessionsMax);
         return wrong == "" ? 0 : 1;
     }
 
-    // After the domain is unloaded, the library must not call it, which would end the process.
-    static string FillTheDiskUnheard(string path)
+    // After the domain is unloaded, a call of its delegate by the library would end the process.
+    static string RecordUntilFailure(string path)
     {
         var sample = new Sample { structSize = (uint)Marshal.SizeOf(typeof(Sample)) };
         var command = new Command { structSize = (uint)Marshal.SizeOf(typeof(Command)) };
@@ -53,17 +53,17 @@ static class Reload
         ulong session;
         if (hrt_session_create(Constants.Version, IntPtr.Zero, out session) != Result.Ok ||
             hrt_recording_start(session, path) != Result.Ok)
-            return "the library does not take a session after the scripts";
+            return "the library refuses a session after the domains were unloaded";
         DateTime end = DateTime.Now.AddSeconds(20);
         while (status.systemError == 0 && DateTime.Now < end)
         {
-            // Without a reach these calls are refused, and recorded.
+            // Without a reach these calls are refused. The recording contains them too.
             for (int i = 0; i < 1000; ++i) hrt_reach_update(session, ref sample, ref command);
             Thread.Sleep(1);
             hrt_recording_get_status(session, ref status);
         }
         Thread.Sleep(50);
         hrt_session_destroy(session);
-        return status.systemError == 0 ? "the disk did not become full" : "";
+        return status.systemError == 0 ? "no write of the recording failed" : "";
     }
 }

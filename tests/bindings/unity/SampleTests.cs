@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
-using UnityEngine.XR.Hands;
 
 namespace Hrt.HostTests
 {
@@ -83,45 +82,6 @@ namespace Hrt.HostTests
             Assert.AreEqual(2, ended);
             StringAssert.Contains("To the goblet, simulated: the hand ended", logged.Last());
             simulated.Message("OnDestroy")();
-            UnityEngine.Object.DestroyImmediate(retargeting.gameObject);
-        }
-
-        // The origin of the tracker's space is 1 m to the right of the world's.
-        [Test]
-        public void ATrackedHandMovesTheFinger()
-        {
-            var hands = new XRHandSubsystem();
-            SubsystemManager.All.Add(hands);
-            HapticRetargeting retargeting = Desk();
-            var finger = retargeting.finger.gameObject.AddComponent<HrtSamples.TrackedFinger>();
-            finger.retargeting = retargeting;
-            finger.origin = new GameObject("origin").transform;
-            finger.origin.position = Vector3.right;
-            finger.Message("Update")();
-            Assert.IsFalse(retargeting.FingerTracked);
-            hands.rightHand = new XRHand { isTracked = true, Tip = new Pose(Vector3.up, Quaternion.identity) };
-            hands.Raise(XRHandSubsystem.UpdateType.Dynamic);
-            Assert.IsTrue(retargeting.FingerTracked);
-            Assert.AreEqual(Vector3.right + Vector3.up, finger.transform.position);
-            hands.rightHand = new XRHand { isTracked = true, Tip = Pose.identity };
-            hands.Raise(XRHandSubsystem.UpdateType.BeforeRender); // does not take another sample
-            Assert.AreEqual(Vector3.right + Vector3.up, finger.transform.position);
-            finger.left = true;
-            hands.Raise(XRHandSubsystem.UpdateType.Dynamic);
-            Assert.IsFalse(retargeting.FingerTracked);
-            hands.leftHand = new XRHand { isTracked = true, Tip = Pose.identity };
-            hands.Raise(XRHandSubsystem.UpdateType.Dynamic);
-            Assert.AreEqual(Vector3.right, finger.transform.position);
-            Assert.IsTrue(retargeting.fingerIsJoint);
-            hands.running = false;
-            finger.Message("Update")();
-            Assert.IsFalse(retargeting.FingerTracked || hands.IsHeard);
-            hands.running = true;
-            finger.Message("Update")();
-            Assert.IsTrue(hands.IsHeard);
-            finger.enabled = false;
-            Assert.IsFalse(hands.IsHeard);
-            SubsystemManager.All.Clear();
             UnityEngine.Object.DestroyImmediate(retargeting.gameObject);
         }
 

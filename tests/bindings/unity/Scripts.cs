@@ -3,8 +3,8 @@ using System.Threading;
 using Hrt;
 using UnityEngine;
 
-/// <summary>Scripts that dispose of nothing: the maximum number of sessions, one of which records until the disk
-/// is full, which the library reports on its own thread. Run it with a file size limit of 1 MiB.</summary>
+/// <summary>Scripts that dispose of nothing: they create the maximum number of sessions, and record one until the file size
+/// limit of 1 MiB, which must be set. The library reports the failed write on its own thread.</summary>
 sealed class Scripts : MarshalByRefObject
 {
     volatile string logged;
@@ -28,7 +28,7 @@ sealed class Scripts : MarshalByRefObject
             sessions[0].Update(new Sample { timeNs = i });
             if (i % 1000 == 0) Thread.Sleep(1);
         }
-        if (logged == null) return "nothing was logged of a disk that is full";
+        if (logged == null) return "the failed write of the recording was not logged";
         if (!logged.StartsWith("error: Haptic retargeting: session ") ||
             !logged.Contains(": the recording has stopped"))
             return "logged: " + logged;
@@ -38,9 +38,9 @@ sealed class Scripts : MarshalByRefObject
 
     void Hear(string level, string text)
     {
-        if (level == "warning") return; // lost calls, because the disk is slower than this loop
+        if (level == "warning") return; // calls that the recording lacks, because the disk is slower than this loop
         logThread = Thread.CurrentThread;
         logged = level + ": " + text;
-        throw new InvalidOperationException("of a listener, which must not reach the library");
+        throw new InvalidOperationException("an exception that must not propagate into the library");
     }
 }

@@ -1,5 +1,5 @@
 // Runs the tests of NUnit fixtures, because Debian's runner depends on desktop packages.
-//   mono RunTests.exe ASSEMBLY...    ends with 1 if a test fails or an assembly has none
+//   mono RunTests.exe ASSEMBLY...    exit code 1 if a test fails or an assembly has no test
 using System;
 using System.Linq;
 using System.Reflection;

@@ -70,11 +70,11 @@ namespace Hrt
         /// <summary>Raised when the set-up is over and its results are applied.</summary>
         public event Action<SetupResult> SetupFinished;
 
-        // Ids of the session's targets. A Transform may be in both: a cylinder may also be its own virtual target.
+        // Ids of the session's targets. A Transform may have both roles: a cylinder may be its own virtual target.
         readonly Dictionary<Transform, TargetId> realIds = new Dictionary<Transform, TargetId>();
         readonly Dictionary<Transform, TargetId> virtualIds = new Dictionary<Transform, TargetId>();
 
-        SessionConfig settings; // last applied values
+        SessionConfig settings; // values of the inspector that were applied last
         SetupStep setupStep;
         SetupFlags setupDone;
         bool commanded;
@@ -221,7 +221,7 @@ namespace Hrt
             if (IsSettingUp) Guide(ReadFinger());
         }
 
-        // Runs in each frame and makes no garbage.
+        // Runs in each frame and allocates no managed memory.
         internal void Step(Sample sample)
         {
             if (Session.TryUpdate(sample, out Command command)) Apply(command);
@@ -297,7 +297,7 @@ namespace Hrt
         void PrepareReach()
         {
             HapticRetargetingSession session = EnabledSession();
-            if (finger == null) throw new InvalidOperationException($"{name}: finger is not set");
+            if (finger == null) throw new InvalidOperationException($"{name}: finger is not set; assign its Transform in the inspector");
             Configure(session);
             SetTargets(session, realTargets, TargetRole.Real, realIds);
             SetTargets(session, virtualTargets, TargetRole.Virtual, virtualIds);
@@ -319,7 +319,7 @@ namespace Hrt
 
         HapticRetargetingSession EnabledSession()
         {
-            if (Session == null) throw new InvalidOperationException($"{name}: the component is not enabled");
+            if (Session == null) throw new InvalidOperationException($"{name}: the component is not enabled; enable it before this call");
             return Session;
         }
 
@@ -329,13 +329,13 @@ namespace Hrt
         TargetId IdOf(Transform target, Dictionary<Transform, TargetId> ids, string argument)
         {
             if (target != null && ids.TryGetValue(target, out TargetId id)) return id;
-            throw new ArgumentException($"{name}: not one of the component's targets of this role", argument);
+            throw new ArgumentException($"{name}: not one of the component's targets of this role; add it to the list and begin a reach", argument);
         }
 
         // Sets plate and start from the Transforms, and the settings that have changed.
         void Configure(HapticRetargetingSession session)
         {
-            if (plate == null) throw new InvalidOperationException($"{name}: plate is not set");
+            if (plate == null) throw new InvalidOperationException($"{name}: plate is not set; assign its Transform in the inspector");
             SessionConfig now = Configuration(), config = Changed(session.Config, settings, now);
             config.platePositionM = Axes.FromUnity(plate.position);
             config.plateRotation = Axes.FromUnity(plate.rotation);
@@ -346,7 +346,7 @@ namespace Hrt
             settings = now;
         }
 
-        // Configures a target by its position on the plate, which may have changed since the begin of the reach.
+        // Returns the configuration of a target at its present position relative to the plate.
         TargetConfig OnPlate(Transform target, TargetRole role)
         {
             TargetConfig config = TargetConfig.Default;

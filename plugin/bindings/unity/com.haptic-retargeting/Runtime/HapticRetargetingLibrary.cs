@@ -9,10 +9,10 @@ namespace Hrt
     /// unloaded.</summary>
     public static partial class HapticRetargetingLibrary
     {
-        // Undestroyed objects of this application domain, with the call that destroys each. Locked by itself.
+        // Native objects of this application domain that exist, with the call that destroys each. The dictionary is its own lock.
         static readonly Dictionary<ulong, Func<ulong, Result>> open = new Dictionary<ulong, Func<ulong, Result>>();
 
-        // The native library has a pointer to this delegate; the field keeps it from being collected.
+        // The native library has a pointer to this delegate, so it must not be collected.
         static readonly HostLog onLog = OnLog;
 
         static volatile bool loaded;
@@ -38,7 +38,7 @@ namespace Hrt
             }
         }
 
-        /// <summary>Runs before the first call of the library: throws if it is missing or of another version, and
+        /// <summary>Must precede each call of the library. At first, throws if the library is missing or has another version, and
         /// connects its log.</summary>
         internal static void Load()
         {
@@ -94,13 +94,13 @@ namespace Hrt
             {
                 throw new DllNotFoundException(
                     $"The native library {Native.Library} was not found. The package needs it for " +
-                    "the platform that it runs on; its documentation says where to put it.",
+                    "the platform that it runs on: see \"The native libraries\" in its manual.",
                     e);
             }
             if (major != Constants.VersionMajor || minor != Constants.VersionMinor)
                 throw new InvalidOperationException(
                     $"The native library {Native.Library} is version {major}.{minor}.{patch}; this package needs " +
-                    $"{Constants.VersionMajor}.{Constants.VersionMinor}.");
+                    $"{Constants.VersionMajor}.{Constants.VersionMinor}. Build or install the library of that version.");
         }
 
         static void Shutdown()

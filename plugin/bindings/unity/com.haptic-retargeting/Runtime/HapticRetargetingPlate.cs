@@ -9,7 +9,7 @@ namespace Hrt
     /// <see cref="NativeObject.Dispose"/>, which stops the plate within half a second. The plate stops if there is no call
     /// for <see cref="PlateOptions.hostTimeoutNs"/>. For Linux and Windows on x64.
     ///
-    /// <see cref="Set"/>, <see cref="Stop"/> and <see cref="Get"/> make no garbage.
+    /// <see cref="Set"/>, <see cref="Stop"/> and <see cref="Get"/> allocate no managed memory.
     /// </summary>
     public sealed partial class HapticRetargetingPlate : NativeObject
     {
@@ -42,8 +42,8 @@ namespace Hrt
 
         internal PlateHandle Handle => new PlateHandle { value = Value };
 
-        // Runs before the first call of libhrt_plate: throws if it is missing, and closes plates before managed code is
-        // unloaded.
+        // Must precede the first call of libhrt_plate. Throws if the library is missing. Plates are closed before managed
+        // code is unloaded.
         static void Load()
         {
             HapticRetargetingLibrary.Load();
@@ -55,7 +55,7 @@ namespace Hrt
             {
                 throw new DllNotFoundException(
                     $"The native library {PlateNative.Library} was not found. The package has it for Linux and " +
-                    "Windows on x64; its documentation says where to put it.",
+                    "Windows on x64: see \"The native libraries\" in its manual.",
                     e);
             }
         }
@@ -63,8 +63,8 @@ namespace Hrt
 
     public partial struct SessionConfig
     {
-        /// <summary>Copies speed, acceleration, latency and stops of a ready plate, without stops that are less than 180
-        /// degrees apart.</summary>
+        /// <summary>Copies speed, acceleration, latency and stops of a ready plate. Stops that are less than 180 degrees
+        /// apart are copied as 0: the plate then turns freely.</summary>
         public void TakePlate(PlateReport report)
         {
             bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;

@@ -8,8 +8,8 @@ namespace Hrt
     /// samples of the finger, and end it. Dispose of the session, which ends its reach and its recording.
     ///
     /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>, <see cref="TryUpdate"/> and
-    /// <see cref="EndReach"/> make no garbage, and the library takes no lock, allocates nothing and makes no system call
-    /// in them.
+    /// <see cref="EndReach"/> allocate no managed memory. In them, the library takes no lock, allocates nothing and makes
+    /// no system call.
     /// </summary>
     public sealed partial class HapticRetargetingSession : NativeObject
     {
@@ -48,7 +48,7 @@ namespace Hrt
         {
             foreach (TargetId target in ListTargets(0))
                 if (GetTarget(target).name.ToString() == name) return target;
-            throw new KeyNotFoundException($"No target has the name \"{name}\"");
+            throw new KeyNotFoundException($"No target has the name \"{name}\"; ListTargets() has the targets");
         }
 
         /// <summary>Adds a target by its direction from the start, counter-clockwise seen from above.</summary>
@@ -91,8 +91,8 @@ namespace Hrt
             return command;
         }
 
-        /// <summary>Does the same as <see cref="Update"/>, without garbage when a sample is refused: it then returns
-        /// false, and <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
+        /// <summary>Does the same as <see cref="Update"/>, but does not throw if a sample is refused: it returns false, and
+        /// <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
         public bool TryUpdate(Sample sample, out Command command) =>
             Exchange(ref sample, out command) == Result.Ok;
 

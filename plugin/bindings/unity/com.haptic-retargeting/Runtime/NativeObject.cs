@@ -27,7 +27,7 @@ namespace Hrt
 
         public bool IsDisposed => handle == 0;
 
-        // `create` calls the library. At the library's limit, unused objects are collected before a second attempt.
+        // Calls `create`, which creates the native object. At the library's limit, collects unused objects and tries again.
         internal void Own(Creation create)
         {
             Result result = create(out ulong created);
@@ -53,7 +53,7 @@ namespace Hrt
             }
         }
 
-        // Every call ends here, so that the finaliser cannot run during one.
+        // Every call of the library ends here: KeepAlive() prevents that the finaliser runs during the call.
         internal void Check(Result result)
         {
             GC.KeepAlive(this);
@@ -63,7 +63,7 @@ namespace Hrt
         // Last error of this thread in the library that owns the object.
         internal virtual string LastError => HapticRetargetingLibrary.LastError;
 
-        // Also called by the finaliser, possibly a second time after the domain was unloaded. Throws nothing.
+        // The finaliser calls it too, even after Shutdown() has destroyed the object. Throws nothing.
         Result Destroy()
         {
             if (handle == 0) return Result.Ok;

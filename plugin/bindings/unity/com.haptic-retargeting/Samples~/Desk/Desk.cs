@@ -5,7 +5,7 @@ namespace HrtSamples
 {
     /// <summary>
     /// Creates a plate, a real cylinder and three virtual objects. The centre of the plate is the position of this object.
-    /// SimulatedReach steers a simulated finger over it, TrackedFinger a tracked hand.
+    /// SimulatedReach moves a simulated finger over it.
     /// </summary>
     public sealed class Desk : MonoBehaviour
     {

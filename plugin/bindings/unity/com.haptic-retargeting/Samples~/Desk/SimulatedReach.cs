@@ -51,8 +51,8 @@ namespace HrtSamples
         {
             ReachSummary summary = retargeting.EndReach();
             Debug.Log($"To the {retargeting.virtualTargets[chosen].name}, simulated: the hand ended " +
-                      $"{summary.distanceToTargetM * 1000:0} mm from the cylinder; felt, as the model predicts, " +
-                      $"up to {summary.peakFeltErrorDeg:0.0} degrees beside the virtual one", this);
+                      $"{summary.distanceToTargetM * 1000:0} mm from the cylinder; by the model, the perceived direction was " +
+                      $"at most {summary.peakFeltErrorDeg:0.0} degrees from the intended one", this);
             chosen = (chosen + 1) % retargeting.virtualTargets.Count;
             Begin();
         }

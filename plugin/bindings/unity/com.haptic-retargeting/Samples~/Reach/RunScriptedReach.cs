@@ -17,7 +17,7 @@ namespace HrtSamples
                           $"{reach.Summary.distanceToTargetM * 1000:0.0} mm from the real target, " +
                           $"{Math.Abs(reach.Summary.missDeg):0.00} degrees beside it, seen from the start";
             if (hash == expectedHash.text.Trim()) Debug.Log(text + ", as on every host", this);
-            else Debug.LogError(text + ", but every other host has " + expectedHash.text.Trim(), this);
+            else Debug.LogError(text + ", but every other host has the hash " + expectedHash.text.Trim() + "; check the library's version", this);
         }
     }
 }

@@ -45,9 +45,9 @@ namespace Hrt.Tests
             component.virtualTargets.Add(real);
             component.BeginReach(virtualTarget);
             component.Step(At(0));
-            // The distance to the cone, not to the cylinder: a chord of 3 degrees at 10 cm.
+            // The distance is that to the cone: a chord of 3 degrees at 10 cm. The cylinder is further away.
             component.finger.position = virtualTarget.position;
-            for (int i = 1; i <= 3; ++i) component.Step(At(60000000L * i));  // new values; the third sample is no longer an outlier
+            for (int i = 1; i <= 3; ++i) component.Step(At(60000000L * i));  // the third equal position is not an outlier any more
             Assert.That(component.LastCommand.distanceToGoM, Is.EqualTo(0.0052).Within(1e-4));
         }
 
@@ -220,7 +220,7 @@ namespace Hrt.Tests
             Assert.That((normal - expected).magnitude, Is.EqualTo(0).Within(1e-5));
         }
 
-        // With the flag PlateWaits the plate keeps its orientation until the finger moves.
+        // With the flag PlateWaits the first command is the measured orientation.
         [Test]
         public void MeasuredOrientationsAreUsed()
         {
@@ -293,7 +293,7 @@ namespace Hrt.Tests
                 Assert.AreEqual(field.GetValue(defaults), field.GetValue(config), field.Name);
         }
 
-        // Sets each property to another allowed value, which the field of the same name must show.
+        // Sets each setting of the component to another allowed value, and expects a change of the configuration's field.
         [Test]
         public void EverySettingReachesTheConfiguration()
         {
