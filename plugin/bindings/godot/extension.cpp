@@ -86,8 +86,8 @@ struct EngineTransform {
   Eigen::Matrix<float, 3, 3, Eigen::RowMajor> basis;
   Eigen::Vector3f origin;
 };
-/** Storage for an engine value of any type that is passed. */
-struct Room {
+/** Memory for an engine value of any type that methods pass. */
+struct EngineValue {
   alignas(8) std::byte bytes[sizeof(EngineTransform)];
 };
 
@@ -141,10 +141,10 @@ void assign(gde_variant* variant, const Value& value) {
   engine.variant_destroy(variant);
   const int32_t type = number(type_of(value));
   if (type == number(Type::kNil)) return engine.variant_new_nil(variant);
-  Room room;
-  encode(value, &room);
-  engine.get_variant_from_type_constructor(type)(variant, &room);
-  destroy(type, &room);
+  EngineValue storage;
+  encode(value, &storage);
+  engine.get_variant_from_type_constructor(type)(variant, &storage);
+  destroy(type, &storage);
 }
 
 /** Converts a variant; null for a type that no method of the class accepts. */
@@ -152,10 +152,10 @@ Value from_variant(const gde_variant* variant) {
   Type type{engine.variant_get_type(variant)};
   if (type == Type{GDE_STRING_NAME}) type = Type::kString;  // for example the name of a node
   if (type == Type::kNil || std::ranges::find(kTypes, type, &TypeName::type) == std::end(kTypes)) return {};
-  Room room;
-  engine.get_variant_to_type_constructor(number(type))(&room, variant);
-  Value value = decode(type, &room);
-  destroy(number(type), &room);
+  EngineValue storage;
+  engine.get_variant_to_type_constructor(number(type))(&storage, variant);
+  Value value = decode(type, &storage);
+  destroy(number(type), &storage);
   return value;
 }
 
@@ -225,7 +225,7 @@ gde_object* create_instance(void*, gde_bool notify) noexcept {
 
 void free_instance(void*, void* instance) noexcept { delete static_cast<Instance*>(instance); }
 
-/** Implements the virtual method Node._get_configuration_warnings(). */
+/** Implements Godot's virtual method Node._get_configuration_warnings(). */
 void get_warnings(void* instance, const void* const*, void* out_return) noexcept try {
   const std::string warning = static_cast<Instance*>(instance)->node().warning();
   if (warning.empty()) return;
@@ -249,7 +249,7 @@ struct Callable {
   std::vector<Argument> arguments;
   std::function<Value(PlateNode& node, std::span<const Value> values)> function;
 };
-/** The engine keeps pointers to the elements. */
+/** All callables. The engine keeps pointers to the elements, so they must not move. */
 std::deque<Callable> callables;
 
 /** Runs a callable. Shows an exception and returns null. `argument(i)` returns argument i. */
@@ -385,7 +385,7 @@ extern "C" GDE_EXPORT gde_bool haptic_retargeting_init(gde_get_proc_address get_
                                                        gde_initialization* out_initialization) {
   if (const char* missing = load_interface(get_proc_address)) {
     if (engine.print_error) {
-      const std::string text = std::string("this Godot lacks ") + missing + "; Godot 4.4 or later has it";
+      const std::string text = std::string("this version of Godot lacks ") + missing + "; use Godot 4.4 or later";
       engine.print_error(text.c_str(), kClassName, "extension.cpp", __LINE__, true);
     }
     return false;

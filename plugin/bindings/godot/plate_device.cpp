@@ -15,8 +15,8 @@ Error PlateNode::after_device(hrt_result result) {
   result_ = result;
   if (result == HRT_ERROR_WRONG_STATE) {
     const hrt_plate_report report = read_device();
-    if (!failure_is_known_ && report.state == HRT_PLATE_STATE_FAILED) {
-      failure_is_known_ = true;
+    if (!failure_is_shown_ && report.state == HRT_PLATE_STATE_FAILED) {
+      failure_is_shown_ = true;
       engine_.push_error(report.message);
     }
   } else if (result != HRT_OK) {
@@ -27,7 +27,7 @@ Error PlateNode::after_device(hrt_result result) {
 
 Error PlateNode::open_device(std::string device) {
   if (const Error closed = close_device(); closed != Error::kOk) return closed;
-  failure_is_known_ = false;
+  failure_is_shown_ = false;
   return after_device(hrt_plate_open(engine_.system_path(device).c_str(), nullptr, &device_));
 }
 

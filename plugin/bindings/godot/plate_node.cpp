@@ -105,7 +105,7 @@ Error PlateNode::error() const {
   return found == std::end(errors) ? Error::kBug : found->second;
 }
 
-/** Does the same as ok(), but returns an Error of Godot. */
+/** Shows the error of a call, and returns it as an Error of Godot. */
 Error PlateNode::report(hrt_result result) {
   ok(result);
   return error();
@@ -150,7 +150,7 @@ void PlateNode::report_sample(size_t reason, const char* text) {
   refused_.set(reason);
 }
 
-/** Does the same as ok() for a sample. */
+/** Returns whether the plugin accepted a sample. Shows its error once per reach or set-up. */
 bool PlateNode::taken(hrt_result result) {
   result_ = result;
   if (result != HRT_OK) report_sample(static_cast<size_t>(-result) % kFlagsReason, hrt_last_error());

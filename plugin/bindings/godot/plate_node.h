@@ -64,10 +64,10 @@ extern const std::span<const Method> methods;
 /** Maximum number of arguments that are read: one more than any method has, to detect too many. */
 inline constexpr size_t kArgumentsMax = 8;
 
-/** Reasons for refused samples: errors of the plugin up to 99, then errors of the node. */
+/** Bits of refused_: up to 99 minus the number of an error of the plugin, then errors of the node. */
 inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
 inline constexpr const char* kNotRigid =
-    "the node is scaled, sheared or mirrored in the world; allowed: only translation and rotation";
+    "the node is scaled, sheared or mirrored in the world; allowed: only translation and rotation. Set its scale to 1";
 
 class PlateNode {
  public:
@@ -166,21 +166,21 @@ class PlateNode {
   Engine& engine_;
   hrt_session session_{};
   hrt_person person_{};
-  int64_t seed_ = 0;  ///< of the person
+  int64_t seed_ = 0;  ///< seed of person_
   hrt_plate device_{};
-  bool failure_is_known_ = false;  ///< the error of the device was shown
+  bool failure_is_shown_ = false;  ///< the error log has the failure of the device
   std::vector<hrt_gap> assigned_;
-  Properties properties_;            ///< with the node's pose
+  Properties properties_;            ///< values of the properties, and the node's pose
   hrt_session_config configured_{};  ///< the configuration that the session has
   std::optional<Pose> plate_pose_;   ///< pose of the node to which the library has moved it, in floats
-  hrt_command command_{};            ///< struct_size 0: none yet in this reach
-  hrt_reach_summary summary_{};      ///< struct_size 0: no reach has ended
-  hrt_setup_step step_{};            ///< struct_size 0: none yet in this set-up
-  hrt_setup_result found_{};         ///< by this set-up so far
-  hrt_result result_ = HRT_OK;       ///< of the last call of the plugin
+  hrt_command command_{};            ///< last command; struct_size 0: no command yet in this reach
+  hrt_reach_summary summary_{};      ///< last summary; struct_size 0: no reach has ended
+  hrt_setup_step step_{};            ///< last step; struct_size 0: no step yet in this set-up
+  hrt_setup_result found_{};         ///< results of this set-up so far
+  hrt_result result_ = HRT_OK;       ///< result of the last call of the plugin
   bool reaching_ = false;
   bool setting_up_ = false;
-  std::bitset<128> refused_;  ///< samples of this reach or set-up, by the reason
+  std::bitset<128> refused_;  ///< reasons of samples that were refused in this reach or set-up
 };
 
 /** Creates a row of the class's table, with the types of the function. */

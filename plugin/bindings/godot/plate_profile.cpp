@@ -44,8 +44,9 @@ Record PlateNode::get_recording_status() {
 Error PlateNode::stop_recording() {
   hrt_recording_status status = hrt_recording_status_init();
   if (!ok(hrt_recording_stop(session_, &status)) || status.rows_lost == 0) return error();
-  engine_.push_error(
-      ("the recording lacks " + std::to_string(status.rows_lost) + " calls: the disk was too slow or failed").c_str());
+  engine_.push_error(("the recording lacks " + std::to_string(status.rows_lost) +
+                      " calls: the disk was too slow or failed; record to a faster disk")
+                         .c_str());
   return Error::kFileCannotWrite;
 }
 

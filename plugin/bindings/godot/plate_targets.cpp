@@ -102,7 +102,7 @@ hrt_target PlateNode::find_target(std::string name) {
     hrt_target_config config = hrt_target_config_init();
     if (ok(hrt_target_get(session_, target, &config)) && name == config.name) return target;
   }
-  engine_.push_error(("find_target: no target has the name \"" + name + '"').c_str());
+  engine_.push_error(("find_target: no target has the name \"" + name + "\"; add it first").c_str());
   return {};
 }
 

@@ -341,9 +341,9 @@ TEST_F(Component, Records) {
   EXPECT_FALSE(component_.StartRecording(TEXT("/nowhere/recording.csv")));
 }
 
-// A process can have 64 sessions and 64 simulated people.
+// A process can have 1024 sessions and 64 simulated people.
 TEST(UnrealComponents, DestroyTheirSessions) {
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 1100; ++i) {
     UHapticRetargetingComponent component;
     FHapticTarget target;
     ASSERT_TRUE(component.AddTarget(kReal, TEXT("real"), 0, 10, target)) << last_log();

@@ -101,7 +101,7 @@ class Session(SessionKeywords, Closing):
             record = session.run_reach(cylinder, cup, samples)
 
     The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. A session is
-    for one thread at a time. What no call can return, such as a clock or unit that is probably wrong, goes to the logger
+    for one thread at a time. Warnings that no call can return, such as a clock or unit that is probably wrong, go to the logger
     "haptic_retargeting". Closing it removes its targets, and ends its reach and its recording.
     """
 

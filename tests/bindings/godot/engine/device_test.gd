@@ -22,14 +22,14 @@ func test_refusals() -> void:
 	var why := "the plate at /nonexistent cannot be opened: No such file or directory"
 	check_equal(plate.get_device_report().message, why, "message")
 	check_equal(refused(why, plate.turn_device.bind(10.0)), ERR_UNAVAILABLE, "a turn of a failed device")
-	check_equal(plate.turn_device(10.0), ERR_UNAVAILABLE, "again, which is named once")
+	check_equal(plate.turn_device(10.0), ERR_UNAVAILABLE, "a repeated error, which is logged once")
 	check_equal(plate.close_device(), OK, "close")
 	check_equal(plate.close_device(), OK, "close again")
 
 func test_turns() -> void:
 	var devices := {
 		"HRT_PLATE_DEVICE": "protocol 2, firmware 1.1.0, serial number 000000",
-		"HRT_PLATE_FILE": "Dynamixel XL330-M288, id 1, firmware 52",  # the last one, which is commissioned
+		"HRT_PLATE_FILE": "Dynamixel XL330-M288, id 1, firmware 52",  # a commissioned servo; it remains open after the loop
 	}
 	var plate := new_plate()
 	for device: String in devices:

@@ -5,7 +5,7 @@ extends SceneTree
 const FOLDER := "res://tests/"
 
 func _initialize() -> void:
-	process_frame.connect(run, CONNECT_ONE_SHOT)  # the root is then in the tree
+	process_frame.connect(run, CONNECT_ONE_SHOT)  # when the root is in the tree
 
 func run() -> void:
 	var checks := 0

@@ -52,7 +52,7 @@ func test_registration() -> void:
 	check(not plate.is_setting_up(), "over")
 	check_equal(refused("cancel_setup", plate.cancel_setup), ERR_UNAVAILABLE, "cancel twice")
 	check_equal(plate.new_person(), OK, "another user")
-	check_near(plate.tactile_weight, 0.2, "is not known", 1e-9)
+	check_near(plate.tactile_weight, 0.2, "the default weight", 1e-9)
 
 	plate.translate(Vector3(0.01, 0, 0))  # a script that moves the node ends the registration
 	check_equal(refused("begin_setup", plate.begin_setup.bind(HapticRetargeting.SETUP_CHECK)), ERR_UNAVAILABLE, "not registered")

@@ -58,7 +58,7 @@ bool UHapticRetargetingComponent::StopRecording()
 	}
 	if (Status.rows_lost != 0)
 	{
-		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the recording lacks calls: the disk was too slow or failed"));
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the recording lacks calls, because the disk was too slow or failed: record to a faster disk"));
 		return false;
 	}
 	return true;

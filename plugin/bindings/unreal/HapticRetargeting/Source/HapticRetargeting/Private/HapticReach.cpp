@@ -87,12 +87,12 @@ bool UHapticRetargetingComponent::RetargetReach(const FHapticTarget& Real, const
 	return HAPTIC_CALL(hrt_reach_retarget(Session, ToTarget(Real), ToTarget(Virtual)));
 }
 
-bool UHapticRetargetingComponent::ReachTouched(const FVector& Location, double Deviation)
+bool UHapticRetargetingComponent::ReachTouched(const FVector& Location, double PositionSd)
 {
 	hrt_contact Contact = hrt_contact_init();
 	Contact.flags = HRT_CONTACT_WORLD_POSITION;
 	ToMetres(Location, Contact.position_m);
-	Contact.sd_m = Deviation / CentimetresPerMetre;
+	Contact.sd_m = PositionSd / CentimetresPerMetre;
 	return TakeContact(&Contact);
 }
 

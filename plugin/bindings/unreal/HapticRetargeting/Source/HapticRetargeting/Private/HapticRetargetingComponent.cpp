@@ -32,7 +32,7 @@ bool UHapticRetargetingComponent::HasLibrary() const
 	}
 	if (!bSaidMissing)
 	{
-		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the plugin's library is missing; see the log about haptic_retargeting.dll"));
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the plugin's library is missing: an earlier line of the log names the DLL and its folder"));
 	}
 	bSaidMissing = true;
 	return false;
@@ -67,7 +67,7 @@ bool UHapticRetargetingComponent::Configure()
 	}
 	if (!IsPose(GetComponentTransform()))
 	{
-		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the component is scaled; allowed: only translation and rotation"));
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the component is scaled; allowed: translation and rotation. Set its scale, and that of its parents, to 1"));
 		return false;
 	}
 	if (bPlacedByPlugin && !IsAtPlate())

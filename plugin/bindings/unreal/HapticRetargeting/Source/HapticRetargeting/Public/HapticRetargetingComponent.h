@@ -108,10 +108,10 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
 
-	/** Reports contact with the real object, at a position with the SD Deviation (cm; 0: the real target's radius). Later
+	/** Reports contact with the real object, at a position with the SD PositionSd (cm; 0: the real target's radius). Later
 	 *  reaches use it to correct the tracker's frame. Requires a registration. Allowed once per reach, at Arrived or after EndReach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
-	bool ReachTouched(const FVector& Location, double Deviation = 0.0);
+	bool ReachTouched(const FVector& Location, double PositionSd = 0.0);
 
 	/** Reports contact at the near side of the real target. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
