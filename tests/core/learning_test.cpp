@@ -83,8 +83,9 @@ TEST(Learning, ADeviationOfOneReach_IsDividedBetweenBiasAndScatter) {
   EXPECT_NEAR(carried(steady, learnt, false, unknown).mean(PersonState::bias), 3.0 * 16.0 / 16.04, 1e-4);
 }
 
-// A reach that began with a habit of 0 +- 2, and a scatter of e^1.4, showed 3 +- 1.41: a variance of 3.294 is left, so
-// 0.8235 of the former error of +- 9 remains. Its square is 54.93; what the reach showed adds 0.1765 x 3.294.
+// A reach that began with a habit of 0 +- 2, and a scatter of e^1.4, measured 3 +- 1.41: the variance becomes 3.294,
+// which is 0.8235 of the prior one. The former error of +- 9 shrinks by this factor; its square is then 54.93. The
+// measured value adds 0.1765 x 3.294.
 TEST(Learning, AHabitOfAReach_GivesTheSdOfItsErrorAndASmallerOneForSteering) {
   const PersonBelief unknown = unknown_person();
   PersonBelief learnt = steering_belief(unknown, {});

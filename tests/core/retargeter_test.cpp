@@ -2,6 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/math/trigonometry.h"
+#include "core/plate/frame_error.h"
+#include "core/simulation/controllers.h"
+#include "core/simulation/people.h"
+#include "core/simulation/person_trial.h"
 #include "tests/times.h"
 
 namespace hrt {
@@ -62,6 +71,156 @@ TEST(Retargeter, AReachThatReplacesAnother_KeepsTheMovingPlate) {
     there.begin(elsewhere);
     const double felt_there_deg = there.update({.time_ns = 100 * ms}).perceived_direction_deg;
     EXPECT_EQ(std::abs(felt_deg - felt_there_deg) > 1.0, mode == ControlMode::reach);
+  }
+}
+
+// Targets that move during a reach.
+constexpr Reach gap_of_ten{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0};
+const PlatePoint real_place = point_ahead({}, -5.0, 100.0);
+const PlatePoint virtual_place = point_ahead({}, 5.0, 100.0);
+
+PlatePoint moved(const PlatePoint& place, double right_mm, double away_mm) {
+  return place + PlatePoint{right_mm, away_mm};
+}
+
+FingerSample seen(std::int64_t time_ns, const PlatePoint& place) {
+  return {.time_ns = time_ns, .observation = Observation::position, .position = place};
+}
+
+// A finger that rests for 0.3 s and then moves along the mid-line, 100 mm in 1.5 s.
+PlatePoint slid(std::int64_t time_ns) {
+  const double u = std::clamp((1e-9 * static_cast<double>(time_ns) - 0.3) / 1.5, 0.0, 1.0);
+  return {0.0, 100.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
+}
+
+RetargeterConfig config_of(ControlMode mode) {
+  RetargeterConfig config = people_controller();
+  config.mode = mode;
+  config.estimator.adapt = true;
+  return config;
+}
+
+Retargeter slid_until(ControlMode mode, std::int64_t until_ns) {
+  Retargeter retargeter(config_of(mode));
+  retargeter.begin(gap_of_ten);
+  for (std::int64_t time_ns = 0; time_ns <= until_ns; time_ns += 10 * ms)
+    retargeter.update(seen(time_ns, slid(time_ns)));
+  return retargeter;
+}
+
+constexpr ControlMode both_modes[] = {ControlMode::mpc, ControlMode::reach};
+
+// Before the motion, directions are seen from the start.
+TEST(Retargeter, ARetargetBeforeTheMotion_IsANewReach) {
+  for (const ControlMode mode : both_modes) {
+    Retargeter retargeter(config_of(mode));
+    retargeter.begin(gap_of_ten);
+    const Reach aimed = retargeter.retarget(point_ahead({}, 2.0, 80.0), point_ahead({}, 9.0, 80.0));
+    EXPECT_NEAR(aimed.real_direction_deg, 2.0, 1e-9);
+    EXPECT_NEAR(aimed.virtual_direction_deg, 9.0, 1e-9);
+    EXPECT_NEAR(aimed.real_distance_mm, 80.0, 1e-9);
+    Retargeter fresh(config_of(mode));
+    fresh.begin({.real_direction_deg = 2.0, .virtual_direction_deg = 9.0, .real_distance_mm = 80.0});
+    for (std::int64_t time_ns = 0; time_ns < 1500 * ms; time_ns += 10 * ms) {
+      const PlateCommand command = retargeter.update(seen(time_ns, slid(time_ns)));
+      EXPECT_NEAR(command.plate_orientation_deg, fresh.update(seen(time_ns, slid(time_ns))).plate_orientation_deg,
+                  1e-6);
+    }
+  }
+}
+
+// The finger has moved 50 mm along the mid-line; the person perceives 50 mm at 5 degrees.
+TEST(Retargeter, ARetarget_IsSeenFromTheTrackedAndThePerceivedPosition) {
+  for (const ControlMode mode : both_modes) {
+    Retargeter retargeter = slid_until(mode, 1050 * ms);
+    const Reach aimed = retargeter.retarget(moved(real_place, -30.0, 0.0), moved(virtual_place, -30.0, 0.0));
+    EXPECT_NEAR(aimed.start.away_mm, 50.0, 2.0);
+    EXPECT_NEAR(aimed.real_direction_deg, bearing_deg({0.0, 50.0}, moved(real_place, -30.0, 0.0)), 1.5);
+    // The person responds 0.2 s later.
+    const PlatePoint felt = point_ahead({}, 5.0, slid(mode == ControlMode::reach ? 1250 * ms : 1050 * ms).away_mm);
+    EXPECT_NEAR(aimed.virtual_direction_deg, bearing_deg(felt, moved(virtual_place, -30.0, 0.0)), 5.0);
+    const PlateCommand command = retargeter.update(seen(1060 * ms, slid(1060 * ms)));
+    EXPECT_NEAR(command.distance_to_go_mm, distance_mm(slid(1060 * ms), moved(real_place, -30.0, 0.0)), 2.0);
+  }
+}
+
+// If a move of the target makes the gap infeasible, every command from the next one on has `unreachable`.
+TEST(Retargeter, AGapThatGrowsTooLarge_IsReportedUnreachable) {
+  for (const ControlMode mode : both_modes) {
+    Retargeter retargeter = slid_until(mode, 700 * ms);
+    EXPECT_FALSE(retargeter.command().unreachable);
+    retargeter.retarget(moved(real_place, 60.0, 0.0), virtual_place);
+    EXPECT_TRUE(retargeter.update(seen(710 * ms, slid(710 * ms))).unreachable);
+  }
+}
+
+// Random targets at every sample.
+TEST(Retargeter, AnyTargets_GiveFiniteCommands) {
+  for (const ControlMode mode : both_modes) {
+    Retargeter retargeter(config_of(mode));
+    retargeter.begin(gap_of_ten);
+    Draws draws(3, 0, 0, 0);
+    for (std::int64_t time_ns = 0; time_ns < 4000 * ms; time_ns += 10 * ms) {
+      const auto place = [&] { return PlatePoint{200.0 * draws.uniform() - 100.0, 200.0 * draws.uniform() - 100.0}; };
+      const Reach aimed = retargeter.retarget(draws.uniform() < 0.1 ? slid(time_ns) : place(), place());
+      ASSERT_LT(std::abs(aimed.real_direction_deg - aimed.virtual_direction_deg), 90.0);
+      const PlateCommand command = retargeter.update(seen(time_ns, slid(time_ns)));
+      for (const double value :
+           {command.plate_orientation_deg, command.felt_error_deg, command.predicted_miss_deg, command.time_to_go_s,
+            command.distance_to_go_mm, command.aimed_direction_deg, command.nis})
+        ASSERT_TRUE(std::isfinite(value));
+      const ReachSummary summary = retargeter.summary();
+      ASSERT_TRUE(std::isfinite(summary.bearing_error_deg) && std::isfinite(summary.distance_to_target_mm));
+    }
+  }
+}
+
+// Uncertainty of the plate's pose: a rotation about its centre, which is the start of simulated people.
+FrameCovariance turn_of(double sd_deg) {
+  FrameCovariance covariance = FrameCovariance::Zero();
+  covariance(0, 0) = std::pow(sd_deg / deg_per_rad, 2);
+  return covariance;
+}
+
+RetargeterConfig registered(double turn_sd_deg) {
+  RetargeterConfig config = people_controller();
+  config.frame = turn_of(turn_sd_deg);
+  return config;
+}
+
+// The margin is 0.3 degrees minus 0.9 SDs, and the variance of the frame adds to that of the person.
+TEST(RegisteredReach, AnUncertainFrame_ReportsFewerUnreachableGaps) {
+  const PeopleFamily& linear = *people_family("linear");
+  int exact_flags = 0, uncertain_flags = 0;
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    PersonCondition condition = draw_person(linear, 2.0, 5, i);
+    condition.person.illusion.tactile_weight = 0.11;  // feasible gap of at most 8.3 degrees
+    const RetargeterConfig exact = registered(0.0);
+    const RetargeterConfig uncertain = registered(4.0);
+    exact_flags += simulate_person(condition, &exact, 1, 5, i).front().summary.unreachable;
+    uncertain_flags += simulate_person(condition, &uncertain, 1, 5, i).front().summary.unreachable;
+  }
+  EXPECT_GT(exact_flags, uncertain_flags);
+  EXPECT_GT(exact_flags, 5);
+}
+
+// The reported SD of the bearing covers the truth if tracker frames are rotated by as much as registrations err:
+// binomial bounds of four SDs about 95 %, with some margin, since the filter's own SD is cautious.
+TEST(RegisteredReach, AnUncertainFrame_IsCoveredByTheBearingSd) {
+  for (const double frame_sd_deg : {1.0, 2.0}) {
+    int covered = 0;
+    constexpr int people = 300;
+    for (std::uint32_t i = 0; i < people; ++i) {
+      PersonCondition condition = draw_person(*people_family("linear"), 2.0, 6, i);
+      Draws draws(6, 9, i, 0);
+      condition.tracker.turned_deg = frame_sd_deg * draws.normal();
+      const RetargeterConfig config = registered(frame_sd_deg);
+      const PersonOutcome outcome = simulate_person(condition, &config, 1, 6, i).front();
+      const double off_deg = outcome.bearing_error_deg - outcome.summary.bearing_error_deg;
+      covered += std::abs(off_deg) <= 1.96 * outcome.summary.bearing_error_sd_deg;
+    }
+    EXPECT_GT(covered, 0.90 * people) << frame_sd_deg;
+    EXPECT_LT(covered, 0.995 * people) << frame_sd_deg;
   }
 }
 

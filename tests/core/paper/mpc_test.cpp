@@ -2,13 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
+#include "tests/core/paper/mpc_random_problem.h"
 #include "tests/core/paper/mpc_reference.h"
-#include "tests/core/paper/steady_gains.h"
 
 namespace hrt {
 namespace {
+
+// Gains of a participant whose filter has converged.
+constexpr std::array<double, max_horizon> gains = [] {
+  std::array<double, max_horizon> converged{};
+  converged.fill(0.85);
+  return converged;
+}();
 
 double perceived_error(const Mpc::Command& command, const MpcProblem& problem) {
   return problem.gains[0] * (problem.tactile_weight * command.plate_offset_deg +
@@ -53,33 +63,10 @@ TEST(Mpc, ABoundAtTheSecondStep_GivesTheHandCalculatedPlan) {
   EXPECT_EQ(plan.active[2], ActiveBound::none);
 }
 
-// The same with p_R = -14: (14 + 0.765 * 7.1825 + 0.235 * 6.8175) / 2.64045 = 7.99, but the bound limits e_0 to 0.085 *
-// 84.5 = 7.18.
-TEST(Mpc, ABoundAtTheFirstStep_GivesTheBound) {
-  const MpcProblem problem{0.0, -14.0, 0.1, 0.0, gains.data()};
-  const Mpc::Command command = Mpc({.horizon = 3}).solve(problem);
-  EXPECT_EQ(command.active, ActiveBound::upper);
-  EXPECT_DOUBLE_EQ(command.plate_offset_deg, 84.5);
-}
-
-// N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85, q = 1. The second step affects only e_1, so e_1 = 0. The optimum of t_0
-// is 6 / 0.085 = 70.59, but from 20 the rate bound allows 60. Then p_1 = -0.085 * 60 = -5.1, and e_1 = 0 at t_1 = 0.9 *
-// 5.1 / 0.1 = 45.9, which is within 40 of 60.
-TEST(Mpc, ARateBoundAtTheFirstStep_GivesTheHandCalculatedPlan) {
-  const MpcProblem problem{0.0, -12.0, 0.1, 20.0, gains.data()};
-  MpcPlan plan;
-  const Mpc::Command command = Mpc({.horizon = 2, .plate_rate_bound_deg = 40.0}).solve(problem, &plan);
-  EXPECT_EQ(command.active, ActiveBound::rate_up);
-  EXPECT_DOUBLE_EQ(command.plate_offset_deg, 60.0);
-  EXPECT_NEAR(plan.plate_offset_deg[1], 45.9, 1e-12);
-  EXPECT_EQ(plan.active[1], ActiveBound::none);
-  EXPECT_NEAR(finger_after(problem, plan, 1), -5.1, 1e-12);
-  EXPECT_NEAR(finger_after(problem, plan, 2), -5.1, 1e-12);
-}
-
-// The same from 50 with R = 10: t_0 <= 60, and t_1, whose optimum is 45.9, is at least t_0 - 10. At t_0 = 60, e_1 =
-// 0.85 (5 - 0.9 * 5.1) = 0.3485. With t_1 = t_0 - 10, e_0 = 0.085 t_0, e_1 = 0.085 t_0 - 0.85 - 0.765 e_0 = 0.019975
-// t_0 - 0.85 and x_1 = 12 - e_0, half of the derivative by t_0 is 0.085 e_0 + 0.019975 e_1 - 0.085 x_1 = -0.146 at 60.
+// N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85, q = 1, from 50 with R = 10: t_0 <= 60, and t_1, whose optimum is 45.9,
+// is at least t_0 - 10. At t_0 = 60, e_1 = 0.85 (5 - 0.9 * 5.1) = 0.3485. With t_1 = t_0 - 10, e_0 = 0.085 t_0, e_1 =
+// 0.085 t_0 - 0.85 - 0.765 e_0 = 0.019975 t_0 - 0.85 and x_1 = 12 - e_0, half of the derivative by t_0 is 0.085 e_0 +
+// 0.019975 e_1 - 0.085 x_1 = -0.146 at 60.
 TEST(Mpc, ARateBoundAtBothSteps_GivesTheHandCalculatedPlan) {
   const MpcProblem problem{0.0, -12.0, 0.1, 50.0, gains.data()};
   MpcPlan plan;
@@ -89,19 +76,6 @@ TEST(Mpc, ARateBoundAtBothSteps_GivesTheHandCalculatedPlan) {
   EXPECT_DOUBLE_EQ(plan.plate_offset_deg[0], 60.0);
   EXPECT_DOUBLE_EQ(plan.plate_offset_deg[1], 50.0);
   EXPECT_NEAR(finger_after(problem, plan, 1) - finger_after(problem, plan, 2), 0.3485, 1e-12);
-}
-
-// From 65 with R = 10 no bound on t_0 is active, but t_1 = t_0 - 10: the derivative above vanishes at (0.085^2 +
-// 0.019975^2 + 0.085^2) t_0 = 0.085 * 12 + 0.019975 * 0.85.
-TEST(Mpc, ARateBoundBetweenTwoSteps_GivesTheHandCalculatedPlan) {
-  const MpcProblem problem{0.0, -12.0, 0.1, 65.0, gains.data()};
-  MpcPlan plan;
-  Mpc({.horizon = 2, .plate_rate_bound_deg = 10.0}).solve(problem, &plan);
-  const double t_0 = (0.085 * 12.0 + 0.019975 * 0.85) / (2.0 * 0.085 * 0.085 + 0.019975 * 0.019975);
-  EXPECT_NEAR(plan.plate_offset_deg[0], t_0, 1e-10);  // 69.84
-  EXPECT_NEAR(plan.plate_offset_deg[1], t_0 - 10.0, 1e-10);
-  EXPECT_EQ(plan.active[0], ActiveBound::none);
-  EXPECT_EQ(plan.active[1], ActiveBound::rate_down);
 }
 
 // N = 3 with a gain of 0 at the second step, p_k = 0, p_R = -12, w = 0.1, from 0 with R = 40. The optimum of the first
@@ -122,19 +96,6 @@ TEST(Mpc, AStepWithoutGain_RotatesTowardsTheNextPerceivedStep) {
   Mpc({.horizon = 2, .plate_rate_bound_deg = 10.0}).solve(late, &plan);
   EXPECT_DOUBLE_EQ(plan.plate_offset_deg[0], -60.0);
   EXPECT_DOUBLE_EQ(plan.plate_offset_deg[1], -50.0);
-}
-
-// A new goal may leave the plate beyond the bound about it.
-TEST(Mpc, APlateBeyondTheBoundOfANewGoal_ReturnsAtFullRate) {
-  const Mpc mpc({.horizon = 5, .plate_rate_bound_deg = 40.0});
-  double plate_deg = -170.0;
-  for (const double next_deg : {-130.0, -90.0}) {
-    const Mpc::Command command = mpc.solve({3.0, -2.0, 0.15, plate_deg, gains.data()});
-    EXPECT_EQ(command.active, ActiveBound::rate_up);
-    EXPECT_DOUBLE_EQ(command.plate_offset_deg, next_deg);
-    plate_deg = command.plate_offset_deg;
-  }
-  EXPECT_GE(mpc.solve({3.0, -2.0, 0.15, plate_deg, gains.data()}).plate_offset_deg, -84.5);
 }
 
 // w_T = 0.1 and a gap of 10 require 0.9 / 0.1 * 10 = 90 degrees: in the steady state every step is at the bound of 90
@@ -159,6 +120,137 @@ TEST(Mpc, AGapAtTheLimit_SettlesAtTheBound) {
     }
   }
 }
+
+constexpr int horizons[] = {1, 2, 3, 7, 13, 20};
+
+TEST(Mpc, RandomProblems_GivePlansWithinTheBounds) {
+  Random random(3);
+  for (int i = 0; i < 6000; ++i) {
+    const RandomProblem drawn(random, horizons[i % 6], i % 4 < 2 ? RandomRate::moderate : RandomRate::none,
+                              i % 3 == 0 ? RandomGains::two_thirds_zero : RandomGains::perceived);
+    const MpcConfig& config = drawn.config;
+    MpcPlan plan;
+    const Mpc::Command command = Mpc(config).solve(drawn.problem, &plan);
+    const Mpc::Command alone = Mpc(config).solve(drawn.problem);
+    EXPECT_EQ(command.plate_offset_deg, alone.plate_offset_deg);
+    EXPECT_EQ(command.active, alone.active);
+    EXPECT_EQ(command.optimal, alone.optimal);
+    EXPECT_EQ(command.plate_offset_deg, plan.plate_offset_deg[0]);
+    EXPECT_EQ(command.active, plan.active[0]);
+    double last_deg = drawn.problem.plate_offset_deg;
+    for (int k = 0; k < config.horizon; ++k) {
+      // An active bound is met exactly.
+      const double plate_deg = plan.plate_offset_deg[k];
+      const ActiveBound active = plan.active[k];
+      EXPECT_TRUE(active != ActiveBound::upper || plate_deg == config.plate_bound_deg);
+      EXPECT_TRUE(active != ActiveBound::lower || plate_deg == -config.plate_bound_deg);
+      EXPECT_TRUE(active != ActiveBound::rate_up || plate_deg == last_deg + config.plate_rate_bound_deg);
+      EXPECT_TRUE(active != ActiveBound::rate_down || plate_deg == last_deg - config.plate_rate_bound_deg);
+      EXPECT_LE(std::abs(plate_deg), config.plate_bound_deg);
+      EXPECT_LE(plate_deg, last_deg + config.plate_rate_bound_deg);
+      EXPECT_GE(plate_deg, last_deg - config.plate_rate_bound_deg);
+      last_deg = plate_deg;
+    }
+  }
+}
+
+// Dozens of bounds are active at the optimum of these problems.
+TEST(Mpc, ProblemsWithManyActiveBounds_AreSolvedToTheOptimum) {
+  Random random(6);
+  for (int i = 0; i < 100'000; ++i) {
+    const RandomProblem drawn(random, max_horizon, i % 4 < 2 ? RandomRate::slow : RandomRate::fraction_of_bound,
+                              i % 2 ? RandomGains::mostly_small : RandomGains::perceived);
+    EXPECT_TRUE(Mpc(drawn.config).solve(drawn.problem).optimal) << i;
+  }
+}
+
+// From any orientation beyond the bound, the plate returns at full rate.
+TEST(Mpc, APlateBeyondTheBound_ReturnsAtFullRate) {
+  Random random(4);
+  for (int i = 0; i < 3000; ++i) {
+    RandomProblem drawn(random, horizons[i % 6], RandomRate::moderate);
+    const double rate_deg = drawn.config.plate_rate_bound_deg;
+    const double bound_deg = drawn.config.plate_bound_deg;
+    double last_deg = uniform(random, -400.0, 400.0);
+    for (int k = 0; k < 10; ++k) {
+      drawn.problem.plate_offset_deg = last_deg;
+      const double plate_deg = Mpc(drawn.config).solve(drawn.problem).plate_offset_deg;
+      EXPECT_LE(std::abs(plate_deg - last_deg), rate_deg + 1e-12);
+      EXPECT_LE(std::abs(plate_deg), std::max(bound_deg, std::abs(last_deg) - rate_deg + 1e-12));
+      last_deg = plate_deg;
+    }
+  }
+}
+
+// With zero gains the plate has no effect, so any path within the bounds is optimal.
+TEST(Mpc, ZeroGains_GiveACommandWithinTheBounds) {
+  const std::array<double, 5> nothing{};
+  for (const double rate_deg : {std::numeric_limits<double>::infinity(), 40.0}) {
+    for (const double finger_deg : {0.0, 3.0}) {
+      Mpc mpc({.horizon = 5, .plate_rate_bound_deg = rate_deg});
+      const double plate_deg = mpc.solve({finger_deg, -5.0, 0.15, 10.0, nothing.data()}).plate_offset_deg;
+      EXPECT_LE(std::abs(plate_deg), 84.5);
+      EXPECT_LE(std::abs(plate_deg - 10.0), rate_deg);
+    }
+  }
+}
+
+TEST(Mpc, SettingsOutOfRange_AreInvalid) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(is_valid(MpcConfig{}));
+  EXPECT_TRUE(is_valid(MpcConfig{.horizon = 20, .actual_weight = 0.0, .plate_rate_bound_deg = 0.1}));
+  for (const int horizon : {-1, 0, 21}) EXPECT_FALSE(is_valid(MpcConfig{.horizon = horizon}));
+  for (const double bad : {0.0, -1.0, nan, infinity}) EXPECT_FALSE(is_valid(MpcConfig{.perceived_weight = bad}));
+  for (const double bad : {-1.0, nan, infinity}) EXPECT_FALSE(is_valid(MpcConfig{.actual_weight = bad}));
+  for (const double bad : {0.0, -1.0, 90.1, nan, infinity}) EXPECT_FALSE(is_valid(MpcConfig{.plate_bound_deg = bad}));
+  for (const double bad : {0.0, -1.0, nan, -infinity}) EXPECT_FALSE(is_valid(MpcConfig{.plate_rate_bound_deg = bad}));
+}
+
+// Plans for random problems meet the optimality conditions (mpc_reference.h).
+struct Case {
+  int horizon;
+  int problems;
+  RandomRate rate;
+  RandomGains gains = RandomGains::perceived;
+};
+
+class MpcExact : public testing::TestWithParam<Case> {};
+
+TEST_P(MpcExact, RandomProblems_MeetTheOptimalityConditions) {
+  const Case& c = GetParam();
+  Random random(static_cast<unsigned>(c.horizon));
+  for (int i = 0; i < c.problems; ++i) {
+    const RandomProblem drawn(random, c.horizon, c.rate, c.gains);
+    MpcPlan plan;
+    const Mpc::Command command = Mpc(drawn.config).solve(drawn.problem, &plan);
+    EXPECT_TRUE(command.optimal) << i;
+    LongVector plate(c.horizon);
+    for (int k = 0; k < c.horizon; ++k) plate[k] = plan.plate_offset_deg[k];
+    EXPECT_EQ(command.plate_offset_deg, plan.plate_offset_deg[0]);
+
+    const DenseProblem dense = dense_problem(drawn.config, drawn.problem);
+    const KktResidual residual = kkt_residual(dense, plate);
+    EXPECT_LT(residual.stationarity, 1e-9L) << i;
+    EXPECT_LT(residual.violation_deg, 1e-12L) << i;
+  }
+}
+
+std::string name_of_case(const testing::TestParamInfo<Case>& tested) {
+  constexpr const char* rates[] = {"", "Rate", "SlowRate", "FractionOfBound"};
+  constexpr const char* gains[] = {"", "TwoThirdsZero", "MostlySmall"};
+  const auto& [horizon, problems, rate, gain] = tested.param;
+  return "Horizon" + std::to_string(horizon) + rates[static_cast<int>(rate)] + gains[static_cast<int>(gain)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Random, MpcExact,
+                         testing::Values(Case{1, 500, RandomRate::moderate}, Case{3, 2000, RandomRate::none},
+                                         Case{3, 2000, RandomRate::moderate}, Case{20, 60, RandomRate::none},
+                                         Case{20, 60, RandomRate::slow}, Case{20, 60, RandomRate::fraction_of_bound},
+                                         Case{3, 2000, RandomRate::moderate, RandomGains::two_thirds_zero},
+                                         Case{20, 60, RandomRate::moderate, RandomGains::two_thirds_zero},
+                                         Case{20, 60, RandomRate::slow, RandomGains::mostly_small}),
+                         name_of_case);
 
 }  // namespace
 }  // namespace hrt

@@ -17,10 +17,10 @@ namespace hrt {
 namespace {
 
 double final_direction_deg(const PaperReachConfig& config, const Reach& reach) {
-  PaperReach led(config, reach);
+  PaperReach controller(config, reach);
   SimulatedParticipant participant(config.participant, reach.virtual_direction_deg);
   for (int k = 0; k < 30; ++k)
-    participant.step(led.step(participant.finger_direction_deg()).plate_orientation_deg, 0.0);
+    participant.step(controller.step(participant.finger_direction_deg()).plate_orientation_deg, 0.0);
   return participant.finger_direction_deg();
 }
 
@@ -50,7 +50,7 @@ struct StreamedReach {
   double final_direction_deg = 0.0;
 
   void run() {
-    PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -50.0}});
+    PaperReach controller({}, {.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -50.0}});
     SimulatedParticipant participant(Participant{}, -5.0);
     SlidingFinger finger({0.0, -50.0}, 100.0, 3.0);
     const auto move_to = [&](std::int64_t time_ns) {
@@ -61,14 +61,14 @@ struct StreamedReach {
       const std::int64_t time_ns = -phase_ns + static_cast<std::int64_t>(i * 1e9 / rate_hz);
       while (step < 30 && time_ns >= (step + 1) * 100 * ms) {
         move_to((step + 1) * 100 * ms);
-        participant.step(led.command().plate_orientation_deg, 0.0);
+        participant.step(controller.command().plate_orientation_deg, 0.0);
         ++step;
       }
       move_to(time_ns);
       if (step >= dropped_from && step < dropped_to) continue;
-      led.update(position(time_ns, finger.place()));
+      controller.update(position(time_ns, finger.place()));
     }
-    summary = led.summary();
+    summary = controller.summary();
     final_direction_deg = participant.finger_direction_deg();
   }
 };
@@ -94,27 +94,27 @@ TEST(PaperReach, ADropoutOfHalfASecond_IsPredictedAndRecovered) {
 
 TEST(PaperReach, PositionsAfterDirections_SetTheDistanceToGo) {
   const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -50.0}};
-  PaperReach led({}, reach);
-  for (int k = 0; k < 10; ++k) led.update(direction(k * 100 * ms, 1.0));
+  PaperReach controller({}, reach);
+  for (int k = 0; k < 10; ++k) controller.update(direction(k * 100 * ms, 1.0));
   for (int k = 0; k < 20; ++k) {
     const PlatePoint place{0.0, -10.0 + 0.5 * k};
-    const PlateCommand command = led.update(position(1000 * ms + k * 11 * ms, place));
+    const PlateCommand command = controller.update(position(1000 * ms + k * 11 * ms, place));
     EXPECT_NEAR(command.distance_to_go_mm, distance_mm(place, point_ahead(reach.start, 5.0, reach.real_distance_mm)),
                 1.0);
   }
-  EXPECT_EQ(led.summary().dropped_samples, 0);
+  EXPECT_EQ(controller.summary().dropped_samples, 0);
 }
 
 // Steps are suspended while the finger is lifted or rests, up to the largest time.
 TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
-  PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
+  PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
   const auto sample = [](std::int64_t time_ns, Observation observation) {
     return FingerSample{.time_ns = time_ns, .observation = observation, .direction_deg = 2.0};
   };
   constexpr std::int64_t start_ns = std::numeric_limits<std::int64_t>::min();
-  led.update(sample(start_ns, Observation::direction));
-  led.update(sample(start_ns + 50 * ms, Observation::lifted));
-  const PlateCommand command = led.update(sample(std::numeric_limits<std::int64_t>::max(), Observation::lifted));
+  controller.update(sample(start_ns, Observation::direction));
+  controller.update(sample(start_ns + 50 * ms, Observation::lifted));
+  const PlateCommand command = controller.update(sample(std::numeric_limits<std::int64_t>::max(), Observation::lifted));
   EXPECT_EQ(command.step, 0);
   EXPECT_TRUE(command.held);
 
@@ -128,9 +128,9 @@ TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
 // Without samples, the finger moves by the model, P - K (w_T t + (1 - w_T) p), from 3 with the plate at rest. Step 2 is
 // the first without a sample, so commands are predicted from step 3 on.
 TEST(PaperReach, MissingSamples_GiveThePredictedFinger) {
-  PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
-  for (int k = 0; k < 2; ++k) led.update(direction(k * 100 * ms, 3.0 * k));
-  const double plate_deg = led.command().plate_orientation_deg;
+  PaperReach controller({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
+  for (int k = 0; k < 2; ++k) controller.update(direction(k * 100 * ms, 3.0 * k));
+  const double plate_deg = controller.command().plate_orientation_deg;
   const Participant participant;
   FilterGain step = next_gain(participant, next_gain(participant, 0.0).variance_deg2);
   double finger_deg = 3.0;
@@ -138,13 +138,13 @@ TEST(PaperReach, MissingSamples_GiveThePredictedFinger) {
   for (int k = 2; k < 8; ++k) {
     finger_deg -= felt_error_deg();
     step = next_gain(participant, step.variance_deg2);
-    const PlateCommand command = led.update({.time_ns = k * 100 * ms});
+    const PlateCommand command = controller.update({.time_ns = k * 100 * ms});
     EXPECT_EQ(command.predicted, k > 2);
     EXPECT_EQ(command.plate_orientation_deg, plate_deg);
     if (k == 2) continue;
     EXPECT_NEAR(command.finger_direction_deg, finger_deg, 1e-9) << k;
     EXPECT_NEAR(command.perceived_direction_deg, -5.0 + felt_error_deg(), 1e-9) << k;
-    const ReachSummary summary = led.summary();
+    const ReachSummary summary = controller.summary();
     EXPECT_EQ(summary.final_direction_deg, command.finger_direction_deg);
     EXPECT_EQ(summary.final_miss_deg, command.finger_direction_deg - 5.0);
     EXPECT_EQ(summary.perceived_direction_deg, command.perceived_direction_deg);
@@ -155,26 +155,26 @@ TEST(PaperReach, MissingSamples_GiveThePredictedFinger) {
 // A finger at 33 mm/s that is lost at 35 mm of 100: the distance decreases with the predicted finger, and is constant
 // while the finger is lifted.
 TEST(PaperReach, ADropout_ReducesThePredictedDistanceToGo) {
-  PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
+  PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
   int t = 0;
-  for (; t < 1000; t += 10) led.update(position(t * ms, {0, 33e-3 * t}));
-  const double seen_mm = led.command().distance_to_go_mm;
+  for (; t < 1000; t += 10) controller.update(position(t * ms, {0, 33e-3 * t}));
+  const double seen_mm = controller.command().distance_to_go_mm;
   EXPECT_NEAR(seen_mm, 100.0 - 33.0, 1.0);
-  for (; t < 1500; t += 10) led.update({.time_ns = t * ms});
-  EXPECT_TRUE(led.command().predicted);
-  const double predicted_mm = led.command().distance_to_go_mm;
+  for (; t < 1500; t += 10) controller.update({.time_ns = t * ms});
+  EXPECT_TRUE(controller.command().predicted);
+  const double predicted_mm = controller.command().distance_to_go_mm;
   EXPECT_NEAR(predicted_mm, seen_mm - 33.0 * 0.5, 2.0);
-  EXPECT_EQ(led.summary().distance_to_target_mm, predicted_mm);
-  for (; t < 2000; t += 10) led.update({.time_ns = t * ms, .observation = Observation::lifted});
-  EXPECT_EQ(led.command().distance_to_go_mm, predicted_mm);
+  EXPECT_EQ(controller.summary().distance_to_target_mm, predicted_mm);
+  for (; t < 2000; t += 10) controller.update({.time_ns = t * ms, .observation = Observation::lifted});
+  EXPECT_EQ(controller.command().distance_to_go_mm, predicted_mm);
 }
 
 TEST(PaperReach, DuplicateSamples_CountOnce) {
   const auto run = [](int times) {
-    PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
+    PaperReach controller({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
     for (int i = 0; i < 100; ++i)
-      for (int repeat = 0; repeat < times; ++repeat) led.update(position(i * 10 * ms, {0, 0.3 * i}));
-    return led.command().plate_orientation_deg;
+      for (int repeat = 0; repeat < times; ++repeat) controller.update(position(i * 10 * ms, {0, 0.3 * i}));
+    return controller.command().plate_orientation_deg;
   };
   EXPECT_EQ(run(1), run(3));
 }
@@ -217,9 +217,9 @@ TEST(PaperReach, ReportsThatChangeSign_DoNotFlipAFixedPlate) {
 }
 
 TEST(PaperReach, ARestingFinger_LeavesThePlateAtRest) {
-  PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
+  PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
   for (int i = 0; i < 100; ++i) {
-    const PlateCommand command = led.update(position(i * 50 * ms, {0, 0}));
+    const PlateCommand command = controller.update(position(i * 50 * ms, {0, 0}));
     EXPECT_EQ(command.plate_orientation_deg, 12.5);
     EXPECT_EQ(command.step, -1);
   }
@@ -229,11 +229,11 @@ TEST(PaperReach, ARestingFinger_LeavesThePlateAtRest) {
 TEST(PaperReach, ALiftBeforeTheMotion_DoesNotDelayTheSteps) {
   std::vector<std::int64_t> steps;
   for (const Observation before : {Observation::none, Observation::lifted}) {
-    PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5});
-    for (int i = 0; i < 20; ++i) led.update({.time_ns = i * 10 * ms, .observation = before});
+    PaperReach controller({}, {.real_direction_deg = -5, .virtual_direction_deg = 5});
+    for (int i = 0; i < 20; ++i) controller.update({.time_ns = i * 10 * ms, .observation = before});
     int step_one = 0;
     for (int i = 20; step_one == 0 && i < 200; ++i)
-      if (led.update(position(i * 10 * ms, {0.0, 0.5 * std::max(0, i - 60)})).step == 1) step_one = i;
+      if (controller.update(position(i * 10 * ms, {0.0, 0.5 * std::max(0, i - 60)})).step == 1) step_one = i;
     steps.push_back(step_one);
   }
   EXPECT_GT(steps[0], 60);
@@ -242,12 +242,12 @@ TEST(PaperReach, ALiftBeforeTheMotion_DoesNotDelayTheSteps) {
 
 // The prediction covers two of the ten seconds without a position, at 33 mm/s.
 TEST(PaperReach, TenSecondsWithoutSamples_ArePredictedForTwo) {
-  PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_mm = 1000.0});
+  PaperReach controller({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_mm = 1000.0});
   int i = 0;
-  for (; i < 150; ++i) led.update(position(i * 10 * ms, {0.0, 0.33 * std::max(0, i - 50)}));
-  const double seen_mm = led.command().distance_to_go_mm;
-  for (; i < 1150; ++i) led.update({.time_ns = i * 10 * ms});
-  EXPECT_NEAR(seen_mm - led.command().distance_to_go_mm, 2.0 * 33.0, 10.0);
+  for (; i < 150; ++i) controller.update(position(i * 10 * ms, {0.0, 0.33 * std::max(0, i - 50)}));
+  const double seen_mm = controller.command().distance_to_go_mm;
+  for (; i < 1150; ++i) controller.update({.time_ns = i * 10 * ms});
+  EXPECT_NEAR(seen_mm - controller.command().distance_to_go_mm, 2.0 * 33.0, 10.0);
 }
 
 std::vector<std::int64_t> ends_until(StepClock& clock, std::int64_t time_ns) {

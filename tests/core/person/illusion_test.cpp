@@ -7,12 +7,12 @@
 namespace hrt {
 namespace {
 
-constexpr Illusion linear{.weight = 0.2, .curve = 0.0};
+constexpr Illusion straight{.weight = 0.2, .curve = 0.0};
 constexpr Illusion curved{.weight = 0.3, .curve = 0.12};
 
 TEST(Illusion, Offsets_GiveTheLinearMinusTheCubicTerm) {
-  EXPECT_DOUBLE_EQ(felt_shift(linear, 30.0).shift_deg, 6.0);
-  EXPECT_DOUBLE_EQ(felt_shift(linear, -30.0).shift_deg, -6.0);
+  EXPECT_DOUBLE_EQ(felt_shift(straight, 30.0).shift_deg, 6.0);
+  EXPECT_DOUBLE_EQ(felt_shift(straight, -30.0).shift_deg, -6.0);
   // g(t) = w t - b t (t / 75)^2 and g' = w - 3 b (t / 75)^2, at t = 75, w = 0.3, b = 0.12.
   EXPECT_DOUBLE_EQ(felt_shift(curved, 75.0).shift_deg, 13.5);
   EXPECT_NEAR(felt_shift(curved, 75.0).by_offset, -0.06, 1e-15);
@@ -68,13 +68,13 @@ TEST(Illusion, TheMaximum_IsAtZeroSlopeOrAtTheBound) {
   EXPECT_NEAR(max_shift(curved, 75.0).offset_deg, 68.4653, 1e-4);
   EXPECT_NEAR(max_shift(curved, 75.0).felt.shift_deg, 13.69306, 1e-5);
   EXPECT_EQ(max_shift(curved, 40.0).offset_deg, 40.0);
-  EXPECT_EQ(max_shift(linear, 75.0).offset_deg, 75.0);
-  EXPECT_DOUBLE_EQ(max_shift(linear, 75.0).felt.shift_deg, 15.0);
-  EXPECT_LT(max_shift(linear, 90.0).offset_deg, 90.0);
+  EXPECT_EQ(max_shift(straight, 75.0).offset_deg, 75.0);
+  EXPECT_DOUBLE_EQ(max_shift(straight, 75.0).felt.shift_deg, 15.0);
+  EXPECT_LT(max_shift(straight, 90.0).offset_deg, 90.0);
 }
 
 TEST(Illusion, TheOffsetForAShift_CausesThatShift) {
-  for (const Illusion illusion : {linear, curved, Illusion{0.3, -0.1}, Illusion{0.01, 0.5}, Illusion{0.6, 0.5},
+  for (const Illusion illusion : {straight, curved, Illusion{0.3, -0.1}, Illusion{0.01, 0.5}, Illusion{0.6, 0.5},
                                   Illusion{0.05, 0.0}, Illusion{0.2, 0.05, 0.8, 0.3}}) {
     for (const double bound : {75.0, 30.0, 89.9}) {
       const MaxShift max = max_shift(illusion, bound);

@@ -5,8 +5,10 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/person/person_belief.h"
+#include "core/person/tuning.h"
 #include "core/simulation/person.h"
 
 namespace hrt {
@@ -240,6 +242,19 @@ TEST(PersonBelief, InvalidMeansAndCovariances_AreRejected) {
   EXPECT_FALSE(is_valid(correlated));
 }
 
-}  // namespace
+TEST(Tuning, EveryField_HasOneNameAndIsInItsRange) {
+  Tuning tuning;
+  std::set<std::string> names;
+  std::set<const double*> values;
+  for (const TuningField& field : tuning_fields(tuning)) {
+    names.insert(field.name);
+    values.insert(field.value);
+    EXPECT_GE(*field.value, field.min) << field.name;
+    EXPECT_LE(*field.value, field.max) << field.name;
+  }
+  EXPECT_EQ(names.size(), sizeof(Tuning) / sizeof(double));
+  EXPECT_EQ(values.size(), names.size());
+}
 
+}  // namespace
 }  // namespace hrt

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
@@ -14,16 +13,16 @@
 namespace hrt {
 namespace {
 
-constexpr Reach gap_of_ten{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0};
+constexpr Reach ten_degrees_apart{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0};
 
-FingerSample seen(std::int64_t time_ns, const PlatePoint& place) {
+FingerSample sample_at(std::int64_t time_ns, const PlatePoint& place) {
   return {.time_ns = time_ns, .observation = Observation::position, .position = place};
 }
 
 // A simulated person controlled by PersonReach over an immediate plate, sampled every 10 ms.
 struct Trial {
   explicit Trial(const Person& person, PersonReachConfig config = {.person = unknown_person()},
-                 const Reach& towards = gap_of_ten, std::int64_t origin_ns = 0)
+                 const Reach& towards = ten_degrees_apart, std::int64_t origin_ns = 0)
       : reach(config, towards),
         finger(person, towards.start, towards.virtual_direction_deg, towards.real_distance_mm, {1, 0, 0, 0}),
         time_ns(origin_ns) {
@@ -31,7 +30,7 @@ struct Trial {
   }
 
   void sample(const PlatePoint& place) {
-    last = reach.update(seen(time_ns, place));
+    last = reach.update(sample_at(time_ns, place));
     time_ns += 10 * ms;
   }
 
@@ -58,12 +57,12 @@ Person linear_person(double tactile_weight = 0.25, double duration_s = 1.5) {
 }
 
 TEST(PersonReach, ARestingFinger_LeavesThePlateAtItsFirstOrientation) {
-  PersonReach reach({.person = unknown_person()}, gap_of_ten);
+  PersonReach reach({.person = unknown_person()}, ten_degrees_apart);
   const double ready_deg = reach.command().plate_orientation_deg;
   EXPECT_GT(ready_deg, 10.0);
   EXPECT_FALSE(reach.seen());
   for (int i = 0; i < 500; ++i) {
-    const PlateCommand command = reach.update(seen(i * 11 * ms, {0.1 * (i % 3), 0.0}));
+    const PlateCommand command = reach.update(sample_at(i * 11 * ms, {0.1 * (i % 3), 0.0}));
     EXPECT_EQ(command.plate_orientation_deg, ready_deg);
     EXPECT_EQ(command.held, i > 0) << "the first command turns the plate ready";
     EXPECT_EQ(command.step, -1);
@@ -125,7 +124,7 @@ TEST(PersonReach, ADropoutIsPredicted_AndDuplicatesAreDropped) {
   Trial twice(linear_person());
   twice.run_for(500);
   const PlateCommand once = twice.last;
-  const PlateCommand again = twice.reach.update(seen(twice.time_ns - 10 * ms, {500.0, 500.0}));
+  const PlateCommand again = twice.reach.update(sample_at(twice.time_ns - 10 * ms, {500.0, 500.0}));
   EXPECT_EQ(again.plate_orientation_deg, once.plate_orientation_deg);
   EXPECT_EQ(again.distance_to_go_mm, once.distance_to_go_mm);
   EXPECT_EQ(twice.reach.summary().dropped_samples, 1);

@@ -3,36 +3,34 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <vector>
 
-#include "tests/core/plate/touches.h"
+#include "core/math/trigonometry.h"
 
-namespace hrt::test {
+namespace hrt {
 namespace {
 
 FrameCovariance of_turn_about(const PlatePoint& centre, double sd_deg) {
-  const double sd_rad = sd_deg * rad_per_deg;
-  const Vector3d by_turn{1.0, centre.away_mm, -centre.right_mm};
+  const double sd_rad = sd_deg / deg_per_rad;
+  const Eigen::Vector3d by_turn{1.0, centre.away_mm, -centre.right_mm};
   const FrameCovariance outer = by_turn * by_turn.transpose();  // symmetric to the last bit
   return sd_rad * sd_rad * outer;
 }
 
 // 100 mm * 1 degree in radians = 1.745 mm, for any start.
-TEST(FrameError, OneDegreeAboutTheStart_CostsOnePointSevenMillimetres) {
+TEST(FrameError, ARotationAboutTheStart_ChangesTheBearingByItsAngle) {
   for (const PlatePoint start : {PlatePoint{0.0, 0.0}, PlatePoint{0.0, -50.0}, PlatePoint{20.0, 10.0}}) {
     for (const double direction_deg : {0.0, -5.0, 30.0, 90.0}) {
       const PlatePoint target = point_ahead(start, direction_deg, 100.0);
       const double sd_deg = frame_bearing_sd_deg(of_turn_about(start, 1.0), start, target);
       EXPECT_NEAR(sd_deg, 1.0, 1e-6);
-      EXPECT_NEAR(100.0 * sd_deg * rad_per_deg, 1.745, 1e-3);
+      EXPECT_NEAR(100.0 * sd_deg / deg_per_rad, 1.745, 1e-3);
     }
   }
 }
 
 // The centre is 5 cm beyond the start, so the target is only 5 cm from it.
-TEST(FrameError, ARotationAboutTheCentre_CostsHalf) {
+TEST(FrameError, ARotationAboutTheCentre_ChangesTheBearingByHalfOfIt) {
   EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 50.0}), 0.5, 1e-6);
   EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 0.0}), 0.0, 1e-9);
 }
@@ -41,7 +39,7 @@ TEST(FrameError, ARotationAboutTheCentre_CostsHalf) {
 TEST(FrameError, APositionError_GivesTheHandCalculatedBearingSd) {
   FrameCovariance covariance = FrameCovariance::Zero();
   covariance(1, 1) = 4.0;
-  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -50.0}, {0.0, 50.0}), 0.02 / rad_per_deg, 1e-9);
+  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -50.0}, {0.0, 50.0}), 0.02 * deg_per_rad, 1e-9);
   EXPECT_NEAR(frame_bearing_sd_deg(covariance, {-50.0, 0.0}, {50.0, 0.0}), 0.0, 1e-9);
   covariance << 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0;
   EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -50.0}, {0.0, 50.0}), 0.0, 1e-9);
@@ -74,4 +72,4 @@ TEST(FrameError, InvalidCovariances_AreRejected) {
 }
 
 }  // namespace
-}  // namespace hrt::test
+}  // namespace hrt

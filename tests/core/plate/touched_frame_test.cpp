@@ -10,7 +10,7 @@ namespace hrt {
 namespace {
 
 constexpr PlatePoint home{10.0, -50.0};
-constexpr PlatePoint target{10.0, 50.0};  // 100 mm straight ahead
+constexpr PlatePoint ahead{10.0, 50.0};  // 100 mm straight ahead
 const FrameCovariance exact = FrameCovariance::Zero();
 
 TouchedFrame frame() { return {.home = home}; }
@@ -18,21 +18,21 @@ TouchedFrame frame() { return {.home = home}; }
 // A prior of 2 % of 100 mm is 2 mm: a contact of 2 mm (SD) moves the position half of the way to the contact, in each
 // coordinate, and halves the variance. At half of the distance, the correction is half.
 TEST(TouchedFrame, AContact_IsDividedByVariance) {
-  const PlatePoint true_place{target.right_mm + 4.0, target.away_mm - 2.0};
-  const TouchedFrame after = after_contact(frame(), exact, {target, true_place, 4.0});
-  const PlatePoint moved = corrected(after, target);
-  EXPECT_NEAR(moved.right_mm, target.right_mm + 2.0, 1e-9);
-  EXPECT_NEAR(moved.away_mm, target.away_mm - 1.0, 1e-9);
+  const PlatePoint true_place{ahead.right_mm + 4.0, ahead.away_mm - 2.0};
+  const TouchedFrame after = after_contact(frame(), exact, {ahead, true_place, 4.0});
+  const PlatePoint moved = corrected(after, ahead);
+  EXPECT_NEAR(moved.right_mm, ahead.right_mm + 2.0, 1e-9);
+  EXPECT_NEAR(moved.away_mm, ahead.away_mm - 1.0, 1e-9);
   EXPECT_NEAR(corrected(after, {home.right_mm, 0.0}).right_mm, home.right_mm + 1.0, 1e-9);
   EXPECT_NEAR(corrected(after, home).right_mm, home.right_mm, 1e-12);
-  EXPECT_NEAR(bearing_sd_deg(after, exact, home, target), deg_per_rad * 0.02 / std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(bearing_sd_deg(after, exact, home, ahead), deg_per_rad * 0.02 / std::sqrt(2.0), 1e-9);
   EXPECT_TRUE(is_valid(after));
 }
 
 // The prior of the second contact is 2 mm / sqrt(2), plus 0.2 %.
 TEST(TouchedFrame, TimeBetweenContacts_WidensTheCovariance) {
-  const TouchedFrame once = after_contact(frame(), exact, {target, target, 4.0});
-  const TouchedFrame twice = after_contact(once, exact, {target, target, 4.0});
+  const TouchedFrame once = after_contact(frame(), exact, {ahead, ahead, 4.0});
+  const TouchedFrame twice = after_contact(once, exact, {ahead, ahead, 4.0});
   const double before_mm2 = 2.0 + 0.04;
   EXPECT_NEAR(twice.covariance(1, 1), before_mm2 * 4.0 / (before_mm2 + 4.0) / 1e4, 1e-12);
 }
@@ -51,9 +51,9 @@ TEST(TouchedFrame, TheFirstContact_UsesTheUncertaintyOfTheRegistration) {
 }
 
 TEST(TouchedFrame, ACorrection_RotatesTheBearing) {
-  const PlatePoint left{target.right_mm - 100.0 * std::tan(2.0 / deg_per_rad), target.away_mm};
-  const TouchedFrame after = after_contact(frame(), exact, {target, left, 1e-6});
-  EXPECT_NEAR(turned_deg(frame(), after, target), 2.0, 1e-4);
+  const PlatePoint left{ahead.right_mm - 100.0 * std::tan(2.0 / deg_per_rad), ahead.away_mm};
+  const TouchedFrame after = after_contact(frame(), exact, {ahead, left, 1e-6});
+  EXPECT_NEAR(turned_deg(frame(), after, ahead), 2.0, 1e-4);
   EXPECT_NEAR(turned_deg(after, after, left), 0.0, 1e-12);
 }
 
@@ -77,10 +77,10 @@ TEST(TouchedFrame, ExactContacts_GiveAnyLinearFrame) {
 // 3.717 SDs of 2 mm are the 99.9 % quantile for two coordinates.
 TEST(TouchedFrame, ALargeCorrection_ContradictsTheRegistration) {
   for (const double off_mm : {7.4, 7.5}) {
-    const Contact contact{target, {target.right_mm + off_mm, target.away_mm}, 1e-8};
-    EXPECT_EQ(contradicts(after_contact(frame(), exact, contact), exact, target), off_mm > 7.44) << off_mm;
+    const Contact contact{ahead, {ahead.right_mm + off_mm, ahead.away_mm}, 1e-8};
+    EXPECT_EQ(contradicts(after_contact(frame(), exact, contact), exact, ahead), off_mm > 7.44) << off_mm;
   }
-  EXPECT_FALSE(contradicts(frame(), exact, target));
+  EXPECT_FALSE(contradicts(frame(), exact, ahead));
 }
 
 }  // namespace

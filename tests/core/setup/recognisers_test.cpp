@@ -10,7 +10,7 @@
 namespace hrt {
 namespace {
 
-constexpr PlatePoint start{0.0, -50.0};
+constexpr PlatePoint slide_start{0.0, -50.0};
 
 SetupSample at(std::int64_t time_ms, double right_mm, double away_mm) {
   SetupSample sample{.time_ns = time_ms * ms, .tracked_mm = Eigen::Vector3d(right_mm, 0.0, -away_mm)};
@@ -67,7 +67,7 @@ TEST(MarkTouches, ABriefLift_SeparatesTwoTouches) {
 class SlideWatchTest : public ::testing::Test {
  protected:
   SlideWatchTest() {
-    watch.begin(start, 100.0, 0.0);
+    watch.begin(slide_start, 100.0, 0.0);
     for (; t < 700; t += 10) watch.observe(at(t, 0.0, -50.0));
     EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
   }

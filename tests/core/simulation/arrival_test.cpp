@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
 #include <ostream>
 #include <vector>
 
@@ -95,13 +94,13 @@ void add(const Watched& reach, Account* account) {
   if (counted > 0) account->time_to_go_error += error_sum / counted;
 }
 
-struct Case {
+struct RecordedCase {
   const char* family;
   double duration_s;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.family << ' ' << c.duration_s << " s"; }
+void PrintTo(const RecordedCase& c, std::ostream* out) { *out << c.family << ' ' << c.duration_s << " s"; }
 
-class Arrival : public testing::TestWithParam<Case> {};
+class Arrival : public testing::TestWithParam<RecordedCase> {};
 
 TEST_P(Arrival, RecordedPaces_GiveArrivalAfterTheStop) {
   constexpr std::uint32_t people = 300;
@@ -116,8 +115,8 @@ TEST_P(Arrival, RecordedPaces_GiveArrivalAfterTheStop) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Recorded, Arrival,
-                         testing::Values(Case{"recorded", 0.8}, Case{"recorded", 1.5}, Case{"recorded-50", 0.8},
-                                         Case{"recorded-50", 1.5}));
+                         testing::Values(RecordedCase{"recorded", 0.8}, RecordedCase{"recorded", 1.5},
+                                         RecordedCase{"recorded-50", 0.8}, RecordedCase{"recorded-50", 1.5}));
 
 }  // namespace
 }  // namespace hrt

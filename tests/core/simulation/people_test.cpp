@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <set>
 #include <string>
@@ -36,7 +35,7 @@ PersonCondition condition(IllusionFamily family, double scale_deg, double weight
 }
 
 // Summary of a first reach with the controller for people.
-ReachSummary led(const PersonCondition& condition) {
+ReachSummary guided(const PersonCondition& condition) {
   const RetargeterConfig controller = people_controller();
   return simulate_person(condition, &controller, 1, 1, 0).front().summary;
 }
@@ -177,7 +176,7 @@ TEST(SimulationPeople, WithoutIllusion_TheHandReachesTheVirtualTarget) {
 
 // 90 Hz during the rest, 1.5 s of motion and 0.3 s after it.
 TEST(SimulationPeople, Trackers_HaveTheirRateAndLosses) {
-  const auto summary = [](const char* family) { return led(draw(family)); };
+  const auto summary = [](const char* family) { return guided(draw(family)); };
   const ReachSummary usual = summary("linear");
   EXPECT_GE(usual.samples + usual.dropped_samples, 90.0 * 2.2 - 2.0);
   EXPECT_LE(usual.samples, 90.0 * 2.6 + 2.0);
@@ -240,7 +239,7 @@ TEST(SimulationPeople, FramesWithErrors_GiveTheHandCalculatedBearings) {
     condition.virtual_direction_deg = 0.0;
     condition.real_direction_deg = 5.0;
     condition.tracker.white_mm = 0.0;
-    return led(condition);
+    return guided(condition);
   };
   const ReachSummary turned = seen(draw("turned-2"));
   const double turned_deg = draw("turned-2").tracker.turned_deg;

@@ -11,12 +11,12 @@
 namespace hrt {
 namespace {
 
-constexpr PlatePoint start{0.0, 0.0};
+constexpr PlatePoint tracked_start{0.0, 0.0};
 
 // Samples of a finger at `finger(time)`.
 template <class Finger>
 std::vector<FingerSample> seen(const TrackerModel& model, std::uint32_t reach, double duration_s, Finger&& finger) {
-  Tracker tracker(model, start, Draws(1, 0, 0, reach));
+  Tracker tracker(model, tracked_start, Draws(1, 0, 0, reach));
   std::vector<FingerSample> samples;
   for (int ms = 0; ms < static_cast<int>(1e3 * duration_s); ++ms) {
     tracker.sample_if_due(1e-3 * ms, finger(1e-3 * ms));
@@ -41,7 +41,7 @@ TEST(SimulatedTracker, SmoothedNoise_HasItsSdAndSmallSteps) {
   model.smoothing_s = 0.022;
   std::vector<double> places, steps;
   for (std::uint32_t reach = 0; reach < 40; ++reach) {
-    const auto samples = seen(model, reach, 10.0, [](double) { return start; });
+    const auto samples = seen(model, reach, 10.0, [](double) { return tracked_start; });
     for (std::size_t i = 1; i < samples.size(); ++i) {
       places.push_back(samples[i].position.right_mm);
       steps.push_back(samples[i].position.right_mm - samples[i - 1].position.right_mm);
@@ -56,7 +56,7 @@ TEST(SimulatedTracker, TheBearingOfAReach_HasItsSd) {
   model.bearing_sd_deg = 2.9;
   std::vector<double> errors_deg;
   for (std::uint32_t reach = 0; reach < 400; ++reach)
-    errors_deg.push_back(bearing_deg(start, seen(model, reach, 2.0, slide).back().position));
+    errors_deg.push_back(bearing_deg(tracked_start, seen(model, reach, 2.0, slide).back().position));
   EXPECT_NEAR(root_mean_square(errors_deg), 2.9, 0.3);
 }
 

@@ -28,7 +28,8 @@ struct FingerWatch {
   }
 };
 
-// It has left once the mean of three is 3.3 * 0.5 = 1.65 mm off: 1, 2 and 3 mm, at 0.53 s.
+// The motion is detected when the mean of three positions is 3.3 * 0.5 = 1.65 mm off: those of 1, 2 and 3 mm, at 0.53
+// s.
 TEST(FingerPhase, AMotion_IsDetectedByTheMeanOfThreePositions) {
   FingerWatch watch;
   watch.until(0.53);
@@ -97,7 +98,7 @@ TEST(FingerPhase, Touchdown_SetsTheRestPosition) {
   }
 }
 
-// A tremor that comes off by 3 mm for 50 ms.
+// A tremor by which the finger is 3 mm off for 50 ms.
 TEST(FingerPhase, ADepartureOf50Ms_DoesNotEndTheRest) {
   FingerWatch watch;
   watch.until(0.4);
@@ -146,8 +147,8 @@ TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
   }
 }
 
-// 100 mm, minimum jerk, after 0.5 s at rest: the motion is found, is not said to pause before nine tenths of its time,
-// and its end is found within half a second.
+// 100 mm, minimum jerk, after 0.5 s at rest: the motion is found, no pause is reported between 30 and 85 % of it, and
+// its end is found within half a second.
 TEST(FingerPhase, AnySpeedAndNoise_GivesMotionAndPause) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {

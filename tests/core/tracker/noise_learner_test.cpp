@@ -50,7 +50,7 @@ TEST(NoiseLearner, TwoPositions_GiveTheHandCalculatedVariance) {
   learner.learn(places, 1);
   EXPECT_EQ(learner.steps(), 1);
   EXPECT_EQ(learner.step_variance_mm2(), 1.0);
-  EXPECT_EQ(learner.noise().white_mm, TrackerNoise{}.white_mm) << "one difference teaches nothing yet";
+  EXPECT_EQ(learner.noise().white_mm, TrackerNoise{}.white_mm) << "one difference does not change the estimate";
 }
 
 // A middle place that is 3 mm off the line through its even neighbours: 9 / 1.5 in one coordinate and 0 in the other.
@@ -74,7 +74,7 @@ TEST(NoiseLearner, AKnownNoise_IsUnchanged) {
   EXPECT_EQ(learner.noise().correlated_mm, 1.0);
 }
 
-// Within a fifth and 0.3 mm after two seconds: what is assumed counts for less and less.
+// After two seconds the mean estimate is within a fifth, and 0.3 mm for the assumed noise, whose weight decreases.
 TEST(NoiseLearner, TwoSecondsAtRest_GiveTheNoise) {
   for (const double rate_hz : {30.0, 90.0, 240.0}) {
     for (const double noise_mm : {0.3, 1.2, 2.5}) {

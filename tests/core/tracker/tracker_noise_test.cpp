@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -70,7 +69,7 @@ TEST(TrackerNoise, NoOrShortRests_GiveUnknownNoise) {
   expect_unknown(fit_rest_noise(simulate_rests(tracker, 1, 0.5, 0)));
 }
 
-// The correlated part goes with its time, and only if there is certainly one.
+// The correlated part is given only with its time constant, and only if its interval excludes 0.
 TEST(TrackerNoise, KnownParts_AreGivenToTheController) {
   RestNoise noise{.white_mm = {3.0, 2.0, 4.0, true},
                   .correlated_mm = {4.0, 3.0, 5.0, true},
@@ -173,7 +172,7 @@ TEST_P(TrackerNoiseCoverage, SimulatedTrackers_LieWithinTheKnownIntervals) {
     EXPECT_LE(time.known, people / 20) << "its parts cannot be separated";
     return;
   }
-  // Half a second is little of a noise that lasts for long.
+  // Rests of half a second are short for a noise with a long time constant.
   const int min = tracker.correlation_s > 0.2 ? people / 4 : people / 2;
   EXPECT_GE(white.known, min);
   EXPECT_GE(correlated.known, min);
