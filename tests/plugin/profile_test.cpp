@@ -71,16 +71,17 @@ struct BadProfile {
 TEST_F(ProfileTest, MalformedProfilesAreRejectedAndChangeNothing) {
   const std::string before = save_profile();
   const BadProfile refused[] = {
-      {"", HRT_ERROR_BAD_FORMAT},
-      {"[]", HRT_ERROR_BAD_FORMAT},
-      {before.substr(0, 50), HRT_ERROR_BAD_FORMAT},
+      {"", HRT_ERROR_BAD_FORMAT, "not valid JSON at byte 1"},
+      {"[]", HRT_ERROR_BAD_FORMAT, "not a JSON object"},
+      {before.substr(0, 50), HRT_ERROR_BAD_FORMAT, "not valid JSON at byte 51"},
       {std::string(50'000, '['), HRT_ERROR_BAD_FORMAT},
       {std::string(70'000, ' '), HRT_ERROR_BAD_FORMAT, "70000"},
       {"{}", HRT_ERROR_BAD_FORMAT, "format"},
       {R"({"format":"haptic retargeting profile","version":2})", HRT_ERROR_BAD_FORMAT, "version"},
       {profile_with(",\"horizon\":4"), HRT_ERROR_BAD_FORMAT, "\"horizon\""},
       {profile_with(",\"tactile_weight\":\"0.2\""), HRT_ERROR_BAD_FORMAT, "tactile_weight"},
-      {profile_with(",\"tactile_weight\":true"), HRT_ERROR_BAD_FORMAT},
+      {profile_with(",\"tactile_weight\":true"), HRT_ERROR_BAD_FORMAT, "\"tactile_weight\" is or contains true"},
+      {profile_with(",\"tactile_weight\":[{}]"), HRT_ERROR_BAD_FORMAT, "\"tactile_weight\" is or contains an object"},
       {profile_with(",\"tactile_weight\":0.9"), HRT_ERROR_OUT_OF_RANGE, "tactile_weight"},
       {profile_with(",\"tactile_weight\":1e999"), HRT_ERROR_BAD_FORMAT},
       {profile_with(R"(,"plate":7)"), HRT_ERROR_BAD_FORMAT, "plate"},

@@ -99,14 +99,15 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
  public:
   std::vector<JsonField> fields;
 
-  bool start_object(std::size_t) override { return ++depth_ == 1; }
+  bool start_object(std::size_t) override { return ++depth_ == 1 || refuse("an object"); }
   bool end_object() override { return true; }
   bool key(string_t& name) override {
     fields.push_back({.key = name});
+    if (fields.size() > max_fields) set_error("the text has too many fields; allowed: up to ", max_fields);
     return fields.size() <= max_fields;
   }
   bool start_array(std::size_t) override {
-    if (depth_ == 0 || fields.empty() || in_array_) return false;
+    if (fields.empty() || in_array_) return refuse("an array in an array");
     in_array_ = fields.back().is_array = true;
     return true;
   }
@@ -123,22 +124,34 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   }
   bool number_float(number_float_t, const string_t& text) override {
     double value = 0.0;
-    return read_number(with_point(text), &value) && number(value, false, 0);
+    return read_number(with_point(text), &value) ? number(value, false, 0) : refuse("a number that is too large");
   }
   bool string(string_t& value) override {
-    if (depth_ == 0 || fields.empty() || in_array_) return false;
+    if (fields.empty() || in_array_) return refuse("a string in an array");
     fields.back().is_text = true;
     fields.back().text = value;
     return true;
   }
-  bool null() override { return false; }
-  bool boolean(bool) override { return false; }
-  bool binary(binary_t&) override { return false; }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+  bool null() override { return refuse("null"); }
+  bool boolean(bool) override { return refuse("true or false"); }
+  bool binary(binary_t&) override { return refuse("binary data"); }
+  bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception&) override {
+    set_error("the text is not valid JSON at byte ", byte, "; save it again and do not edit it");
+    return false;
+  }
 
  private:
+  // Sets the error of a value that a JsonField cannot hold. Returns false.
+  bool refuse(const char* kind) {
+    if (fields.empty())
+      set_error("the text is not a JSON object; save it again and do not edit it");
+    else
+      set_error("\"", Shown{fields.back().key}, "\" is or contains ", kind,
+                "; allowed: a number, a string or an array of numbers");
+    return false;
+  }
   bool number(double value, bool is_whole, std::int64_t whole) {
-    if (depth_ == 0 || fields.empty()) return false;
+    if (fields.empty()) return refuse("a number");
     JsonField& field = fields.back();
     field.numbers.push_back(value);
     field.is_whole = is_whole && !in_array_;
@@ -154,8 +167,7 @@ hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
   if (text.size() > max_text)
     return fail(HRT_ERROR_BAD_FORMAT, "the text has ", text.size(), " bytes; allowed: up to ", max_text);
   FlatObjectReader reader;
-  if (!Json::sax_parse(text, &reader))
-    return fail(HRT_ERROR_BAD_FORMAT, "the text is not a JSON object of numbers, arrays of numbers and strings");
+  if (!Json::sax_parse(text, &reader)) return HRT_ERROR_BAD_FORMAT;  // the reader has set the error
   for (const JsonField& field : reader.fields) {
     const auto same = [&](const JsonField& other) { return other.key == field.key; };
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
@@ -220,12 +232,13 @@ hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what, "; remove it");
 }
 
-// Reads a JSON object into `*out`. Missing members are unchanged.
+// Reads a JSON object into `*out`. Missing members are those of `values`.
 template <class Struct>
-hrt_result read_object(const char* what, std::string_view text, Struct* out) {
+hrt_result read_object(const char* what, std::string_view text, Struct values, Struct* out) {
   std::vector<JsonField> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  for (const JsonField& field : fields) HRT_RETURN_IF_FAILED(read_into(what, field, out));
+  for (const JsonField& field : fields) HRT_RETURN_IF_FAILED(read_into(what, field, &values));
+  *out = values;
   return HRT_OK;
 }
 
@@ -253,25 +266,15 @@ void write_target(const hrt_target_config& target, JsonText& out) {
 void write_setup_config(const hrt_setup_config& config, JsonText& out) { write_object(config, out); }
 
 hrt_result read_setup_config(std::string_view text, hrt_setup_config* out) {
-  hrt_setup_config config = defaults<hrt_setup_config>;
-  HRT_RETURN_IF_FAILED(read_object("set-up", text, &config));
-  *out = config;
-  return HRT_OK;
+  return read_object("set-up", text, defaults<hrt_setup_config>, out);
 }
 
 hrt_result read_config(std::string_view text, hrt_session_config* out) {
-  hrt_session_config config = defaults<hrt_session_config>;
-  HRT_RETURN_IF_FAILED(read_object("configuration", text, &config));
-  *out = config;
-  return HRT_OK;
+  return read_object("configuration", text, defaults<hrt_session_config>, out);
 }
 
 hrt_result read_target(std::string_view text, hrt_target_config* out) {
-  hrt_target_config target{};
-  target.struct_size = sizeof target;
-  HRT_RETURN_IF_FAILED(read_object("target", text, &target));
-  *out = target;
-  return HRT_OK;
+  return read_object("target", text, {.struct_size = sizeof *out}, out);
 }
 
 void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out) {
