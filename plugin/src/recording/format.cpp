@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
+#include <utility>
 
 #include "plugin/src/recording/row.h"
 
@@ -111,6 +112,53 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
   if (result == HRT_OK) row.put_fields(ended.summary);
 }
 
+using SetupCell = Text<2048>;
+
+void write_value(const hrt_interval& interval, SetupCell& cell) {
+  cell << interval.value << ":" << interval.lower << ":" << interval.upper << ":" << interval.known;
+}
+template <class Number>
+  requires std::is_arithmetic_v<Number>
+void write_value(Number number, SetupCell& cell) {
+  cell << number;
+}
+void write_value(const double (&place_m)[3], SetupCell& cell) {
+  cell << place_m[0] << ":" << place_m[1] << ":" << place_m[2];
+}
+void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // texts follow from the numbers
+
+// Writes a struct as one cell of name=value pairs.
+template <class Struct>
+void put_setup(const Struct& values, Row& row, SetupCell& cell) {
+  for_each_field<Struct>([&](const auto& field) {
+    if (std::string_view(field.name) == "text" || std::string_view(field.name) == "reason") return;
+    cell << (cell.view().empty() ? "" : " ") << field.name << "=";
+    write_value(field.of(values), cell);
+  });
+  row.put(column("setup"), cell.view());
+}
+
+void write(const SetupBegun& begun, hrt_result, RecordText& out) {
+  JsonText json;
+  write_setup_config(begun.config, json);
+  out << setup_comment << begun.what << " " << json.view() << "\n";
+}
+
+void write(const SetupUpdated& updated, hrt_result result, RecordText& out) {
+  SetupCell cell;
+  Row row(out, "setup_update", result);
+  put_sample(updated.sample, row);
+  if (result == HRT_OK) put_setup(updated.step, row, cell);
+}
+
+void write(const SetupFinished& finished, hrt_result result, RecordText& out) {
+  SetupCell cell;
+  Row row(out, "setup_finish", result);
+  if (result == HRT_OK) put_setup(finished.result, row, cell);
+}
+
+void write(const SetupCancelled&, hrt_result result, RecordText& out) { Row(out, "setup_cancel", result); }
+
 // Compares cells. Cells with equal doubles may differ as text: 1e+05 and 100000.
 bool is_same_cell(std::string_view cell, std::string_view other) {
   constexpr std::string_view of_doubles = ".e";
@@ -164,12 +212,31 @@ hrt_result read_refused(const Cells& cells, Record* out) {
               "\", which is not an argument of the call \"", Shown{cells[0]}, "\"");
 }
 
-hrt_result read_update(const Cells& cells, Record* out) {
-  hrt_sample sample{};
-  HRT_RETURN_IF_FAILED(read_fields(cells, &sample));
-  out->call = Updated{.sample = sample, .command = {}};
+template <class Call>
+hrt_result read_sample(const Cells& cells, Record* out) {
+  Call call{};
+  HRT_RETURN_IF_FAILED(read_fields(cells, &call.sample));
+  out->call = call;
   return HRT_OK;
 }
+
+template <class Call>
+hrt_result read_nothing(const Cells&, Record* out) {
+  out->call = Call{};
+  return HRT_OK;
+}
+
+constexpr std::pair<std::string_view, hrt_result (*)(const Cells&, Record*)> calls_in_rows[] = {
+    {"begin", read_begin},
+    {"update", read_sample<Updated>},
+    {"retarget", read_retarget},
+    {"touched", read_touched},
+    {"cancel", read_nothing<ReachCancelled>},
+    {"end", read_nothing<ReachEnded>},
+    {"setup_update", read_sample<SetupUpdated>},
+    {"setup_finish", read_nothing<SetupFinished>},
+    {"setup_cancel", read_nothing<SetupCancelled>},
+};
 
 // Removes the first cell of a line and its comma, and returns the cell.
 std::string_view take_cell(std::string_view* line) {
@@ -212,19 +279,8 @@ hrt_result read_row(std::string_view line, Record* out) {
   for (std::string_view& cell : cells) cell = take_cell(&line);
   HRT_RETURN_IF_FAILED(read_cell(cells, column("result"), &out->result));
   if (!cells[column("refused_argument")].empty()) return read_refused(cells, out);
-  if (cells[0] == "begin") return read_begin(cells, out);
-  if (cells[0] == "update") return read_update(cells, out);
-  if (cells[0] == "retarget") return read_retarget(cells, out);
-  if (cells[0] == "touched") return read_touched(cells, out);
-  if (cells[0] == "cancel") {
-    out->call = ReachCancelled{};
-    return HRT_OK;
-  }
-  if (cells[0] == "end") {
-    out->call = ReachEnded{};
-    return HRT_OK;
-  }
-  if (is_setup_call(cells[0])) return read_setup_call(cells, out);
+  for (const auto& [call, read] : calls_in_rows)
+    if (cells[0] == call) return read(cells, out);
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
               "\"; allowed: begin, update, retarget, touched, cancel, end, setup_update, setup_finish, setup_cancel");
 }
@@ -253,6 +309,13 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
 hrt_result read_initial_plate_orientation(std::string_view rest, InitialPlateOrientation* out) {
   HRT_RETURN_IF_FAILED(take_number("the plate's orientation", rest, &out->orientation_deg));
   return check_range("the plate's orientation", out->orientation_deg, -1e9, 1e9);
+}
+
+hrt_result read_setup_begun(std::string_view rest, SetupBegun* out) {
+  const std::string_view what = rest.substr(0, rest.find(' '));
+  HRT_RETURN_IF_FAILED(take_number("the set-up's parts", what, &out->what));
+  rest.remove_prefix(what.size() == rest.size() ? what.size() : what.size() + 1);
+  return read_setup_config(rest, &out->config);
 }
 
 }  // namespace hrt::plugin

@@ -79,7 +79,7 @@ class Row {
 template <class What, class Number>
 hrt_result take_number(const What& what, std::string_view text, Number* out) {
   if (read_number(text, out)) return HRT_OK;
-  return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", Shown{text}, "\", which is not a number");
+  return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", Shown{text}, "\", which is not a number; record again");
 }
 
 /// Reads a cell. If it is empty, `*out` is unchanged.
@@ -118,14 +118,5 @@ hrt_result read_fields(const Cells& cells, S* values) {
   });
   return result;
 }
-
-// Calls of a set-up, in setup_format.cpp.
-void write(const SetupBegun& begun, hrt_result result, RecordText& out);
-void write(const SetupUpdated& updated, hrt_result result, RecordText& out);
-void write(const SetupFinished& finished, hrt_result result, RecordText& out);
-void write(const SetupCancelled& cancelled, hrt_result result, RecordText& out);
-
-bool is_setup_call(std::string_view call);
-hrt_result read_setup_call(const Cells& cells, Record* out);
 
 }  // namespace hrt::plugin
