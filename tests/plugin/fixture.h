@@ -70,6 +70,12 @@ inline hrt_session_config paper_config() {
   return config;
 }
 
+/// Configures estimates of the user: these means, and independent traits with this variance.
+inline void know_person(hrt_session_config* config, const std::vector<double>& mean, double variance = 0.01) {
+  std::copy(mean.begin(), mean.end(), config->person.mean);
+  for (int i = 0; i < HRT_PERSON_TRAITS; ++i) config->person.covariance[i * (i + 3) / 2] = variance;
+}
+
 /// Collects the lines of the library's log, or of a session's, during its lifetime: "LEVEL text".
 class Log {
  public:

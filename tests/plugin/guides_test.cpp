@@ -180,9 +180,7 @@ TEST_F(GuidesTest, RotatedFrameReplacesTheBiasThatReachesEstimated) {
   Tracked tracked(Tracked::Frame::turned, 300);
   tracked.stretch = Eigen::Matrix2d{{0.0, -2.0 * radian}, {2.0 * radian, 0.0}};
   hrt_session_config config = config_of(session);
-  constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 2.0, 0.0, 0.1, -0.5, 0.0, 1.2, 0.5};
-  std::copy(std::begin(mean), std::end(mean), config.person.mean);
-  for (int i = 0, place = 0; i < HRT_PERSON_TRAITS; place += i++ + 2) config.person.covariance[place] = 0.01;
+  know_person(&config, {0.2, 0.0, 14.0, 2.0, 0.0, 0.1, -0.5, 0.0, 1.2, 0.5});
   ASSERT_OK(hrt_session_set(session, &config));
   ASSERT_EQ(set_up(tracked).done, HRT_SETUP_GUIDES);
   EXPECT_NEAR(config_of(session).person.mean[HRT_PERSON_BIAS], 0.0, 0.5);

@@ -52,6 +52,14 @@ class RegisteredReachTest : public SessionTest {
     config.registration.time_ns = 1000;
     return config;
   }
+
+  /// Creates a session with an SD of the plate's position of 1 mm to the side, and with an allowed SD of 1 degree.
+  void create_shifted_by_1_mm() {
+    hrt_session_config config = turned_by(0.0);
+    config.plate.covariance[2] = 1e-6;
+    config.registration.max_sd_deg = 1.0;
+    create(config);
+  }
 };
 
 TEST_F(RegisteredReachTest, RotationSdOfOneDegreeIsPartOfTheMissSd) {
@@ -129,11 +137,7 @@ TEST_F(RegisteredReachTest, PoorRegistrationIsLoggedOncePerConfiguration) {
 
 // 1 mm to the side is 0.6 degrees at a distance of 100 mm, and 1.9 degrees at 30 mm.
 TEST_F(RegisteredReachTest, RetargetChecksTheRegistrationAgain) {
-  hrt_session_config config = turned_by(1.0);
-  config.plate.covariance[0] = 0.0;
-  config.plate.covariance[2] = 1e-6;
-  config.registration.max_sd_deg = 1.0;
-  create(config);
+  create_shifted_by_1_mm();
   const hrt_target real = add(placed(HRT_TARGET_REAL, 0.0, 0.1)), seen = add(placed(HRT_TARGET_VIRTUAL, 0.0, 0.1));
   ASSERT_OK(begin(real, seen));
   EXPECT_EQ(update(position_sample(0, 0.0, 0.0)).flags & HRT_COMMAND_REGISTRATION, 0u);
@@ -145,11 +149,7 @@ TEST_F(RegisteredReachTest, RetargetChecksTheRegistrationAgain) {
 
 // From a start that is nearer to the target than the configured one, the same error is a larger angle.
 TEST_F(RegisteredReachTest, StartAtFingerChecksTheRegistrationFromThere) {
-  hrt_session_config config = turned_by(1.0);
-  config.plate.covariance[0] = 0.0;
-  config.plate.covariance[2] = 1e-6;  // 1 mm to the side
-  config.registration.max_sd_deg = 1.0;
-  create(config);
+  create_shifted_by_1_mm();
   ASSERT_OK(begin(add(placed(HRT_TARGET_REAL, 0.0, 0.07)), add(HRT_TARGET_VIRTUAL, 5.0), HRT_REACH_START_AT_FINGER));
   // 0.82 degrees from the configured start, 1.15 from 5 cm before the target.
   EXPECT_EQ(update(output<hrt_sample>()).flags & HRT_COMMAND_REGISTRATION, 0u);

@@ -20,13 +20,6 @@ hrt_setup_result cancelled_result() {
   return result;
 }
 
-// Configures estimates of the user, with SDs up to 0.1.
-void know_person(hrt_session_config& config, double weight) {
-  config.person.mean[HRT_PERSON_WEIGHT] = weight;
-  config.person.mean[HRT_PERSON_GAIN] = 9.0;
-  for (int i = 0, at = 0; i < HRT_PERSON_TRAITS; at += ++i + 1) config.person.covariance[at] = 0.01;
-}
-
 class SetupTest : public RecordingTest {
  protected:
   void SetUp() override {
@@ -34,21 +27,24 @@ class SetupTest : public RecordingTest {
     create(session_config());
   }
 
-  hrt_setup_step update(GuidedPerson& person, const hrt_setup_step& step) {
-    const hrt_sample sample = person.follow(step);
+  hrt_setup_step update(
+      GuidedPerson& person, const hrt_setup_step& step,
+      const std::function<void(hrt_sample&)>& mistake = [](auto&) {}) {
+    hrt_sample sample = person.follow(step);
+    mistake(sample);
     auto next = output<hrt_setup_step>();
     EXPECT_OK(hrt_setup_update(session, &sample, &next));
     problems |= 1u << next.problem;
     return next;
   }
 
-  /// Runs the set-up until it is over, or until `watch` returns false.
+  /// Runs the set-up until it is over, or until `watch` returns false. `mistake` changes the samples.
   hrt_setup_result run(
-      GuidedPerson& person,
-      const std::function<bool(const hrt_setup_step&)>& watch = [](const auto&) { return true; }) {
+      GuidedPerson& person, const std::function<bool(const hrt_setup_step&)>& watch = [](const auto&) { return true; },
+      const std::function<void(hrt_sample&)>& mistake = [](auto&) {}) {
     auto step = output<hrt_setup_step>();
     for (int frame = 0; frame < 40'000; ++frame) {
-      step = update(person, step);
+      step = update(person, step, mistake);
       EXPECT_NE(step.text[0], '\0');
       if (!watch(step)) return cancelled_result();
       if (step.instruction != HRT_STEP_FINISH) continue;
@@ -129,7 +125,7 @@ TEST_F(SetupTest, AllMissingSkipsKnownPartsAndPartsWithoutData) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;
   hrt_session_config config = session_config();
-  know_person(config, 0.2);
+  know_person(&config, {0.2, 0.0, 9.0});
   create(config);
   begin_setup(HRT_SETUP_ALL_MISSING);
   std::uint32_t state = 0;
@@ -217,26 +213,22 @@ TEST_P(SetupMistake, IsReportedAndTheSetupEnds) {
   GuidedPerson person = quiet_person();
   person.in_plate = mistake.part == HRT_SETUP_CALIBRATION;
   begin_setup(mistake.part);
-  auto step = output<hrt_setup_step>();
-  auto result = output<hrt_setup_result>();
-  result.left = mistake.part;
+  auto last = output<hrt_setup_step>();
   std::uint32_t observed = 0;
-  for (int frame = 0; frame < 12'000 && result.left != 0; ++frame) {
-    hrt_sample sample = person.follow(step);
-    mistake.make(sample);
-    ASSERT_OK(hrt_setup_update(session, &sample, &step));
+  int frames = 0;
+  const auto watch = [&](const hrt_setup_step& step) {
+    last = step;
     if (step.observed != HRT_OBSERVED_NONE) observed |= 1u << step.observed;
-    if (step.instruction == HRT_STEP_FINISH) {
-      ASSERT_OK(hrt_setup_finish(session, &result));
-    }
-  }
-  EXPECT_EQ(observed != 0, mistake.observed != 0) << step.text;
-  EXPECT_EQ(observed & 1u << mistake.observed, mistake.observed ? 1u << mistake.observed : 0u) << step.text;
-  EXPECT_EQ(result.left, mistake.dropped ? 0u : mistake.part) << "it waits for the user";
+    return ++frames < 12'000;
+  };
+  const hrt_setup_result result = run(person, watch, mistake.make);
+  EXPECT_EQ(observed != 0, mistake.observed != 0) << last.text;
+  EXPECT_EQ(observed & 1u << mistake.observed, mistake.observed ? 1u << mistake.observed : 0u) << last.text;
+  EXPECT_EQ(result.left, mistake.dropped ? 0u : cancelled_result().left) << "it waits for the user";
   EXPECT_EQ(result.dropped, mistake.dropped);
   EXPECT_EQ(result.done, 0u);
-  EXPECT_NE(std::string(mistake.dropped ? result.reason : step.text).find(mistake.reason), std::string::npos)
-      << result.reason << "; " << step.text;
+  EXPECT_NE(std::string(mistake.dropped ? result.reason : last.text).find(mistake.reason), std::string::npos)
+      << result.reason << "; " << last.text;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -370,7 +362,7 @@ TEST_F(SetupTest, RetestReportsDifferencesForAnotherPerson) {
 TEST_F(SetupTest, CalibrationReplacesTheEstimatesOfReaches) {
   hrt_session_config before = session_config();
   before.person.motion_bound_deg = 30.0;
-  know_person(before, 0.5);
+  know_person(&before, {0.5, 0.0, 9.0});
   create(before);
   auto residual = output<hrt_setup_residual>();
   expect_error(hrt_setup_get_residual(session, 0, &residual), HRT_ERROR_WRONG_STATE, "HRT_SETUP_CALIBRATION");
