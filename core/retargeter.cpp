@@ -89,27 +89,23 @@ void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& h
 const PlateCommand& Retargeter::update(const FingerSample& sample) {
   const auto* person = std::get_if<PersonReach>(&*controller_);
   if (person && sample.observation == Observation::direction && !person->seen()) use_paper_controller();
-  observe(sample);
-  if (end_.came_to_start()) {
-    PlateHandover now = *handover();
-    --now.samples;  // the new reach processes the sample again
-    begin(reach_, now);
-    observe(sample);
-  }
-  const ReachProgress& progress = end_.progress();
-  command_.arrived = progress.arrived;
-  command_.off_target = command_.off_target || progress.off_target;
-  command_.not_at_start = progress.not_at_start;
-  return command_;
-}
-
-void Retargeter::observe(const FingerSample& sample) {
   std::visit(
       [&](auto& controller) {
         command_ = controller.update(sample);
         end_.observe(sample, controller.finger());
       },
       *controller_);
+  if (end_.came_to_start()) {
+    PlateHandover now = *handover();
+    --now.samples;
+    begin(reach_, now);
+    return update(sample);  // the new reach processes the sample again, and cannot end by it
+  }
+  const ReachProgress& progress = end_.progress();
+  command_.arrived = progress.arrived;
+  command_.off_target = command_.off_target || progress.off_target;
+  command_.not_at_start = progress.not_at_start;
+  return command_;
 }
 
 const PlateCommand& Retargeter::step(double finger_direction_deg) {

@@ -55,7 +55,6 @@ class Retargeter {
 
  private:
   void begin(const Reach& reach, const std::optional<PlateHandover>& handover);
-  void observe(const FingerSample& sample);
   std::optional<PlateHandover> handover() const;
   void use_paper_controller();
   Reach reach_from_present_position(const PlatePoint& real, const PlatePoint& virtual_place);

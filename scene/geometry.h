@@ -4,7 +4,12 @@
 
 #include <cmath>
 
+#include "core/plate/plate_frame.h"
+
 namespace hrt {
+
+/// Smallest distance along the plate at which a direction is defined. Nearer, it would be noise of the tracker.
+inline constexpr double min_distance_m = 1e-3;
 
 /// A position in metres, or a direction.
 struct Vec3 {
@@ -72,6 +77,19 @@ inline Transform transform_of(const Pose& pose) {
 inline Vec3 coordinates_in(const Transform& frame, Vec3 point) {
   const Vec3 from_origin = point - frame.origin;
   return {dot(frame.x, from_origin), dot(frame.y, from_origin), dot(frame.z, from_origin)};
+}
+
+/// Converts a position in the world to coordinates of a plate with the pose `plate`: in metres from the centre of
+/// rotation, +X right, +Y up along the plate's normal, +Z towards the user. `scale` is the length in the world of 1 m
+/// on the plate.
+inline Vec3 plate_coordinates(const Pose& plate, double scale, Vec3 world_m) {
+  if (scale != 1.0) world_m = plate.position_m + (world_m - plate.position_m) * (1.0 / scale);
+  return coordinates_in(transform_of({plate.position_m, normalized(plate.orientation)}), world_m);
+}
+
+/// Projects a position in plate coordinates onto the plate.
+inline PlatePoint plate_point(Vec3 position_m) {
+  return {.right_mm = mm_per_m * position_m.x, .away_mm = -mm_per_m * position_m.z};
 }
 
 }  // namespace hrt

@@ -100,7 +100,7 @@ std::string reason(std::string_view error) {
   const std::size_t name_end = error.find("] ");
   if (name_end != error.npos) error.remove_prefix(name_end + 2);
   error = error.substr(0, error.find("; last read"));
-  return printable(error.substr(0, error.find('\n')));
+  return printable(std::string(error.substr(0, error.find('\n'))));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "scene/scene_error.h"
 
@@ -35,14 +36,13 @@ constexpr Role roles[] = {{"plate", HapticRole::plate, plate_keys},
                           {"virtual", HapticRole::virtual_target, virtual_keys},
                           {"start", HapticRole::start, start_keys}};
 
+bool is_haptic_key(std::string_view key) { return key == nested_key || key.starts_with(flat_prefix); }
+
 }  // namespace
 
 bool is_haptic(const tinygltf::Value& extras) {
-  if (!extras.IsObject()) return false;
-  const auto& members = extras.Get<tinygltf::Value::Object>();
-  return std::any_of(members.begin(), members.end(), [](const auto& member) {
-    return member.first == nested_key || member.first.starts_with(flat_prefix);
-  });
+  const std::vector<std::string> keys = extras.Keys();  // none if it is not an object
+  return std::any_of(keys.begin(), keys.end(), is_haptic_key);
 }
 
 HapticProperties haptic_properties(const tinygltf::Value& extras, const std::string& where) {

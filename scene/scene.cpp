@@ -57,36 +57,30 @@ Quaternion quaternion_of(const Transform& axes) {
 class SceneReader {
  public:
   SceneReader(const tinygltf::Model& model, const std::string& file)
-      : model_(model),
-        file_(file),
-        instancing_is_required_(
-            std::count(model.extensionsRequired.begin(), model.extensionsRequired.end(), instancing) > 0),
-        is_visited_(model.nodes.size()) {}
+      : model_(model), file_(file), is_visited_(model.nodes.size()) {}
 
   Scene read() {
-    visit_all(default_scene().nodes);
+    const std::size_t count = model_.scenes.size();
+    if (model_.defaultScene < 0 && count != 1)
+      refuse(file_, "the file has {} scenes and no default; set `scene` to the index of one", count);
+    const auto index = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
+    if (index >= count) refuse(file_, "scene is {}; allowed: below {}, the number of scenes", index, count);
+    visit_all(model_.scenes[index].nodes);
     if (haptic_nodes_ == 0) refuse(file_, "no node has a haptic role; set extras.haptic.role or extras.haptic_role");
     if (scene_.plate.node_path.empty()) refuse(file_, "no node has the role \"plate\"; set extras.haptic.role of one");
     locate_start();
-    for (SceneTarget& target : scene_.targets) locate(target);
+    for (SceneTarget& target : scene_.targets) {
+      target.position_m = coordinates_in(plate_frame_, target.world_position_m);
+      check_position(target.node_path, target.position_m, "the plate");
+      if (distance_m(scene_, target) < min_distance_m)
+        refuse(where(target.node_path), "the target is at the start and has no direction; move one of them");
+    }
     for (std::size_t i = 0; i < scene_.targets.size(); ++i)
       if (scene_.targets[i].kind == TargetKind::virtual_object) scene_.targets[i].served_by = real_target_of(i);
     return std::move(scene_);
   }
 
  private:
-  static constexpr const char* instancing = "EXT_mesh_gpu_instancing";
-
-  const tinygltf::Scene& default_scene() const {
-    const std::size_t count = model_.scenes.size();
-    if (model_.defaultScene < 0 && count != 1)
-      refuse(file_, "the file has {} scenes and no default; set `scene` to the index of one", count);
-    const int index = std::max(model_.defaultScene, 0);
-    if (static_cast<std::size_t>(index) >= count)
-      refuse(file_, "scene is {}; allowed: below {}, the number of scenes", index, count);
-    return model_.scenes[static_cast<std::size_t>(index)];
-  }
-
   // Visits parents before their children, and siblings in the order of the file. The depth of recursion is limited.
   void visit_all(const std::vector<int>& siblings) {
     for (const int index : siblings) {
@@ -125,68 +119,78 @@ class SceneReader {
   }
   std::string where() const { return where(path()); }
 
-  // Returns the transform of the node of path_ at `depth`, relative to its parent.
-  Transform local_transform(std::size_t depth) const {
-    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(path_[depth])];
-    const auto node_is_refused = [&](const std::string& what) { refuse(where(path(depth + 1)), "{}", what); };
-    const auto check_size = [&](const char* key, const std::vector<double>& values, std::size_t size) {
-      if (!values.empty() && values.size() != size)
-        node_is_refused(fmt::format("{} is not an array of {} numbers", key, size));
-    };
-    check_size("matrix", node.matrix, 16);
-    check_size("translation", node.translation, 3);
-    check_size("rotation", node.rotation, 4);
-    check_size("scale", node.scale, 3);
-    Transform local;
-    if (const std::vector<double>& m = node.matrix; !m.empty()) {  // column by column
-      if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
-        node_is_refused("matrix has a fourth row other than 0 0 0 1; export an affine transform");
-      local = {.x{m[0], m[1], m[2]}, .y{m[4], m[5], m[6]}, .z{m[8], m[9], m[10]}, .origin{m[12], m[13], m[14]}};
-    } else {
-      Pose pose;
-      if (const std::vector<double>& p = node.translation; !p.empty()) pose.position_m = {p[0], p[1], p[2]};
-      if (const std::vector<double>& q = node.rotation; !q.empty()) pose.orientation = {q[0], q[1], q[2], q[3]};
-      if (!is_unit(pose.orientation))
-        node_is_refused("rotation is not a unit quaternion; allowed: length 1 within 0.001");
-      local = transform_of({pose.position_m, normalized(pose.orientation)});
-      if (const std::vector<double>& s = node.scale; !s.empty()) {
-        local.x = local.x * s[0];
-        local.y = local.y * s[1];
-        local.z = local.z * s[2];
-      }
-    }
-    if (is_degenerate(local))
-      node_is_refused(node.matrix.empty() ? "scale is 0 in an axis; set it to another value"
-                                          : "matrix has no inverse; allowed: only invertible ones");
-    return local;
-  }
-
+  // Returns the transform of the last node of path_: the product of the transforms of all nodes of path_.
   Transform world_transform() const {
     Transform world;
-    for (std::size_t depth = 0; depth < path_.size(); ++depth) world = world * local_transform(depth);
+    for (std::size_t depth = 0; depth < path_.size(); ++depth) {
+      const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(path_[depth])];
+      const auto node_is_refused = [&](const std::string& what) { refuse(where(path(depth + 1)), "{}", what); };
+      const auto check_size = [&](const char* key, const std::vector<double>& values, std::size_t size) {
+        if (!values.empty() && values.size() != size)
+          node_is_refused(fmt::format("{} is not an array of {} numbers", key, size));
+      };
+      check_size("matrix", node.matrix, 16);
+      check_size("translation", node.translation, 3);
+      check_size("rotation", node.rotation, 4);
+      check_size("scale", node.scale, 3);
+      Transform local;
+      if (const std::vector<double>& m = node.matrix; !m.empty()) {  // column by column
+        if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
+          node_is_refused("matrix has a fourth row other than 0 0 0 1; export an affine transform");
+        local = {.x{m[0], m[1], m[2]}, .y{m[4], m[5], m[6]}, .z{m[8], m[9], m[10]}, .origin{m[12], m[13], m[14]}};
+      } else {
+        Pose pose;
+        if (const std::vector<double>& p = node.translation; !p.empty()) pose.position_m = {p[0], p[1], p[2]};
+        if (const std::vector<double>& q = node.rotation; !q.empty()) pose.orientation = {q[0], q[1], q[2], q[3]};
+        if (!is_unit(pose.orientation))
+          node_is_refused("rotation is not a unit quaternion; allowed: length 1 within 0.001");
+        local = transform_of({pose.position_m, normalized(pose.orientation)});
+        if (const std::vector<double>& s = node.scale; !s.empty()) {
+          local.x = local.x * s[0];
+          local.y = local.y * s[1];
+          local.z = local.z * s[2];
+        }
+      }
+      if (is_degenerate(local))
+        node_is_refused(node.matrix.empty() ? "scale is 0 in an axis; set it to another value"
+                                            : "matrix has no inverse; allowed: only invertible ones");
+      world = world * local;
+    }
     return world;
   }
 
   void take(const tinygltf::Node& node, const HapticProperties& properties) {
+    constexpr const char* instancing = "EXT_mesh_gpu_instancing";
     if (++haptic_nodes_ > gltf_limits::haptic_nodes)
       refuse(file_, "too many nodes have a haptic role; allowed: up to {}", gltf_limits::haptic_nodes);
-    if (instancing_is_required_ && node.extensions.count(instancing) > 0)
+    const std::vector<std::string>& required = model_.extensionsRequired;
+    if (node.extensions.contains(instancing) &&
+        std::find(required.begin(), required.end(), instancing) != required.end())
       refuse(where(), "{} repeats a haptic node; remove the extension from it", instancing);
     const Transform world = world_transform();
     check_position(path(), world.origin, "the world's origin");
-    switch (properties.role) {
-      case HapticRole::plate:
-        check_is_first(scene_.plate.node_path);
-        take_plate(world, properties);
-        return;
-      case HapticRole::start:
-        check_is_first(scene_.start_path.value_or(""));
-        scene_.start_path = path();
-        scene_.start_m = world.origin;
-        return;
-      case HapticRole::real:
-      case HapticRole::virtual_target:
-        take_target(node, world, properties);
+    if (properties.role == HapticRole::plate) {
+      check_is_first(scene_.plate.node_path);
+      take_plate(world, properties);
+    } else if (properties.role == HapticRole::start) {
+      check_is_first(scene_.start_path.value_or(""));
+      scene_.start_path = path();
+      scene_.start_m = world.origin;
+    } else {
+      const std::string& name = properties.name.value_or(node.name.empty() ? path() : printable(node.name));
+      const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
+      if (!is_new)
+        refuse(where(), "its name {} is also that of {}; each target needs its own name (extras.haptic.name)",
+               in_quotes(name), in_quotes(scene_.targets[same->second].node_path));
+      scene_.targets.push_back(
+          {.kind = properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object,
+           .name = name,
+           .world_position_m = world.origin,
+           .position_m = {},
+           .radius_m = properties.radius_m,
+           .served_by = {},
+           .node_path = path()});
+      served_by_.push_back(properties.served_by);
     }
   }
 
@@ -219,23 +223,6 @@ class SceneReader {
                     .node_path = path()};
   }
 
-  void take_target(const tinygltf::Node& node, const Transform& world, const HapticProperties& properties) {
-    const std::string& name = properties.name.value_or(node.name.empty() ? path() : printable(node.name));
-    const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
-    if (!is_new) {
-      refuse(where(), "its name {} is also that of {}; each target needs its own name (extras.haptic.name)",
-             in_quotes(name), in_quotes(scene_.targets[same->second].node_path));
-    }
-    SceneTarget target{};
-    target.kind = properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object;
-    target.name = name;
-    target.world_position_m = world.origin;
-    target.radius_m = properties.radius_m;
-    target.node_path = path();
-    scene_.targets.push_back(std::move(target));
-    served_by_.push_back(properties.served_by);
-  }
-
   void locate_start() {
     if (!scene_.start_path) {
       scene_.start_m = {0.0, 0.0, scene_.plate.radius_m * 2.0 / 3.0};
@@ -249,16 +236,6 @@ class SceneReader {
              "the start is {:g} m from the centre of the plate; allowed: up to its radius_m, {:g}", from_centre_m,
              scene_.plate.radius_m);
     }
-  }
-
-  void locate(SceneTarget& target) const {
-    target.position_m = coordinates_in(plate_frame_, target.world_position_m);
-    check_position(target.node_path, target.position_m, "the plate");
-    const Bearing bearing = bearing_from(scene_.start_m, target.position_m);
-    if (bearing.at_start)
-      refuse(where(target.node_path), "the target is at the start and has no direction; move one of them");
-    target.direction_deg = bearing.direction_deg;
-    target.distance_m = bearing.distance_m;
   }
 
   std::size_t real_target_of(std::size_t virtual_index) const {
@@ -276,7 +253,8 @@ class SceneReader {
     double min_gap_deg = 0.0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
       if (targets[i].kind != TargetKind::real_object) continue;
-      const double gap_deg = std::abs(wrap_deg(targets[i].direction_deg - target.direction_deg, 360.0));
+      const double gap_deg =
+          std::abs(wrap_deg(direction_deg(scene_, targets[i]) - direction_deg(scene_, target), 360.0));
       if (!nearest || gap_deg < min_gap_deg) {
         nearest = i;
         min_gap_deg = gap_deg;
@@ -288,7 +266,6 @@ class SceneReader {
 
   const tinygltf::Model& model_;
   const std::string& file_;
-  const bool instancing_is_required_;
   std::vector<bool> is_visited_;  // for each node
   std::vector<int> path_;         // indices of the present node's ancestors, the root first, and of the node
   std::size_t haptic_nodes_ = 0;
@@ -304,6 +281,14 @@ Scene scene_of(std::string json, const std::string& file) {
 }
 
 }  // namespace
+
+double direction_deg(const Scene& scene, const SceneTarget& target) {
+  return bearing_deg(plate_point(scene.start_m), plate_point(target.position_m));
+}
+
+double distance_m(const Scene& scene, const SceneTarget& target) {
+  return hrt::distance_mm(plate_point(scene.start_m), plate_point(target.position_m)) / mm_per_m;
+}
 
 Scene load_scene(const std::filesystem::path& path) {
   const std::string file = printable(path.string());

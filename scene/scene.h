@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/plate_coordinates.h"
+#include "scene/geometry.h"
 #include "scene/scene_error.h"
 
 namespace hrt {
@@ -35,8 +35,6 @@ struct SceneTarget {
   std::string name;                      ///< unique among the targets
   Vec3 world_position_m;                 ///< origin of the node
   Vec3 position_m;                       ///< the same in plate coordinates; y is the height above the plate
-  double direction_deg;                  ///< direction from the start, in (-180, 180]
-  double distance_m;                     ///< distance from the start along the plate, >= min_distance_m
   std::optional<double> radius_m;        ///< radius of the object, if the file has it
   std::optional<std::size_t> served_by;  ///< index in Scene::targets of the assigned real target; set if virtual
   std::string node_path;
@@ -48,6 +46,12 @@ struct Scene {
   std::optional<std::string> start_path;  ///< path of the start's node, if the file has one
   std::vector<SceneTarget> targets;       ///< in the order of the file's node tree
 };
+
+/// Returns the direction of a target from the start, in (-180, 180].
+double direction_deg(const Scene& scene, const SceneTarget& target);
+
+/// Returns the distance of a target from the start along the plate. At least min_distance_m in a loaded scene.
+double distance_m(const Scene& scene, const SceneTarget& target);
 
 /// Reads a .gltf or .glb file, recognised by content. Throws SceneError, std::bad_alloc.
 Scene load_scene(const std::filesystem::path& file);

@@ -17,12 +17,12 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+inline bool is_control_character(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
 /// Returns `text` with control characters replaced by '?'.
-inline std::string printable(std::string_view text) {
-  std::string result(text);
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
-  return result;
+inline std::string printable(std::string text) {
+  std::replace_if(text.begin(), text.end(), is_control_character, '?');
+  return text;
 }
 
 /// Returns `text` in double quotes for an error text: printable, truncated after 80 characters of UTF-8.

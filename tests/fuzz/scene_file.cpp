@@ -15,13 +15,14 @@ void require(bool condition) {
 }
 
 void check_scene(const hrt::Scene& scene) {
-  require(hrt::is_valid(scene.plate.pose));
+  require(hrt::is_unit(scene.plate.pose.orientation));
+  require(hrt::length(scene.plate.pose.position_m) < 2000.0);
   require(scene.plate.radius_m > 0.0);
   require(hrt::length(scene.start_m) <= scene.plate.radius_m);
   for (const hrt::SceneTarget& target : scene.targets) {
     require(!target.name.empty() && !target.node_path.empty());
-    require(std::abs(target.direction_deg) <= 180.0);
-    require(target.distance_m >= hrt::min_distance_m && std::isfinite(target.distance_m));
+    require(std::abs(hrt::direction_deg(scene, target)) <= 180.0);
+    require(hrt::distance_m(scene, target) >= hrt::min_distance_m && std::isfinite(hrt::distance_m(scene, target)));
     require(std::isfinite(target.position_m.y));
     require(target.served_by.has_value() == (target.kind == hrt::TargetKind::virtual_object));
     if (target.served_by) require(scene.targets.at(*target.served_by).kind == hrt::TargetKind::real_object);

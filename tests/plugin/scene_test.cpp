@@ -45,7 +45,7 @@ TEST_F(SceneAbiTest, ReturnsTheContentOfTheScene) {
     auto target = output<hrt_scene_target>();
     ASSERT_OK(hrt_scene_get_target(scene, i, &target));
     EXPECT_EQ(target.name, expected.targets[i].name);
-    EXPECT_EQ(target.direction_deg, expected.targets[i].direction_deg);
+    EXPECT_EQ(target.direction_deg, direction_deg(expected, expected.targets[i]));
     EXPECT_EQ(target.role == HRT_TARGET_VIRTUAL, target.served_by >= 0);
   }
   auto target = output<hrt_scene_target>();

@@ -5,7 +5,7 @@
 
 #include "core/retargeter_config.h"
 #include "fixture.h"
-#include "scene/plate_coordinates.h"
+#include "plugin/src/session/session_model.h"
 
 namespace hrt::test {
 namespace {
@@ -60,7 +60,7 @@ TEST(SessionConfig, DefaultsAreThoseOfTheCore) {
   EXPECT_EQ(config.paper.sensory_variance_deg2, core.participant.sensory_variance_deg2);
   EXPECT_EQ(config.paper.initial_variance_deg2, core.participant.initial_variance_deg2);
   EXPECT_EQ(mm_per_m * config.tracker.noise_m, core.estimator.tracker_noise_mm);
-  EXPECT_EQ(config.lift_height_m, PlateSurface().lift_height_m);
+  EXPECT_EQ(config.lift_height_m, plugin::PlateSurface().lift_height_m);
   EXPECT_EQ(config.person.max_felt_error_deg, core.reach.max_felt_error_deg);
   EXPECT_EQ(config.person.motion_bound_deg, core.reach.bound_deg);
   EXPECT_EQ(mm_per_m * config.tracker.correlated_noise_m, core.estimator.correlated_noise_mm);
@@ -80,9 +80,7 @@ TEST_F(SessionTest, ProfileResetMakesThePersonUnknownAndKeepsThePlate) {
   known.person.bias_deg = -2.0;
   known.person.motion_bound_deg = 50.0;
   known.fingertip_offset_m[2] = 0.01;
-  for (int i = 0, place = 0; i < HRT_PERSON_TRAITS; place += i++ + 2) known.person.covariance[place] = 0.01;
-  constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 1.0, 0.0, 0.1, -0.5, 0.0, 1.2, 0.5};
-  std::copy(std::begin(mean), std::end(mean), known.person.mean);
+  know_person(&known, {0.2, 0.0, 14.0, 1.0, 0.0, 0.1, -0.5, 0.0, 1.2, 0.5});
   ASSERT_OK(hrt_session_set(session, &known));
   ASSERT_OK(hrt_profile_reset(session));
   EXPECT_TRUE(same(config_of(session), apparatus));

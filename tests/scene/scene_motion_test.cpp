@@ -64,8 +64,8 @@ TEST_F(RandomScenes, RigidMotionChangesNoDirection) {
     ASSERT_EQ(moved.targets.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
       // Rounding errors at 20 m are 4e-15 m, which is 2e-10 degrees at the minimum distance of 1 mm.
-      EXPECT_NEAR(moved.targets[i].direction_deg, still.targets[i].direction_deg, 1e-9);
-      EXPECT_NEAR(moved.targets[i].distance_m, still.targets[i].distance_m, 1e-13);
+      EXPECT_NEAR(direction_deg(moved, moved.targets[i]), direction_deg(still, still.targets[i]), 1e-9);
+      EXPECT_NEAR(distance_m(moved, moved.targets[i]), distance_m(still, still.targets[i]), 1e-13);
       EXPECT_NEAR(moved.targets[i].position_m.y, still.targets[i].position_m.y, 1e-13);
     }
   }
@@ -83,23 +83,8 @@ TEST_F(RandomScenes, MirroringNegatesDirections) {
     }
     const Scene seen = load(document(mirrored));
     for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_NEAR(seen.targets[i].direction_deg, -scene.targets[i].direction_deg, 1e-10);
-      EXPECT_NEAR(seen.targets[i].distance_m, scene.targets[i].distance_m, 1e-15);
-    }
-  }
-}
-
-// A fingertip at the world position of a target has its direction, also after the plate has moved.
-TEST_F(RandomScenes, FingertipOnATargetHasItsDirection) {
-  for (int trial = 0; trial < trials; ++trial) {
-    const Scene scene = load(document(nodes()));
-    for (const SceneTarget& target : scene.targets) {
-      FingerOnPlate finger{};
-      ASSERT_TRUE(locate_finger({.radius_m = scene.plate.radius_m}, scene.plate.pose, target.world_position_m, finger));
-      const Bearing bearing = bearing_from(scene.start_m, finger.position_m);
-      EXPECT_NEAR(bearing.direction_deg, target.direction_deg, 1e-9);
-      EXPECT_NEAR(bearing.distance_m, target.distance_m, 1e-14);
-      EXPECT_NEAR(finger.position_m.y, target.position_m.y, 1e-14);
+      EXPECT_NEAR(direction_deg(seen, seen.targets[i]), -direction_deg(scene, scene.targets[i]), 1e-10);
+      EXPECT_NEAR(distance_m(seen, seen.targets[i]), distance_m(scene, scene.targets[i]), 1e-15);
     }
   }
 }

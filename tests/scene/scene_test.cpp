@@ -32,8 +32,8 @@ TEST(DeskScene, HasThePlateStartAndTargetsOfItsReadme) {
     const SceneTarget& target = scene.targets[i];
     EXPECT_EQ(target.name, expected[i].name);
     EXPECT_EQ(target.kind, expected[i].kind);
-    EXPECT_NEAR(target.direction_deg, expected[i].direction_deg, 1e-8);
-    EXPECT_NEAR(target.distance_m, 0.1, 1e-9);
+    EXPECT_NEAR(direction_deg(scene, target), expected[i].direction_deg, 1e-8);
+    EXPECT_NEAR(distance_m(scene, target), 0.1, 1e-9);
     EXPECT_NEAR(target.position_m.y, 0.0, 1e-12);
     EXPECT_EQ(target.radius_m, 0.005);
     EXPECT_EQ(target.served_by.has_value(), target.kind == TargetKind::virtual_object);
@@ -48,7 +48,7 @@ TEST(Table1Scene, HasTheSixPairsOfThePaper) {
   std::vector<std::pair<double, double>> found;
   for (const SceneTarget& target : scene.targets) {
     if (target.served_by) {
-      found.emplace_back(scene.targets[*target.served_by].direction_deg, target.direction_deg);
+      found.emplace_back(direction_deg(scene, scene.targets[*target.served_by]), direction_deg(scene, target));
     }
   }
   ASSERT_EQ(found.size(), real_and_virtual_deg.size());
@@ -76,14 +76,14 @@ TEST(BlenderScene, LoadsFlatAndNestedPropertiesOfAnExport) {
   EXPECT_EQ(bottle.name, "Bottle");
   EXPECT_EQ(bottle.served_by, 1u);
   EXPECT_EQ(bottle.radius_m, 0.005);
-  EXPECT_NEAR(bottle.direction_deg, 10.0, 1e-3);
+  EXPECT_NEAR(direction_deg(scene, bottle), 10.0, 1e-3);
   EXPECT_EQ(cylinder.name, "cylinder");
   EXPECT_EQ(cylinder.kind, TargetKind::real_object);
-  EXPECT_NEAR(cylinder.direction_deg, 0.0, 1e-3);
-  EXPECT_NEAR(mirrored.direction_deg, -8.0, 1e-3);
+  EXPECT_NEAR(direction_deg(scene, cylinder), 0.0, 1e-3);
+  EXPECT_NEAR(direction_deg(scene, mirrored), -8.0, 1e-3);
   EXPECT_NEAR(mirrored.position_m.y, 0.01, 1e-7);
   for (const SceneTarget& target : scene.targets) {
-    EXPECT_NEAR(target.distance_m, 0.1, 1e-7);
+    EXPECT_NEAR(distance_m(scene, target), 0.1, 1e-7);
   }
 }
 

@@ -1,7 +1,6 @@
 // Checks of arguments: struct sizes, ranges of numbers, texts.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -67,9 +66,8 @@ hrt_result check_output(const char* name, const Struct* out) {
 /// Completes a struct of `size` bytes whose known fields are written: sets struct_size, and the unknown bytes to 0.
 template <class Struct>
 void end_struct(std::uint32_t size, Struct* out) {
-  auto* const bytes = reinterpret_cast<char*>(out);
-  std::fill(bytes + sizeof(Struct), bytes + size, '\0');
-  std::memcpy(bytes, &size, sizeof size);
+  std::memset(reinterpret_cast<char*>(out) + sizeof(Struct), 0, size - sizeof(Struct));
+  std::memcpy(reinterpret_cast<char*>(out), &size, sizeof size);
 }
 
 /// Writes `known` into a struct of `size` bytes, and zeros into its unknown bytes.

@@ -73,10 +73,8 @@ bool is_set(const S& values) {
 /// Visits every field of a struct that is not reserved.
 template <class S, class Visit>
 constexpr void for_each_field(Visit&& visit) {
-  const auto one = [&](const auto& field) {
-    if (field.kind != FieldKind::reserved) visit(field);
-  };
-  std::apply([&](const auto&... field) { (one(field), ...); }, Fields<S>::all);
+  std::apply([&](const auto&... field) { ((field.kind == FieldKind::reserved ? void() : visit(field)), ...); },
+             Fields<S>::all);
 }
 
 }  // namespace hrt::plugin

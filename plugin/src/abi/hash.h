@@ -1,8 +1,11 @@
-// FNV-1a, 64 bits.
+// FNV-1a, 64 bits, and the hash of commands in hrt_replay_report::hash.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <string_view>
+
+#include "haptic_retargeting/recording.h"
 
 namespace hrt::plugin {
 
@@ -22,5 +25,13 @@ class Hash {
 
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
+
+inline void add(const hrt_command& command, Hash& hash) {
+#define HRT_ADD_WHOLE(name) hash.add(static_cast<std::uint64_t>(command.name));
+#define HRT_ADD_NUMBER(name) hash.add(std::bit_cast<std::uint64_t>(command.name));
+  HRT_HASHED_FIELDS(HRT_ADD_WHOLE, HRT_ADD_NUMBER)
+#undef HRT_ADD_WHOLE
+#undef HRT_ADD_NUMBER
+}
 
 }  // namespace hrt::plugin

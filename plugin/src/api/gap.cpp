@@ -5,7 +5,7 @@
 
 #include "haptic_retargeting/gap.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 #include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
@@ -39,7 +39,7 @@ using namespace hrt::plugin;
 
 hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
                          hrt_gap* out_gap) noexcept {
-  return with_session("hrt_gap_query", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_gap_query", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_gap", out_gap));
     const Targets& targets = s.session().targets;
     const Target *real = nullptr, *seen = nullptr;
@@ -55,7 +55,7 @@ hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target
 hrt_result hrt_gap_assign(hrt_session session, const hrt_target* virtual_targets, uint64_t virtual_count,
                           const hrt_target* real_targets, uint64_t real_count, uint32_t flags, uint64_t capacity,
                           hrt_gap* out_gaps) noexcept {
-  return with_session("hrt_gap_assign", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_gap_assign", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_flags(flags, HRT_ASSIGN_EXCLUSIVE));
     const Targets& targets = s.session().targets;
     std::vector<const Target*> virtuals, reals;

@@ -10,7 +10,7 @@
 #include "haptic_retargeting/host.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/host.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 
 namespace hrt::plugin {
 namespace {
@@ -134,7 +134,7 @@ hrt_result hrt_host_set(const hrt_host* given) noexcept {
 }
 
 hrt_result hrt_host_set_log(hrt_session session, const hrt_host* given) noexcept {
-  return with_session("hrt_host_set_log", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_host_set_log", session.value, [&](RecordedSession& s) -> hrt_result {
     hrt_host host;
     HRT_RETURN_IF_FAILED(read_host(given, &host));
     if (host.allocate || host.release)

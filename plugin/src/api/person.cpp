@@ -6,7 +6,7 @@
 #include "core/simulation/simulated_hand.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 #include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
@@ -18,7 +18,7 @@ struct SimulatedUser {
 };
 
 using People = HandleTable<SimulatedUser, HRT_PEOPLE_MAX, 0x9e>;
-constinit People people;
+constinit People people("person");
 
 constexpr double default_duration_s = 1.5;
 // Position of the plate in a set-up, which is rotated by 20 degrees about y, and offset of the skin from the tracked
@@ -39,11 +39,6 @@ std::unique_ptr<SimulatedUser> made(const hrt_person_config& config, std::uint64
   return user;
 }
 
-template <class Body>
-hrt_result with_person(const char* call, hrt_person handle, Body&& body) noexcept {
-  return with_lease(call, "person", people, handle.value, body);
-}
-
 hrt_result check_begun(const SimulatedHand& hand) {
   if (hand.has_begun()) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE,
@@ -52,7 +47,7 @@ hrt_result check_begun(const SimulatedHand& hand) {
 
 // Moves the person as the current step of the session's set-up instructs.
 hrt_result follow(SimulatedUser& user, std::int64_t time_ns, double plate_orientation_deg, hrt_sample* sample) {
-  return with_session("hrt_person_move", hrt_session{user.session}, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_person_move", user.session, [&](RecordedSession& s) -> hrt_result {
     const Session& session = s.session();
     std::optional<SetupStep> step;
     if (session.is_setting_up()) step = session.setup_step();
@@ -92,13 +87,11 @@ hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed, hrt
   });
 }
 
-hrt_result hrt_person_destroy(hrt_person person) noexcept {
-  return destroy("hrt_person_destroy", "person", people, person.value);
-}
+hrt_result hrt_person_destroy(hrt_person person) noexcept { return people.destroy("hrt_person_destroy", person.value); }
 
 hrt_result hrt_person_begin(hrt_person person, hrt_session session, hrt_target virtual_target) noexcept {
-  return with_person("hrt_person_begin", person, [&](SimulatedUser& user) -> hrt_result {
-    return with_session("hrt_person_begin", session, [&](RecordedSession& s) -> hrt_result {
+  return people.with("hrt_person_begin", person.value, [&](SimulatedUser& user) -> hrt_result {
+    return sessions.with("hrt_person_begin", session.value, [&](RecordedSession& s) -> hrt_result {
       if (virtual_target.value == 0) {
         HRT_RETURN_IF_FAILED(s.session().check_setting_up());
         user.hand.begin_setup();
@@ -118,7 +111,7 @@ hrt_result hrt_person_begin(hrt_person person, hrt_session session, hrt_target v
 
 hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orientation_deg,
                            hrt_sample* out_sample) noexcept {
-  return with_person("hrt_person_move", person, [&](SimulatedUser& user) -> hrt_result {
+  return people.with("hrt_person_move", person.value, [&](SimulatedUser& user) -> hrt_result {
     SimulatedHand& hand = user.hand;
     HRT_RETURN_IF_FAILED(check_output("out_sample", out_sample));
     if (!hand.is_guided()) HRT_RETURN_IF_FAILED(check_begun(hand));
@@ -143,7 +136,7 @@ hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orie
 }
 
 hrt_result hrt_person_get_state(hrt_person person, hrt_person_state* out_state) noexcept {
-  return with_person("hrt_person_get_state", person, [&](SimulatedUser& user) -> hrt_result {
+  return people.with("hrt_person_get_state", person.value, [&](SimulatedUser& user) -> hrt_result {
     const SimulatedHand& hand = user.hand;
     HRT_RETURN_IF_FAILED(check_output("out_state", out_state));
     HRT_RETURN_IF_FAILED(check_begun(hand));

@@ -4,14 +4,14 @@
 
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/read.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 #include "plugin/src/api/write.h"
 #include "plugin/src/recording/json.h"
 
 using namespace hrt::plugin;
 
 hrt_result hrt_profile_set_conditions(hrt_session session, const hrt_conditions* conditions) noexcept {
-  return with_session("hrt_profile_set_conditions", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_profile_set_conditions", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.session().check_idle());
     hrt_conditions known{};
     HRT_RETURN_IF_FAILED(read_struct("conditions", conditions, &known));
@@ -23,7 +23,7 @@ hrt_result hrt_profile_set_conditions(hrt_session session, const hrt_conditions*
 }
 
 hrt_result hrt_profile_get_conditions(hrt_session session, hrt_conditions* out_conditions) noexcept {
-  return with_session("hrt_profile_get_conditions", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_profile_get_conditions", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_conditions", out_conditions));
     write_struct(s.conditions.measured(), out_conditions);
     return HRT_OK;
@@ -31,7 +31,7 @@ hrt_result hrt_profile_get_conditions(hrt_session session, hrt_conditions* out_c
 }
 
 hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text, uint64_t* out_length) noexcept {
-  return with_session("hrt_profile_save", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_profile_save", session.value, [&](RecordedSession& s) -> hrt_result {
     JsonText text;
     write_profile(to_c(s.session().model()), s.conditions.measured(), text);
     return write_text("the profile", text.view(), capacity, out_text, out_length);
@@ -39,7 +39,7 @@ hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_te
 }
 
 hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) noexcept {
-  return with_session("hrt_profile_load", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_profile_load", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.session().check_idle());
     if (!text) return fail_of_null("text");
     const SessionModel& model = s.session().model();
@@ -59,7 +59,7 @@ hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t leng
 }
 
 hrt_result hrt_profile_reset(hrt_session session) noexcept {
-  return with_session("hrt_profile_reset", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_profile_reset", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.session().check_idle());
     s.log_findings(session.value);
     SessionModel defaults, model = s.session().model();

@@ -2,7 +2,7 @@
 
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 
 using namespace hrt::plugin;
 
@@ -17,54 +17,27 @@ hrt_result hrt_flags_text(hrt_command_flags flags, uint64_t capacity, char* out_
 }
 
 hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) noexcept {
-  return with_session("hrt_reach_begin", session, [&](RecordedSession& s) -> hrt_result {
-    hrt_reach_config known = defaults<hrt_reach_config>;
-    if (const hrt_result result = read_struct("config", config, &known); result != HRT_OK)
-      return s.refuse(result, Refused::Argument::config, config);
-    return s.begin(known);
-  });
+  return sessions.with("hrt_reach_begin", session.value, [&](RecordedSession& s) { return s.begin(config); });
 }
 
 hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample, hrt_command* out_command) noexcept {
-  return with_session("hrt_reach_update", session, [&](RecordedSession& s) -> hrt_result {
-    if (const hrt_result result = check_output("out_command", out_command); result != HRT_OK)
-      return s.refuse(result, Refused::Argument::out_command, out_command);
-    hrt_sample known;
-    if (const hrt_result result = read_struct("sample", sample, &known); result != HRT_OK)
-      return s.refuse(result, Refused::Argument::sample, sample);
-    const std::uint32_t size = out_command->struct_size;
-    HRT_RETURN_IF_FAILED(s.update(known, out_command));  // in place
-    end_struct(size, out_command);
-    return HRT_OK;
-  });
+  return sessions.with("hrt_reach_update", session.value,
+                       [&](RecordedSession& s) { return s.update(sample, out_command); });
 }
 
 hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target, hrt_target virtual_target) noexcept {
-  return with_session("hrt_reach_retarget", session,
-                      [&](RecordedSession& s) { return s.retarget(real_target, virtual_target); });
+  return sessions.with("hrt_reach_retarget", session.value,
+                       [&](RecordedSession& s) { return s.retarget(real_target, virtual_target); });
 }
 
 hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) noexcept {
-  return with_session("hrt_reach_touched", session, [&](RecordedSession& s) -> hrt_result {
-    hrt_contact known{};
-    if (!contact) return s.touched({.struct_size = sizeof known});
-    if (const hrt_result result = read_struct("contact", contact, &known); result != HRT_OK)
-      return s.refuse(result, Refused::Argument::contact, contact);
-    return s.touched(known);
-  });
+  return sessions.with("hrt_reach_touched", session.value, [&](RecordedSession& s) { return s.touched(contact); });
 }
 
 hrt_result hrt_reach_cancel(hrt_session session) noexcept {
-  return with_session("hrt_reach_cancel", session, [](RecordedSession& s) { return s.cancel(); });
+  return sessions.with("hrt_reach_cancel", session.value, [](RecordedSession& s) { return s.cancel(); });
 }
 
 hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) noexcept {
-  return with_session("hrt_reach_end", session, [&](RecordedSession& s) -> hrt_result {
-    if (const hrt_result result = check_output("out_summary", out_summary); result != HRT_OK)
-      return s.refuse(result, Refused::Argument::out_summary, out_summary);
-    hrt_reach_summary summary{};
-    HRT_RETURN_IF_FAILED(s.end(&summary));
-    write_struct(summary, out_summary);
-    return HRT_OK;
-  });
+  return sessions.with("hrt_reach_end", session.value, [&](RecordedSession& s) { return s.end(out_summary); });
 }

@@ -12,6 +12,7 @@ namespace {
 using SampleFields = Fields<hrt_sample>;
 
 constexpr double min_plate_range_deg = 40.0;
+constexpr double max_from_plate_m = 10.0;
 
 constexpr std::uint32_t finger_flags = HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION;
 
@@ -28,8 +29,6 @@ static_assert(setup_fingertip == HRT_SETUP_FINGERTIP && setup_registration == HR
               setup_all_missing == HRT_SETUP_ALL_MISSING);
 static_assert(SetupConfig::max_marks == HRT_MARKS_MAX && 3 * HRT_MARKS_MAX == HRT_MARK_NUMBERS &&
               MarkTouches::max_touches >= 5 * HRT_MARKS_MAX);
-
-constexpr double max_from_plate_m = 10.0;
 
 Vec3 to_vec3(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
@@ -59,45 +58,25 @@ hrt_result check_sample(const hrt_sample& sample) {
 }
 
 // Returns the position of the point of contact on the skin, in the coordinates of the sample.
-Vec3 skin_m(const Vec3& fingertip_offset_m, const hrt_sample& sample) {
+Vec3 skin_m(const PlateMount& mount, const hrt_sample& sample) {
   const Vec3 tip_m = to_vec3(sample.finger_position_m);
   if ((sample.flags & HRT_SAMPLE_JOINT_ROTATION) == 0) return tip_m;
-  return tip_m + map_direction(transform_of({{}, to_quaternion(sample.joint_rotation)}), fingertip_offset_m);
-}
-
-FingerOnPlate locate(const PlateMount& mount, const hrt_sample& sample, Vec3 position_m) {
-  if ((sample.flags & HRT_SAMPLE_PLATE_POSITION) != 0) return locate_on_plate(mount, position_m);
-  if ((sample.flags & HRT_SAMPLE_PLATE_POSE) == 0) return locate(mount, position_m);
-  PlateMount moved = mount;
-  moved.pose = {to_vec3(sample.plate_position_m), to_quaternion(sample.plate_rotation)};
-  return locate(moved, position_m);
-}
-
-// Converts a checked sample whose skin is at `position_m`.
-FingerSample observe(const PlateMount& mount, const TouchedFrame& touched, const hrt_sample& sample, Vec3 position_m) {
-  FingerSample finger{.time_ns = sample.time_ns};
-  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION) finger.plate_orientation_deg = sample.plate_orientation_deg;
-  if (sample.flags & HRT_SAMPLE_LIFTED) {
-    finger.observation = Observation::lifted;
-  } else if (sample.flags & HRT_SAMPLE_DIRECTION) {
-    finger.observation = Observation::direction;
-    finger.direction_deg = sample.finger_direction_deg;
-  } else if (sample.flags & finger_flags) {
-    const FingerOnPlate seen = locate(mount, sample, position_m);
-    finger.observation = seen.lifted ? Observation::lifted : Observation::position;
-    finger.off_plate = seen.off_plate;
-    finger.position = plate_point(seen.position_m);
-    if (touched.known()) finger.position = corrected(touched, finger.position);
-  }
-  return finger;
+  return tip_m + map_direction(transform_of({{}, to_quaternion(sample.joint_rotation)}), mount.fingertip_offset_m);
 }
 
 }  // namespace
 
 hrt_result check_rotation(const char* field, const double (&q)[4]) {
-  if (is_valid(Pose{{}, to_quaternion(q)})) return HRT_OK;
+  if (is_unit(to_quaternion(q))) return HRT_OK;
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is (", q[0], ", ", q[1], ", ", q[2], ", ", q[3],
               "); allowed: length 1 within 0.001");
+}
+
+hrt_result check_distance_from_plate(Vec3 position_m) {
+  if (const double far_m = length(position_m); far_m > max_from_plate_m)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", far_m, " m from the plate; allowed: up to ", max_from_plate_m,
+                "; positions are in metres");
+  return HRT_OK;
 }
 
 hrt_result read(const hrt_target_config& given, Target* out) {
@@ -110,10 +89,8 @@ hrt_result read(const hrt_target_config& given, Target* out) {
     HRT_RETURN_IF_FAILED(check_field(given, F::distance_m));
   } else {
     HRT_RETURN_IF_FAILED(check_field(given, F::position_m));
-    const double away_m = length(to_vec3(given.position_m));
-    if (given.place == HRT_PLACE_PLATE_POSITION && away_m > max_from_plate_m)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", away_m, " m from the plate; allowed: up to ",
-                  max_from_plate_m, "; positions are in metres");
+    if (given.place == HRT_PLACE_PLATE_POSITION)
+      HRT_RETURN_IF_FAILED(check_distance_from_plate(to_vec3(given.position_m)));
   }
   HRT_RETURN_IF_FAILED(check_field(given, F::radius_m));
   if (given.role == HRT_TARGET_REAL && given.served_by.value != 0)
@@ -133,26 +110,45 @@ hrt_result read(const hrt_target_config& given, Target* out) {
   return HRT_OK;
 }
 
-hrt_result read(const SessionModel& model, const hrt_sample& given, FingerSample* out) {
+hrt_result read(const PlateMount& mount, const TouchedFrame& touched, const hrt_sample& given, FingerSample* out) {
   HRT_RETURN_IF_FAILED(check_sample(given));
-  *out = observe(model.mount, model.control.touched, given, skin_m(model.mount.fingertip_offset_m, given));
+  *out = {.time_ns = given.time_ns};
+  if (given.flags & HRT_SAMPLE_PLATE_ORIENTATION) out->plate_orientation_deg = given.plate_orientation_deg;
+  if (given.flags & HRT_SAMPLE_LIFTED) {
+    out->observation = Observation::lifted;
+  } else if (given.flags & HRT_SAMPLE_DIRECTION) {
+    out->observation = Observation::direction;
+    out->direction_deg = given.finger_direction_deg;
+  } else if (given.flags & finger_flags) {
+    const bool in_plate = (given.flags & HRT_SAMPLE_PLATE_POSITION) != 0;
+    Pose plate = mount.pose;
+    if (given.flags & HRT_SAMPLE_PLATE_POSE)
+      plate = {to_vec3(given.plate_position_m), to_quaternion(given.plate_rotation)};
+    if (in_plate) plate = {};
+    const Vec3 position_m = plate_coordinates(plate, in_plate ? 1.0 : mount.scale, skin_m(mount, given));
+    const double radius_m = mount.surface.radius_m;
+    out->off_plate = position_m.x * position_m.x + position_m.z * position_m.z > radius_m * radius_m;
+    out->observation = position_m.y > mount.surface.lift_height_m ? Observation::lifted : Observation::position;
+    out->position = plate_point(position_m);
+    if (touched.known()) out->position = corrected(touched, out->position);
+  }
   return HRT_OK;
 }
 
 // The fingertip is fitted to positions of the joint, and guides to positions that contacts do not correct.
 hrt_result read(const SessionModel& model, SetupPart part, const hrt_sample& given, SetupSample* out) {
-  HRT_RETURN_IF_FAILED(check_sample(given));
+  PlateMount mount = model.mount;
+  if (part == setup_fingertip) mount.fingertip_offset_m = {};
+  *out = {};
+  HRT_RETURN_IF_FAILED(
+      read(mount, part == setup_guides ? TouchedFrame{} : model.control.touched, given, &out->on_plate));
   if (given.flags & HRT_SAMPLE_DIRECTION)
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", given.flags,
                 "; allowed: PLATE_POSITION or WORLD_POSITION, or none");
-  const Vec3 position_m = skin_m(part == setup_fingertip ? Vec3{} : model.mount.fingertip_offset_m, given);
-  const TouchedFrame touched = part == setup_guides ? TouchedFrame{} : model.control.touched;
-  *out = {.time_ns = given.time_ns,
-          .tracked_mm = {},
-          .in_plate = (given.flags & HRT_SAMPLE_PLATE_POSITION) != 0,
-          .joint_rotation = {},
-          .on_plate = observe(model.mount, touched, given, position_m)};
+  out->time_ns = given.time_ns;
+  out->in_plate = (given.flags & HRT_SAMPLE_PLATE_POSITION) != 0;
   out->off_plate = out->on_plate.off_plate;
+  const Vec3 position_m = skin_m(mount, given);
   if ((given.flags & finger_flags) != 0 && (given.flags & HRT_SAMPLE_LIFTED) == 0)
     out->tracked_mm = mm_per_m * Eigen::Vector3d(position_m.x, position_m.y, position_m.z);
   if (given.flags & HRT_SAMPLE_JOINT_ROTATION) {

@@ -10,14 +10,17 @@ namespace hrt::plugin {
 /// Fails, naming `field`, unless it is a unit quaternion.
 hrt_result check_rotation(const char* field, const double (&rotation)[4]);
 
+/// Fails unless a target at `position_m`, in plate coordinates, is near enough to the plate.
+hrt_result check_distance_from_plate(Vec3 position_m);
+
 hrt_result read(const hrt_session_config& given, SessionModel* out);
 /// Reads a configuration like read(). A null pointer means the defaults.
 hrt_result read_or_default(const hrt_session_config* given, SessionModel* out);
 
 hrt_result read(const hrt_target_config& given, Target* out);
 
-/// Converts a sample to plate coordinates, corrected by contacts.
-hrt_result read(const SessionModel& model, const hrt_sample& given, FingerSample* out);
+/// Converts a sample to plate coordinates, and corrects it by the contacts in `touched`.
+hrt_result read(const PlateMount& mount, const TouchedFrame& touched, const hrt_sample& given, FingerSample* out);
 /// Converts a sample to the coordinates that a part of a set-up needs.
 hrt_result read(const SessionModel& model, SetupPart part, const hrt_sample& given, SetupSample* out);
 

@@ -2,39 +2,14 @@
 
 #include <cstring>
 #include <utility>
+#include <vector>
 
-#include "plugin/src/abi/error.h"
+#include "generated/fields.h"
+#include "plugin/src/abi/checks.h"
 #include "plugin/src/api/read.h"
 #include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
-namespace {
-
-// Removes the added targets on destruction, unless keep() was called.
-class TargetRollback {
- public:
-  explicit TargetRollback(Targets& targets) : targets_(targets) {}
-  ~TargetRollback() {
-    for (const std::uint64_t id : ids_) targets_.remove(id);
-  }
-  TargetRollback(const TargetRollback&) = delete;
-  TargetRollback& operator=(const TargetRollback&) = delete;
-
-  hrt_result add(const Target& checked_target) {
-    ids_.push_back(0);
-    const hrt_result result = targets_.add(checked_target, &ids_.back());
-    if (result != HRT_OK) ids_.pop_back();
-    return result;
-  }
-  std::vector<std::uint64_t> keep() { return std::move(ids_); }
-
- private:
-  Targets& targets_;
-  std::vector<std::uint64_t> ids_;
-};
-
-}  // namespace
-
 hrt_result RecordedSession::set_model(const SessionModel& valid_model) {
   HRT_RETURN_IF_FAILED(session_.set_model(valid_model));
   forget_findings();
@@ -62,22 +37,28 @@ hrt_result RecordedSession::remove_target(std::uint64_t id) {
 }
 
 hrt_result RecordedSession::add_scene(const SessionModel& valid_model, std::span<const Target> checked_targets,
-                                      std::span<const std::optional<std::size_t>> served_by,
-                                      std::vector<std::uint64_t>* out_ids) {
-  TargetRollback addition(session_.targets);
-  for (const Target& target : checked_targets) HRT_RETURN_IF_FAILED(addition.add(target));
+                                      hrt_target* out_targets) {
+  Targets targets = session_.targets;  // a copy, so that a failure changes nothing
+  std::vector<std::uint64_t> ids;
+  for (const Target& target : checked_targets) HRT_RETURN_IF_FAILED(targets.add(target, &ids.emplace_back()));
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    if (const std::uint64_t real = checked_targets[i].served_by; real != 0)
+      targets.set_served_by(ids[i], ids[real - 1]);
   HRT_RETURN_IF_FAILED(set_model(valid_model));
-  *out_ids = addition.keep();
-  for (std::size_t i = 0; i < served_by.size(); ++i)
-    if (served_by[i]) session_.targets.set_served_by((*out_ids)[i], (*out_ids)[*served_by[i]]);
-  for (const std::uint64_t id : *out_ids)
+  session_.targets = std::move(targets);
+  for (const std::uint64_t id : ids) {
     record([&] { return Record{.call = changed(TargetChanged::Change::added, id)}; });
+    if (out_targets) (out_targets++)->value = id;
+  }
   return HRT_OK;
 }
 
-hrt_result RecordedSession::begin(const hrt_reach_config& config) {
+hrt_result RecordedSession::begin(const hrt_reach_config* given) {
+  hrt_reach_config config = defaults<hrt_reach_config>;
+  hrt_result result = read_struct("config", given, &config);
+  if (result != HRT_OK) return refuse(result, Refused::Argument::config, given);
   ReachRequest request;
-  hrt_result result = session_.check_idle();
+  result = session_.check_idle();
   if (result == HRT_OK) result = read(config, &request);
   if (result == HRT_OK) result = session_.begin(request);
   record([&] {
@@ -91,15 +72,23 @@ hrt_result RecordedSession::begin(const hrt_reach_config& config) {
   return result;
 }
 
-hrt_result RecordedSession::update(const hrt_sample& sample, hrt_command* out) {
+hrt_result RecordedSession::update(const hrt_sample* given, hrt_command* out) {
+  hrt_sample sample;
+  hrt_result result = check_output("out_command", out);
+  if (result != HRT_OK) return refuse(result, Refused::Argument::out_command, out);
+  result = read_struct("sample", given, &sample);
+  if (result != HRT_OK) return refuse(result, Refused::Argument::sample, given);
+  const std::uint32_t size = out->struct_size;
+  const bool awaited_finger = session_.awaits_finger();
+  const SessionModel& model = session_.model();
   FingerSample finger;
   PlateCommand command;
-  const bool awaited_finger = session_.awaits_finger();
-  hrt_result result = session_.check_reaching();
-  if (result == HRT_OK) result = read(session_.model(), sample, &finger);
+  result = session_.check_reaching();
+  if (result == HRT_OK) result = read(model.mount, model.control.touched, sample, &finger);
   if (result == HRT_OK) result = session_.update(finger, &command);
   if (result == HRT_OK) {
     *out = to_c(command);
+    end_struct(size, out);
     registration_was_poor_ |= command.registration_doubtful;
     if (command.implausible && implausible_.kind == Implausible::Kind::none) implausible_ = session_.implausible();
     if ((out->flags & HRT_COMMAND_FAULT) != 0) {
@@ -125,9 +114,12 @@ hrt_result RecordedSession::retarget(hrt_target real_target, hrt_target virtual_
   return result;
 }
 
-hrt_result RecordedSession::touched(const hrt_contact& contact) {
+hrt_result RecordedSession::touched(const hrt_contact* given) {
+  hrt_contact contact{.struct_size = sizeof contact};
+  hrt_result result = given ? read_struct("contact", given, &contact) : HRT_OK;
+  if (result != HRT_OK) return refuse(result, Refused::Argument::contact, given);
   ContactReport report;
-  hrt_result result = session_.check_contact_due();
+  result = session_.check_contact_due();
   if (result == HRT_OK) result = read(contact, &report);
   if (result == HRT_OK) result = session_.touched(report);
   record([&] { return Record{result, Touched{contact}}; });
@@ -141,13 +133,17 @@ hrt_result RecordedSession::cancel() {
 }
 
 hrt_result RecordedSession::end(hrt_reach_summary* out) {
+  if (const hrt_result refused = check_output("out_summary", out); refused != HRT_OK)
+    return refuse(refused, Refused::Argument::out_summary, out);
   ReachSummary summary;
+  hrt_reach_summary written{};
   const hrt_result result = session_.end(&summary);
   if (result == HRT_OK) {
-    *out = to_c(summary);
-    had_fault_ |= (out->flags & HRT_COMMAND_FAULT) != 0;
+    written = to_c(summary);
+    had_fault_ |= (written.flags & HRT_COMMAND_FAULT) != 0;
+    write_struct(written, out);
   }
-  record([&] { return Record{result, ReachEnded{*out}}; });
+  record([&] { return Record{result, ReachEnded{written}}; });
   return result;
 }
 
@@ -283,8 +279,8 @@ hrt_result RecordedSession::check_recording() const {
   return fail(HRT_ERROR_WRONG_STATE, "the recording belongs to the parent process; start another one in this process");
 }
 
-RecorderStatus RecordedSession::stop_recording() {
-  const RecorderStatus status = recorder_->stop();
+hrt_recording_status RecordedSession::stop_recording() {
+  const hrt_recording_status status = recorder_->stop();
   recorder_.reset();
   return status;
 }

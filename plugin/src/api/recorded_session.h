@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
+#include "plugin/src/abi/handles.h"
 #include "plugin/src/abi/host.h"
 #include "plugin/src/api/conditions.h"
 #include "plugin/src/recording/recorder.h"
@@ -15,8 +15,9 @@
 
 namespace hrt::plugin {
 
-/// Each call converts its structs, calls the session and writes the results. A call that fails changes nothing. Calls
-/// of a reach and refuse() are real-time. Records are only built while a recording is in progress.
+/// Each call checks and converts its structs, calls the session and writes the results. A call that fails changes
+/// nothing. Calls of a reach are real-time, take the pointers of the caller, and are recorded also if a struct is null
+/// or has a wrong size. Records are only built while a recording is in progress.
 class RecordedSession {
  public:
   explicit RecordedSession(const SessionModel& valid_model) : session_(valid_model) {}
@@ -30,23 +31,21 @@ class RecordedSession {
   hrt_result add_target(const Target& checked_target, std::uint64_t* out_id);
   hrt_result set_target(std::uint64_t id, const Target& checked_target);
   hrt_result remove_target(std::uint64_t id);
-  /// Replaces the model and adds all targets. For each target, `served_by` has the index of the real target that is
-  /// assigned to it, if any.
+  /// Replaces the model and adds all targets. Their `served_by` is 1 plus the index of the assigned target in
+  /// `checked_targets`; 0: none. `out_targets` may be null.
   hrt_result add_scene(const SessionModel& valid_model, std::span<const Target> checked_targets,
-                       std::span<const std::optional<std::size_t>> served_by, std::vector<std::uint64_t>* out_ids);
+                       hrt_target* out_targets);
 
-  hrt_result begin(const hrt_reach_config& config);
-  hrt_result update(const hrt_sample& sample, hrt_command* out);
+  hrt_result begin(const hrt_reach_config* given);
+  hrt_result update(const hrt_sample* given, hrt_command* out);
   hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
-  hrt_result touched(const hrt_contact& contact);
+  hrt_result touched(const hrt_contact* given);
   hrt_result cancel();
   hrt_result end(hrt_reach_summary* out);
   hrt_result begin_setup(std::uint32_t what, const hrt_setup_config& config);
   hrt_result update_setup(const hrt_sample& sample, hrt_setup_step* out);
   hrt_result finish_setup(hrt_setup_result* out);
   hrt_result cancel_setup();
-  /// Records a call that failed with `result` because of `argument`. Returns `result`.
-  hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 
   /// Sets the initial plate orientation of a replay.
   hrt_result set_plate_orientation_deg(double orientation_deg);
@@ -71,9 +70,9 @@ class RecordedSession {
   hrt_result start_recording(const char* path, std::uint64_t handle);
   hrt_result check_recording() const;
   /// These require that check_recording() succeeds.
-  RecorderStatus recording_status() const { return recorder_->status(); }
-  RecorderStatus flush_recording() { return recorder_->flush(); }
-  RecorderStatus stop_recording();
+  hrt_recording_status recording_status() { return recorder_->status(); }
+  hrt_recording_status flush_recording() { return recorder_->flush(); }
+  hrt_recording_status stop_recording();
 
   Conditions conditions;
 
@@ -82,6 +81,8 @@ class RecordedSession {
   void record(MakeRecord&& make_record) const {
     if (recorder_) recorder_->push(make_record());
   }
+  // Records a call that failed with `result` because of `argument`. Returns `result`.
+  hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
   void forget_findings();
   TargetChanged changed(TargetChanged::Change change, std::uint64_t id) const;
 
@@ -94,5 +95,8 @@ class RecordedSession {
   SessionLog log_;                      // declared before the recorder, whose thread reads it
   std::unique_ptr<Recorder> recorder_;  // null: no recording
 };
+
+using Sessions = HandleTable<RecordedSession, HRT_SESSIONS_MAX, 0x51>;
+extern constinit Sessions sessions;
 
 }  // namespace hrt::plugin

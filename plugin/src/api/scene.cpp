@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "generated/fields.h"
@@ -11,7 +13,7 @@
 #include "plugin/src/abi/host.h"
 #include "plugin/src/abi/text.h"
 #include "plugin/src/api/read.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 #include "plugin/src/api/write.h"
 #include "scene/scene.h"
 
@@ -19,20 +21,7 @@ namespace hrt::plugin {
 namespace {
 
 using Scenes = HandleTable<Scene, HRT_SCENES_MAX, 0x5c>;
-constinit Scenes scenes;
-
-void copy(Vec3 from, double (&to)[3]) {
-  to[0] = from.x;
-  to[1] = from.y;
-  to[2] = from.z;
-}
-
-void copy(const Quaternion& from, double (&to)[4]) {
-  to[0] = from.x;
-  to[1] = from.y;
-  to[2] = from.z;
-  to[3] = from.w;
-}
+constinit Scenes scenes("scene");
 
 // Logs a warning if targets are further than ten plate radii from the plate: the file is probably not in metres.
 void log_far_targets(const Scene& scene, std::string_view file) {
@@ -47,63 +36,7 @@ void log_far_targets(const Scene& scene, std::string_view file) {
   write_log(HRT_LOG_WARNING, text.c_str());
 }
 
-// Runs a loader, and adds the scene to the table of handles. Errors begin with the name of the file.
-template <class Load>
-hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
-  if (!out_scene) return fail_of_null("out_scene");
-  try {
-    auto scene = std::make_unique<Scene>(load());
-    for (const SceneTarget& target : scene->targets) {
-      if (target.name.size() >= HRT_NAME_SIZE)
-        return fail(HRT_ERROR_BAD_FORMAT, "target name ", in_quotes(target.name), " has ", target.name.size(),
-                    " bytes; allowed: up to ", HRT_NAME_SIZE - 1);
-    }
-    log_far_targets(*scene, file);
-    const std::uint64_t handle = scenes.insert(std::move(scene));
-    if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SCENES_MAX, " scenes; destroy one first");
-    out_scene->value = handle;
-    return HRT_OK;
-  } catch (const SceneError& error) {
-    const std::string_view what = error.what();
-    if (!what.starts_with(file)) return fail(HRT_ERROR_BAD_FORMAT, what);
-    return fail(HRT_ERROR_BAD_FORMAT, Shown{file}, what.substr(file.size()));
-  }
-}
-
-template <class Body>
-hrt_result with_scene(const char* call, hrt_scene handle, Body&& body) noexcept {
-  return with_lease(call, "scene", scenes, handle.value, body);
-}
-
-std::uint32_t role_of(const SceneTarget& target) {
-  return target.kind == TargetKind::real_object ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
-}
-
-// Copies the plate of a scene into the model, where its pose replaces a registered one. Fails if a value of the scene
-// is out of range.
-hrt_result with_plate_of(const Scene& scene, SessionModel model, SessionModel* out) {
-  model.start_m = scene.start_m;
-  model.mount.pose = scene.plate.pose;
-  model.mount.scale = 1.0;
-  model.mount.surface.radius_m = scene.plate.radius_m;
-  if (scene.plate.max_speed_deg_s) model.control.plate.max_speed_deg_s = *scene.plate.max_speed_deg_s;
-  model.control.frame.setZero();
-  model.registration.made = false;
-  model.registration.time_ns = 0;
-  forget_contacts(&model);
-  return read(to_c(model), out);
-}
-
-hrt_result read_target(const SceneTarget& target, const SessionModel& model, Target* out) {
-  *out = {.role = target.kind == TargetKind::real_object ? TargetRole::real : TargetRole::virtual_target,
-          .place = {.kind = TargetPlace::Kind::plate_position,
-                    .position_m = target.position_m,
-                    .radius_m = std::min(target.radius_m.value_or(0.0), Fields<hrt_target_config>::radius_m.high)}};
-  std::memcpy(out->name.data(), target.name.data(), target.name.size());
-  HRT_RETURN_IF_FAILED(read(to_c(*out), out));
-  return check_target(model, *out);
-}
-
+// Sets the plate and the start of the session, where the plate's pose replaces a registered one, and adds the targets.
 hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uint64_t capacity,
                           hrt_target* out_targets) {
   HRT_RETURN_IF_FAILED(session.session().check_idle());
@@ -111,20 +44,30 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
   if (out_targets && capacity < scene.targets.size())
     return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: 0, or at least ",
                 scene.targets.size(), ", the number of targets in the scene");
-  SessionModel model;
-  HRT_RETURN_IF_FAILED(with_plate_of(scene, session.session().model(), &model));
-  std::vector<Target> targets(scene.targets.size());
-  std::vector<std::optional<std::size_t>> served_by;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    HRT_RETURN_IF_FAILED(read_target(scene.targets[i], model, &targets[i]));
-    served_by.push_back(scene.targets[i].served_by);
+  HRT_RETURN_IF_FAILED(check_value("plate_radius_m", Fields<hrt_session_config>::plate_radius_m, scene.plate.radius_m));
+  SessionModel model = session.session().model();
+  model.start_m = scene.start_m;
+  model.mount.pose = scene.plate.pose;
+  model.mount.scale = 1.0;
+  model.mount.surface.radius_m = scene.plate.radius_m;
+  if (scene.plate.max_speed_deg_s) model.control.plate.max_speed_deg_s = *scene.plate.max_speed_deg_s;
+  model.control.frame.setZero();
+  model.control.touched = {.home = plate_point(scene.start_m)};
+  model.registration.made = false;
+  model.registration.time_ns = 0;
+  std::vector<Target> targets;
+  for (const SceneTarget& from : scene.targets) {
+    HRT_RETURN_IF_FAILED(check_distance_from_plate(from.position_m));
+    targets.push_back(
+        {.role = from.kind == TargetKind::real_object ? TargetRole::real : TargetRole::virtual_target,
+         .place = {.kind = TargetPlace::Kind::plate_position,
+                   .position_m = from.position_m,
+                   .radius_m = std::min(from.radius_m.value_or(0.0), Fields<hrt_target_config>::radius_m.high)},
+         .name = {},
+         .served_by = from.served_by ? *from.served_by + 1 : 0});
+    std::memcpy(targets.back().name.data(), from.name.data(), from.name.size());
   }
-  std::vector<std::uint64_t> ids;
-  HRT_RETURN_IF_FAILED(session.add_scene(model, targets, served_by, &ids));
-  if (out_targets) {
-    for (const std::uint64_t id : ids) (out_targets++)->value = id;
-  }
-  return HRT_OK;
+  return session.add_scene(model, targets, out_targets);
 }
 
 }  // namespace
@@ -135,49 +78,65 @@ using namespace hrt::plugin;
 hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length, hrt_scene* out_scene) noexcept {
   return guarded("hrt_scene_load", [&]() -> hrt_result {
     if (!path) return fail_of_null("path");
-    if (!bytes) {
-      File readable;  // an error of the operating system, not of the format
-      HRT_RETURN_IF_FAILED(File::open(path, std::numeric_limits<std::uint64_t>::max(), &readable));
-      return add_scene(out_scene, path, [&] { return hrt::load_scene(path_of(path)); });
+    if (!out_scene) return fail_of_null("out_scene");
+    File readable;  // a file that cannot be read is an error of the operating system, not of the format
+    if (!bytes) HRT_RETURN_IF_FAILED(File::open(path, std::numeric_limits<std::uint64_t>::max(), &readable));
+    try {
+      const std::span file(static_cast<const std::byte*>(bytes), bytes ? static_cast<std::size_t>(length) : 0);
+      auto scene = std::make_unique<hrt::Scene>(bytes ? hrt::load_scene(file, path) : hrt::load_scene(path_of(path)));
+      for (const hrt::SceneTarget& target : scene->targets) {
+        if (target.name.size() >= HRT_NAME_SIZE)
+          return fail(HRT_ERROR_BAD_FORMAT, "target name ", hrt::in_quotes(target.name), " has ", target.name.size(),
+                      " bytes; allowed: up to ", HRT_NAME_SIZE - 1);
+      }
+      log_far_targets(*scene, path);
+      const std::uint64_t handle = scenes.insert(std::move(scene));
+      if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SCENES_MAX, " scenes; destroy one first");
+      out_scene->value = handle;
+      return HRT_OK;
+    } catch (const hrt::SceneError& error) {  // its text begins with the path
+      const std::string_view what = error.what();
+      if (!what.starts_with(path)) return fail(HRT_ERROR_BAD_FORMAT, what);
+      return fail(HRT_ERROR_BAD_FORMAT, Shown{path}, what.substr(std::strlen(path)));
     }
-    const std::span<const std::byte> file(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(length));
-    return add_scene(out_scene, path, [&] { return hrt::load_scene(file, path); });
   });
 }
 
-hrt_result hrt_scene_destroy(hrt_scene scene) noexcept {
-  return destroy("hrt_scene_destroy", "scene", scenes, scene.value);
-}
+hrt_result hrt_scene_destroy(hrt_scene scene) noexcept { return scenes.destroy("hrt_scene_destroy", scene.value); }
 
 hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_info* out_info) noexcept {
-  return with_scene("hrt_scene_get_info", scene, [&](const hrt::Scene& s) -> hrt_result {
+  return scenes.with("hrt_scene_get_info", scene.value, [&](const hrt::Scene& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_info", out_info));
     hrt_scene_info info{};
     info.target_count = static_cast<std::uint32_t>(s.targets.size());
-    copy(s.plate.pose.position_m, info.plate_position_m);
-    copy(s.plate.pose.orientation, info.plate_rotation);
+    write(s.plate.pose.position_m, info.plate_position_m);
+    const hrt::Quaternion& q = s.plate.pose.orientation;
+    info.plate_rotation[0] = q.x;
+    info.plate_rotation[1] = q.y;
+    info.plate_rotation[2] = q.z;
+    info.plate_rotation[3] = q.w;
     info.plate_radius_m = s.plate.radius_m;
     info.plate_max_speed_deg_s = s.plate.max_speed_deg_s.value_or(0.0);
-    copy(s.start_m, info.start_position_m);
+    write(s.start_m, info.start_position_m);
     write_struct(info, out_info);
     return HRT_OK;
   });
 }
 
 hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index, hrt_scene_target* out_target) noexcept {
-  return with_scene("hrt_scene_get_target", scene, [&](const hrt::Scene& s) -> hrt_result {
+  return scenes.with("hrt_scene_get_target", scene.value, [&](const hrt::Scene& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_target", out_target));
     if (index >= s.targets.size())
       return fail(HRT_ERROR_OUT_OF_RANGE, "index is ", index, "; allowed: below ", s.targets.size(),
                   ", the number of targets");
     const hrt::SceneTarget& from = s.targets[index];
     hrt_scene_target target{};
-    target.role = role_of(from);
+    target.role = from.kind == hrt::TargetKind::real_object ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
     target.served_by = from.served_by ? static_cast<std::int32_t>(*from.served_by) : -1;
-    copy(from.position_m, target.position_m);
-    copy(from.world_position_m, target.world_position_m);
-    target.direction_deg = from.direction_deg;
-    target.distance_m = from.distance_m;
+    write(from.position_m, target.position_m);
+    write(from.world_position_m, target.world_position_m);
+    target.direction_deg = hrt::direction_deg(s, from);
+    target.distance_m = hrt::distance_m(s, from);
     target.radius_m = from.radius_m.value_or(0.0);
     std::memcpy(target.name, from.name.data(), from.name.size());
     write_struct(target, out_target);
@@ -187,8 +146,8 @@ hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index, hrt_scene_targe
 
 hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
                               hrt_target* out_targets) noexcept {
-  return with_scene("hrt_scene_register", scene, [&](const hrt::Scene& loaded) -> hrt_result {
-    return with_session("hrt_scene_register", session, [&](RecordedSession& s) -> hrt_result {
+  return scenes.with("hrt_scene_register", scene.value, [&](const hrt::Scene& loaded) -> hrt_result {
+    return sessions.with("hrt_scene_register", session.value, [&](RecordedSession& s) -> hrt_result {
       s.log_findings(session.value);
       return register_scene(loaded, s, capacity, out_targets);
     });

@@ -1,16 +1,18 @@
+// The calls of base.h and session.h.
 #include "haptic_retargeting/session.h"
 
 #include <memory>
 
 #include "generated/fields.h"
+#include "haptic_retargeting/base.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/read.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 #include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
 
-constinit Sessions sessions;
+constinit Sessions sessions("session");
 
 namespace {
 
@@ -28,6 +30,41 @@ hrt_result check_version(std::uint32_t version) {
 
 using namespace hrt::plugin;
 
+const char* hrt_result_string(hrt_result result) noexcept {
+#define HRT_CASE(code) \
+  case code:           \
+    return #code
+  switch (result) {
+    HRT_CASE(HRT_OK);
+    HRT_CASE(HRT_ERROR_NULL_ARGUMENT);
+    HRT_CASE(HRT_ERROR_INVALID_HANDLE);
+    HRT_CASE(HRT_ERROR_STRUCT_SIZE);
+    HRT_CASE(HRT_ERROR_OUT_OF_RANGE);
+    HRT_CASE(HRT_ERROR_WRONG_STATE);
+    HRT_CASE(HRT_ERROR_BUSY);
+    HRT_CASE(HRT_ERROR_TIME_REVERSED);
+    HRT_CASE(HRT_ERROR_OUT_OF_MEMORY);
+    HRT_CASE(HRT_ERROR_LIMIT_REACHED);
+    HRT_CASE(HRT_ERROR_BUFFER_TOO_SMALL);
+    HRT_CASE(HRT_ERROR_NAME_TAKEN);
+    HRT_CASE(HRT_ERROR_SYSTEM);
+    HRT_CASE(HRT_ERROR_BAD_FORMAT);
+    HRT_CASE(HRT_ERROR_INSUFFICIENT_DATA);
+    HRT_CASE(HRT_ERROR_INTERNAL);
+    default:
+      return "unknown result";
+  }
+#undef HRT_CASE
+}
+
+const char* hrt_last_error() noexcept { return thread_error.text.c_str(); }
+
+void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) noexcept {
+  if (out_major) *out_major = HRT_VERSION_MAJOR;
+  if (out_minor) *out_minor = HRT_VERSION_MINOR;
+  if (out_patch) *out_patch = HRT_VERSION_PATCH;
+}
+
 hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config, hrt_session* out_session) noexcept {
   return guarded("hrt_session_create", [&]() -> hrt_result {
     HRT_RETURN_IF_FAILED(check_version(version));
@@ -43,7 +80,7 @@ hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config
 }
 
 hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config, uint32_t* out_state) noexcept {
-  return with_session("hrt_session_get", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_session_get", session.value, [&](RecordedSession& s) -> hrt_result {
     if (out_config) {
       HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
       write_struct(to_c(s.session().model()), out_config);
@@ -55,15 +92,15 @@ hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config, 
 
 hrt_result hrt_session_destroy(hrt_session session) noexcept {
   const char* call = "hrt_session_destroy";
-  HRT_RETURN_IF_FAILED(with_session(call, session, [&](RecordedSession& s) {
+  HRT_RETURN_IF_FAILED(sessions.with(call, session.value, [&](RecordedSession& s) {
     s.log_findings(session.value);
     return HRT_OK;
   }));
-  return destroy(call, "session", sessions, session.value);
+  return sessions.destroy(call, session.value);
 }
 
 hrt_result hrt_session_set(hrt_session session, const hrt_session_config* config) noexcept {
-  return with_session("hrt_session_set", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_session_set", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.session().check_idle());
     s.log_findings(session.value);
     SessionModel model;

@@ -9,7 +9,6 @@
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/read.h"
-#include "plugin/src/api/triangle.h"
 #include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
@@ -90,6 +89,28 @@ void visit_pairs(Config& config, Model& model, Visit&& visit) {
 // No limit is represented by 0 in the struct, and by infinity in the core.
 double limit_or_none(double limit) { return limit > 0.0 ? limit : std::numeric_limits<double>::infinity(); }
 double limit_or_zero(double limit) { return std::isinf(limit) ? 0.0 : limit; }
+
+// Symmetric matrices are arrays of their lower triangle, row by row, in the struct.
+template <int size>
+using Square = Eigen::Matrix<double, size, size>;
+
+template <int size, std::size_t numbers>
+Square<size> from_triangle(const double (&triangle)[numbers]) {
+  static_assert(numbers == size * (size + 1) / 2);
+  Square<size> matrix;
+  const double* next = triangle;
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j <= i; ++j) matrix(i, j) = matrix(j, i) = *next++;
+  return matrix;
+}
+
+template <int size, std::size_t numbers>
+void write_triangle(const Square<size>& matrix, double (&out)[numbers]) {
+  static_assert(numbers == size * (size + 1) / 2);
+  double* next = out;
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j <= i; ++j) *next++ = matrix(i, j);
+}
 
 hrt_result is_no_covariance(const char* field, const char* kind) {
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not positive ", kind,

@@ -3,13 +3,13 @@
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/read.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 #include "plugin/src/api/write.h"
 
 using namespace hrt::plugin;
 
 hrt_result hrt_setup_begin(hrt_session session, uint32_t what, const hrt_setup_config* config) noexcept {
-  return with_session("hrt_setup_begin", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_setup_begin", session.value, [&](RecordedSession& s) -> hrt_result {
     s.log_findings(session.value);
     hrt_setup_config known;
     HRT_RETURN_IF_FAILED(read_configuration("config", config, &known));
@@ -18,7 +18,7 @@ hrt_result hrt_setup_begin(hrt_session session, uint32_t what, const hrt_setup_c
 }
 
 hrt_result hrt_setup_update(hrt_session session, const hrt_sample* sample, hrt_setup_step* out_step) noexcept {
-  return with_session("hrt_setup_update", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_setup_update", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_step", out_step));
     hrt_sample known{};
     HRT_RETURN_IF_FAILED(read_struct("sample", sample, &known));
@@ -30,7 +30,7 @@ hrt_result hrt_setup_update(hrt_session session, const hrt_sample* sample, hrt_s
 }
 
 hrt_result hrt_setup_finish(hrt_session session, hrt_setup_result* out_result) noexcept {
-  return with_session("hrt_setup_finish", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_setup_finish", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_result", out_result));
     hrt_setup_result result{};
     HRT_RETURN_IF_FAILED(s.finish_setup(&result));
@@ -40,11 +40,11 @@ hrt_result hrt_setup_finish(hrt_session session, hrt_setup_result* out_result) n
 }
 
 hrt_result hrt_setup_cancel(hrt_session session) noexcept {
-  return with_session("hrt_setup_cancel", session, [](RecordedSession& s) { return s.cancel_setup(); });
+  return sessions.with("hrt_setup_cancel", session.value, [](RecordedSession& s) { return s.cancel_setup(); });
 }
 
 hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide, hrt_setup_residual* out_residual) noexcept {
-  return with_session("hrt_setup_get_residual", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_setup_get_residual", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_residual", out_residual));
     const std::vector<hrt::CalibratedSlide>& slides = s.session().slides();
     if (slides.empty())

@@ -2,7 +2,7 @@
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/read.h"
-#include "plugin/src/api/sessions.h"
+#include "plugin/src/api/recorded_session.h"
 #include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
@@ -21,7 +21,7 @@ hrt_result read_target(const Session& session, const hrt_target_config* given, T
 using namespace hrt::plugin;
 
 hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config, hrt_target* out_target) noexcept {
-  return with_session("hrt_target_add", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_target_add", session.value, [&](RecordedSession& s) -> hrt_result {
     if (!out_target) return fail_of_null("out_target");
     Target checked;
     HRT_RETURN_IF_FAILED(read_target(s.session(), config, &checked));
@@ -30,7 +30,7 @@ hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config, 
 }
 
 hrt_result hrt_target_set(hrt_session session, hrt_target target, const hrt_target_config* config) noexcept {
-  return with_session("hrt_target_set", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_target_set", session.value, [&](RecordedSession& s) -> hrt_result {
     Target checked;
     HRT_RETURN_IF_FAILED(read_target(s.session(), config, &checked));
     return s.set_target(target.value, checked);
@@ -38,7 +38,7 @@ hrt_result hrt_target_set(hrt_session session, hrt_target target, const hrt_targ
 }
 
 hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_config* out_config) noexcept {
-  return with_session("hrt_target_get", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_target_get", session.value, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
     const Target* found = nullptr;
     HRT_RETURN_IF_FAILED(s.session().targets.find("target", target.value, TargetRole::any, &found));
@@ -48,12 +48,13 @@ hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_con
 }
 
 hrt_result hrt_target_remove(hrt_session session, hrt_target target) noexcept {
-  return with_session("hrt_target_remove", session, [&](RecordedSession& s) { return s.remove_target(target.value); });
+  return sessions.with("hrt_target_remove", session.value,
+                       [&](RecordedSession& s) { return s.remove_target(target.value); });
 }
 
 hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity, hrt_target* out_targets,
                            uint64_t* out_count) noexcept {
-  return with_session("hrt_target_list", session, [&](RecordedSession& s) -> hrt_result {
+  return sessions.with("hrt_target_list", session.value, [&](RecordedSession& s) -> hrt_result {
     if (!out_count) return fail_of_null("out_count");
     HRT_RETURN_IF_FAILED(check_range<unsigned>("role", role, 0, HRT_TARGET_VIRTUAL));
     const auto wanted = static_cast<TargetRole>(role);

@@ -70,12 +70,6 @@ bool make_finite(Struct* values) {
   return finite;
 }
 
-void write(const Vec3& from, double (&to)[3]) {
-  to[0] = from.x;
-  to[1] = from.y;
-  to[2] = from.z;
-}
-
 hrt_interval to_c(const Interval& interval) {
   return {interval.value, interval.lower, interval.upper, interval.known ? 1u : 0u, 0};
 }
@@ -83,6 +77,12 @@ hrt_interval to_c(const Interval& interval) {
 std::uint32_t flag_if(bool is, std::uint32_t flag) { return is ? flag : 0; }
 
 }  // namespace
+
+void write(const Vec3& from, double (&to)[3]) {
+  to[0] = from.x;
+  to[1] = from.y;
+  to[2] = from.z;
+}
 
 hrt_target_config to_c(const Target& target) {
   hrt_target_config config{};

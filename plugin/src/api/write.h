@@ -19,6 +19,7 @@ hrt_setup_result to_c(const SetupReport& report);
 hrt_setup_residual to_c(const CalibratedSlide& slide);
 hrt_gap to_c(const Gap& gap, hrt_target real_target, hrt_target virtual_target);
 
+void write(const Vec3& from, double (&to)[3]);
 /// Writes a point on the plate's face in plate coordinates.
 void write_point(const PlatePoint& point, double (&out_m)[3]);
 

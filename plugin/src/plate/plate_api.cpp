@@ -24,12 +24,7 @@ constexpr std::uint8_t plates_kind = 'p';
 constexpr std::size_t max_name = 1024;
 
 using Plates = HandleTable<PlateDriver, max_plates, plates_kind>;
-Plates plates;
-
-template <class Body>
-hrt_result with_plate(const char* call, hrt_plate plate, Body&& body) noexcept {
-  return with_lease(call, "plate", plates, plate.value, body);
-}
+Plates plates("plate");
 
 hrt_result read_options(const hrt_plate_options* given, hrt_plate_options* options) {
   HRT_RETURN_IF_FAILED(read_configuration("options", given, options));
@@ -96,7 +91,7 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options, 
 }
 
 hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) noexcept {
-  return with_plate("hrt_plate_set", plate, [&](PlateDriver& driver) -> hrt_result {
+  return plates.with("hrt_plate_set", plate.value, [&](PlateDriver& driver) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_value("orientation_deg", Fields<hrt_sample>::plate_orientation_deg, orientation_deg));
     HRT_RETURN_IF_FAILED(check_ready(driver));
     HRT_RETURN_IF_FAILED(check_homed(driver));
@@ -106,7 +101,7 @@ hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) noexcept {
 }
 
 hrt_result hrt_plate_stop(hrt_plate plate) noexcept {
-  return with_plate("hrt_plate_stop", plate, [&](PlateDriver& driver) -> hrt_result {
+  return plates.with("hrt_plate_stop", plate.value, [&](PlateDriver& driver) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_ready(driver));
     driver.stop();
     return HRT_OK;
@@ -114,7 +109,7 @@ hrt_result hrt_plate_stop(hrt_plate plate) noexcept {
 }
 
 hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) noexcept {
-  return with_plate("hrt_plate_get", plate, [&](const PlateDriver& driver) -> hrt_result {
+  return plates.with("hrt_plate_get", plate.value, [&](const PlateDriver& driver) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
     HRT_RETURN_IF_FAILED(check_process(driver));
     write_struct(driver.report(), out_report);
@@ -124,7 +119,7 @@ hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) noexcept
 
 hrt_result hrt_plate_close(hrt_plate plate) noexcept {
   if (plate.value == 0) return HRT_OK;
-  return destroy("hrt_plate_close", "plate", plates, plate.value);
+  return plates.destroy("hrt_plate_close", plate.value);
 }
 
 const char* hrt_plate_last_error() noexcept { return thread_error.text.c_str(); }

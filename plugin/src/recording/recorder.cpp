@@ -66,7 +66,7 @@ bool Recorder::is_full() const {
   return pushed_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_acquire) == capacity;
 }
 
-RecorderStatus Recorder::stop() {
+hrt_recording_status Recorder::stop() {
   if (stopping_.exchange(true)) return status();
   if (writer_.joinable()) {
     writer_.join();
@@ -77,7 +77,7 @@ RecorderStatus Recorder::stop() {
   return status();
 }
 
-RecorderStatus Recorder::flush() {
+hrt_recording_status Recorder::flush() {
   if (!writer_.joinable()) drain();
   while (taken_.load(std::memory_order_acquire) != pushed_.load(std::memory_order_relaxed))
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -94,12 +94,15 @@ void Recorder::abandon() {
   report(HRT_LOG_WARNING, text.view());
 }
 
-RecorderStatus Recorder::status() const {
+hrt_recording_status Recorder::status() const {
   const std::uint64_t written = written_.load();
   const int error = system_error_.load();
   // After a failed write, no further record is written.
   const std::uint64_t refused = error == 0 ? 0 : pushed_.load() - written;
-  return {.written = written_rows_.load(), .lost = lost_.load() + refused, .system_error = error};
+  return {.struct_size = sizeof(hrt_recording_status),
+          .system_error = error,
+          .rows_written = written_rows_.load(),
+          .rows_lost = lost_.load() + refused};
 }
 
 void Recorder::write_all() {

@@ -13,17 +13,9 @@
 #include "plugin/src/abi/fork.h"
 #include "plugin/src/abi/hash.h"
 #include "plugin/src/abi/host.h"
-#include "plugin/src/recording/command_hash.h"
 #include "plugin/src/recording/format.h"
 
 namespace hrt::plugin {
-
-/// State of a recording.
-struct RecorderStatus {
-  std::uint64_t written = 0;  ///< rows that the operating system has accepted, without comments
-  std::uint64_t lost = 0;     ///< records that were dropped because the disk was slow or failed
-  int system_error = 0;       ///< errno of the first failed write; 0: none
-};
 
 /// A ring buffer of records, and a thread that writes them to a file. Calls must not be concurrent. push() is
 /// real-time.
@@ -46,10 +38,10 @@ class Recorder {
   bool belongs_to_parent_process() const { return forks_ != forks(); }
 
   /// Ends the recording as the destructor does, and returns the final state.
-  RecorderStatus stop();
+  hrt_recording_status stop();
   /// Waits until the operating system has accepted all records.
-  RecorderStatus flush();
-  RecorderStatus status() const;
+  hrt_recording_status flush();
+  hrt_recording_status status() const;
 
  private:
   struct Entry {

@@ -41,41 +41,31 @@ void Plausibility::find(Kind kind, double first, double second) {
 }
 
 void Plausibility::observe(const FingerSample& sample) {
-  check_time(sample.time_ns);
-  if (sample.observation != Observation::position) return;
-  ++positions_;
-  check_speed(sample);
-  check_place(sample.position);
-  if (!retargeted_) check_direction(sample.position);
-  last_ = sample;
-}
-
-void Plausibility::check_time(std::int64_t time_ns) {
-  if (!first_ns_ || elapsed_ns(*first_ns_, time_ns) > window_ns) {
-    first_ns_ = time_ns;
+  if (!first_ns_ || elapsed_ns(*first_ns_, sample.time_ns) > window_ns) {
+    first_ns_ = sample.time_ns;
     samples_ = 0;
   }
   if (++samples_ > max_samples_in_window)
-    find(Kind::time_too_slow, samples_, static_cast<double>(elapsed_ns(*first_ns_, time_ns)) / (samples_ - 1));
-}
-
-void Plausibility::check_speed(const FingerSample& sample) {
-  if (!last_) return;
-  const double moved_mm = distance_mm(last_->position, sample.position);
-  const std::uint64_t passed_ns = elapsed_ns(last_->time_ns, sample.time_ns);
-  const double speed_mm_s = moved_mm / (1e-9 * std::max(1.0, static_cast<double>(passed_ns)));
-  fast_positions_ = speed_mm_s > max_speed_mm_s ? fast_positions_ + 1 : 0;
-  if (fast_positions_ < max_in_a_row) return;
-  // No tracker has a shorter sample period, so the unit of time is wrong rather than that of length.
-  const bool is_time = passed_ns < min_sample_ns;
-  find(is_time ? Kind::time_too_slow : Kind::too_fast, is_time ? fast_positions_ : 1e-3 * speed_mm_s,
-       static_cast<double>(passed_ns));
-}
-
-void Plausibility::check_place(const PlatePoint& place) {
-  if (from_centre_mm(place) <= max_radii * radius_mm_) return;
-  ++far_positions_;
-  far_ = {Kind::far_away, from_centre_mm(place), radius_mm_};
+    find(Kind::time_too_slow, samples_, static_cast<double>(elapsed_ns(*first_ns_, sample.time_ns)) / (samples_ - 1));
+  if (sample.observation != Observation::position) return;
+  ++positions_;
+  if (last_) {
+    const double moved_mm = distance_mm(last_->position, sample.position);
+    const std::uint64_t passed_ns = elapsed_ns(last_->time_ns, sample.time_ns);
+    const double speed_mm_s = moved_mm / (1e-9 * std::max(1.0, static_cast<double>(passed_ns)));
+    fast_positions_ = speed_mm_s > max_speed_mm_s ? fast_positions_ + 1 : 0;
+    // No tracker has a shorter sample period, so the unit of time is wrong rather than that of length.
+    const bool is_time = passed_ns < min_sample_ns;
+    if (fast_positions_ >= max_in_a_row)
+      find(is_time ? Kind::time_too_slow : Kind::too_fast, is_time ? fast_positions_ : 1e-3 * speed_mm_s,
+           static_cast<double>(passed_ns));
+  }
+  if (from_centre_mm(sample.position) > max_radii * radius_mm_) {
+    ++far_positions_;
+    far_ = {Kind::far_away, from_centre_mm(sample.position), radius_mm_};
+  }
+  if (!retargeted_) check_direction(sample.position);
+  last_ = sample;
 }
 
 void Plausibility::check_direction(const PlatePoint& place) {

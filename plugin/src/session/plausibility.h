@@ -45,9 +45,6 @@ class Plausibility {
 
  private:
   bool is_far() const { return far_positions_ >= min_far_positions && far_positions_ == positions_; }
-  void check_time(std::int64_t time_ns);
-  void check_speed(const FingerSample& sample);
-  void check_place(const PlatePoint& place);
   void check_direction(const PlatePoint& place);
   void find(Implausible::Kind kind, double first, double second);
 

@@ -37,9 +37,11 @@ hrt_result Session::check_setting_up() const {
 
 hrt_result Session::set_model(const SessionModel& model) {
   HRT_RETURN_IF_FAILED(check_idle());
-  SessionModel next = model;
-  forget_contacts_elsewhere(model_, &next);
-  model_ = next;
+  const TouchedFrame &was = model_.control.touched, &is = model.control.touched;
+  const bool contacts_are_of_another_pose =
+      !have_same_pose(model_.mount, model.mount) && was.stretch == is.stretch && was.covariance == is.covariance;
+  model_ = model;
+  if (contacts_are_of_another_pose) forget_contacts(&model_);
   state_ = Idle{};
   return HRT_OK;
 }
@@ -75,7 +77,6 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach)
 }
 
 hrt_result Session::begin(const ReachRequest& request) {
-  HRT_RETURN_IF_FAILED(check_idle());
   Pair pair{};
   HRT_RETURN_IF_FAILED(find_pair(request.real_target, request.virtual_target, &pair));
   Reach reach{};
@@ -115,7 +116,6 @@ hrt_result Session::start_at(const PlatePoint& finger, Reaching* reaching) const
 }
 
 hrt_result Session::update(const FingerSample& sample, PlateCommand* out) {
-  HRT_RETURN_IF_FAILED(check_reaching());
   auto& reaching = std::get<Reaching>(state_);
   if (reaching.last_time_ns && sample.time_ns < *reaching.last_time_ns)
     return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: from the last sample's, ",
@@ -178,7 +178,6 @@ hrt_result Session::check_contact_due() const {
 // Stores the contact if the reach is in progress: end() applies it after the estimates of the user. After the reach,
 // applies it immediately.
 hrt_result Session::touched(const ContactReport& report) {
-  HRT_RETURN_IF_FAILED(check_contact_due());
   auto* reaching = std::get_if<Reaching>(&state_);
   const EndedReach reach = reaching ? EndedReach{reaching->start, reaching->pair.real, reaching->retargeter.finger()}
                                     : *std::get<Idle>(state_).last;
@@ -258,7 +257,6 @@ bool Session::is_too_old(std::int64_t time_ns) const {
 }
 
 hrt_result Session::begin_setup(std::uint32_t parts, const SetupConfig& asked) {
-  HRT_RETURN_IF_FAILED(check_idle());
   HRT_RETURN_IF_FAILED(SessionSetup::check(model_, targets, parts, asked));
   auto report = std::make_unique<SetupReport>();
   state_ = std::make_unique<SessionSetup>(model_, targets, parts, asked, plate_orientation_deg_);
@@ -268,7 +266,6 @@ hrt_result Session::begin_setup(std::uint32_t parts, const SetupConfig& asked) {
 }
 
 hrt_result Session::update_setup(const SetupSample& sample, SetupStep* out) {
-  HRT_RETURN_IF_FAILED(check_setting_up());
   HRT_RETURN_IF_FAILED(std::get<SettingUp>(state_)->update(model_, sample, out));
   plate_orientation_deg_ = out->plate_orientation_deg;
   return HRT_OK;

@@ -46,11 +46,14 @@ class Session {
   hrt_result check_reaching() const;
   hrt_result check_setting_up() const;
 
+  /// Requires that check_idle() succeeds.
   hrt_result begin(const ReachRequest& request);
+  /// Requires that check_reaching() succeeds.
   hrt_result update(const FingerSample& sample, PlateCommand* out);
   hrt_result retarget(std::uint64_t real_target, std::uint64_t virtual_target);
   /// Fails unless a contact can be reported: in a reach or after it, once, with a registered plate.
   hrt_result check_contact_due() const;
+  /// Requires that check_contact_due() succeeds.
   hrt_result touched(const ContactReport& report);
   hrt_result cancel();
   hrt_result end(ReachSummary* out);
@@ -65,7 +68,9 @@ class Session {
   /// True if the reach starts at the first position of the finger, and no sample has had one yet.
   bool awaits_finger() const { return is_reaching() && std::get<Reaching>(state_).awaits_finger; }
 
+  /// Requires that check_idle() succeeds.
   hrt_result begin_setup(std::uint32_t parts, const SetupConfig& asked);
+  /// Requires that check_setting_up() succeeds.
   hrt_result update_setup(const SetupSample& sample, SetupStep* out);
   /// Ends a set-up without remaining parts. Not real-time, like begin_setup() and cancel_setup().
   hrt_result finish_setup();

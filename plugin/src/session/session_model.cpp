@@ -12,12 +12,6 @@ bool has(const Range& range, const Vec3& v) { return range.has(v.x) && range.has
 
 bool are_same(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-bool have_same_pose(const PlateMount& a, const PlateMount& b) {
-  const Quaternion &p = a.pose.orientation, &q = b.pose.orientation;
-  return are_same(a.pose.position_m, b.pose.position_m) && p.x == q.x && p.y == q.y && p.z == q.z && p.w == q.w &&
-         a.scale == b.scale;
-}
-
 // Factors that convert a covariance of rotation (radians) and position (metres) to millimetres.
 Eigen::Matrix3d mm_by_m() {
   const Eigen::Vector3d units{1.0, mm_per_m, mm_per_m};
@@ -26,6 +20,12 @@ Eigen::Matrix3d mm_by_m() {
 
 }  // namespace
 
+bool have_same_pose(const PlateMount& a, const PlateMount& b) {
+  const Quaternion &p = a.pose.orientation, &q = b.pose.orientation;
+  return are_same(a.pose.position_m, b.pose.position_m) && p.x == q.x && p.y == q.y && p.z == q.z && p.w == q.w &&
+         a.scale == b.scale;
+}
+
 bool is_valid(const SessionModel& model) {
   const RetargeterConfig& control = model.control;
   const EstimatorConfig& estimator = control.estimator;
@@ -33,26 +33,9 @@ bool is_valid(const SessionModel& model) {
   return is_valid(control) && weight_range.has(control.participant.tactile_weight) &&
          weight_sd_range.has(estimator.tactile_weight_sd) && bias_range_deg.has(control.participant.bias_deg) &&
          motion_bound_range_deg.has(control.reach.bound_deg) && noise_range_mm.has(estimator.tracker_noise_mm) &&
-         noise_range_mm.has(estimator.correlated_noise_mm) && is_valid(mount.pose) && scale_range.has(mount.scale) &&
-         has(position_range_m, mount.pose.position_m) && has(fingertip_range_m, mount.fingertip_offset_m);
-}
-
-PlatePoint plate_point(Vec3 position_m) {
-  return {.right_mm = mm_per_m * position_m.x, .away_mm = -mm_per_m * position_m.z};
-}
-
-FingerOnPlate locate(const PlateMount& mount, Vec3 world_position_m) {
-  const Vec3& centre_m = mount.pose.position_m;
-  if (mount.scale != 1.0) world_position_m = centre_m + (world_position_m - centre_m) * (1.0 / mount.scale);
-  FingerOnPlate finger{};
-  locate_finger(mount.surface, mount.pose, world_position_m, finger);
-  return finger;
-}
-
-FingerOnPlate locate_on_plate(const PlateMount& mount, Vec3 plate_position_m) {
-  FingerOnPlate finger{};
-  locate_finger(mount.surface, Pose{}, plate_position_m, finger);
-  return finger;
+         noise_range_mm.has(estimator.correlated_noise_mm) && is_unit(mount.pose.orientation) &&
+         scale_range.has(mount.scale) && has(position_range_m, mount.pose.position_m) &&
+         has(fingertip_range_m, mount.fingertip_offset_m);
 }
 
 void forget_person(SessionModel* model) {
@@ -92,12 +75,6 @@ Illusion illusion_of(const SessionModel& model, double distance_mm) {
 }
 
 void forget_contacts(SessionModel* model) { model->control.touched = {.home = start_of(*model)}; }
-
-void forget_contacts_elsewhere(const SessionModel& before, SessionModel* next) {
-  const TouchedFrame &was = before.control.touched, &is = next->control.touched;
-  if (!have_same_pose(before.mount, next->mount) && was.stretch == is.stretch && was.covariance == is.covariance)
-    forget_contacts(next);
-}
 
 void take_contacts_of_profile(const SessionModel& session, bool has_contacts, SessionModel* profile) {
   TouchedFrame& touched = profile->control.touched;

@@ -6,7 +6,7 @@
 #include "core/person/illusion.h"
 #include "core/plate/plate_frame.h"
 #include "core/retargeter_config.h"
-#include "scene/plate_coordinates.h"
+#include "scene/geometry.h"
 
 namespace hrt::plugin {
 
@@ -24,6 +24,12 @@ enum class Adaptation : std::uint8_t {
   off,     ///< the estimates are not used
   reach,   ///< within that reach
   carried  ///< carried to the following reaches
+};
+
+/// Size of the plate, and the height above it that counts as a lift.
+struct PlateSurface {
+  double radius_m = 0.0;         ///< > 0
+  double lift_height_m = 0.015;  ///< the finger is lifted if its tracked position is higher above the plate, > 0
 };
 
 /// Pose of the plate, and the values that convert tracked positions to plate coordinates. Lengths are in metres, as in
@@ -57,15 +63,11 @@ struct SessionModel {
 
 bool is_valid(const SessionModel& model);
 
+/// True if the poses and scales are equal.
+bool have_same_pose(const PlateMount& a, const PlateMount& b);
+
 /// The start of reaches in the plane of the plate.
 inline const PlatePoint& start_of(const SessionModel& model) { return model.control.touched.home; }
-
-/// Projects a position in plate coordinates onto the plate.
-PlatePoint plate_point(Vec3 position_m);
-
-/// Locates a finger on the plate from its position in the engine's world, or in plate coordinates.
-FingerOnPlate locate(const PlateMount& mount, Vec3 world_position_m);
-FingerOnPlate locate_on_plate(const PlateMount& mount, Vec3 plate_position_m);
 
 /// Sets control.person to the prior of an unknown person, computed from the model's tactile weight, its SD and the
 /// bias.
@@ -82,9 +84,6 @@ Illusion illusion_of(const SessionModel& model, double distance_mm);
 
 /// Resets the correction of the registration by contacts.
 void forget_contacts(SessionModel* model);
-
-/// Calls forget_contacts(next) if the plate's pose in `next` differs from `before` but its contacts do not.
-void forget_contacts_elsewhere(const SessionModel& before, SessionModel* next);
 
 /// Completes the model `profile`, which is `session` with a profile read into it: restores the session's pose and, if
 /// the profile has no contacts, its contacts. Contacts of another pose are discarded; to those of the same pose, drift

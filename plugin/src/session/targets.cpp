@@ -30,7 +30,8 @@ TargetView view_from(const PlatePoint& start, const PlateMount& mount, const Tar
     return {place.direction_deg, far_mm, point_ahead(start, place.direction_deg, far_mm), false};
   }
   const bool in_world = place.kind == TargetPlace::Kind::world_position;
-  const PlatePoint point = plate_point(in_world ? locate(mount, place.position_m).position_m : place.position_m);
+  const PlatePoint point =
+      plate_point(in_world ? plate_coordinates(mount.pose, mount.scale, place.position_m) : place.position_m);
   const double far_mm = distance_mm(start, point);
   return {bearing_deg(start, point), far_mm, point, far_mm < mm_per_m * min_distance_m};
 }

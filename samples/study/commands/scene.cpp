@@ -30,8 +30,8 @@ const SceneTarget& real_of(const Scene& scene, const SceneTarget& virtual_target
 // The gap is in [-180, 180], so that a pair near 180 degrees is not 360 apart.
 GapFeasibility gap_feasibility_of(const Scene& scene, const SceneTarget& virtual_target, double tactile_weight,
                                   double plate_bound_deg) {
-  const double virtual_deg = virtual_target.direction_deg;
-  const double gap_deg = wrap_deg(virtual_deg - real_of(scene, virtual_target).direction_deg, 360.0);
+  const double virtual_deg = direction_deg(scene, virtual_target);
+  const double gap_deg = wrap_deg(virtual_deg - direction_deg(scene, real_of(scene, virtual_target)), 360.0);
   return paper_gap_feasibility(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
 }
 
@@ -53,7 +53,7 @@ std::string text(const Scene& scene, const SceneOptions& options) {
   page += left("", widest) + "                 deg        mm      mm\n";
   for (const SceneTarget& target : scene.targets)
     page += left(target.name, widest) + (target.served_by ? "  virtual" : "  real   ") +
-            right(degrees(target.direction_deg), 11) + right(millimetres(target.distance_m), 10) +
+            right(degrees(direction_deg(scene, target)), 11) + right(millimetres(distance_m(scene, target)), 10) +
             right(millimetres(target.position_m.y), 8) + "  " + target.node_path + '\n';
 
   page +=

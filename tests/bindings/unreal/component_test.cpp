@@ -13,7 +13,7 @@
 
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
-#include "plugin/src/recording/command_hash.h"
+#include "plugin/src/abi/hash.h"
 #include "tests/plugin/plate/eventually.h"
 
 namespace {
