@@ -1,4 +1,5 @@
-// Loads arbitrary bytes as a scene file: a scene must fulfil the postconditions of load_scene(), an error be one line.
+// Loads arbitrary bytes as a scene file: a scene must fulfil the postconditions of load_scene(), an error must be one
+// line.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -18,7 +18,7 @@ _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand",
             "hrt_setup_step": "FHapticSetupStep", "hrt_setup_result": "FHapticSetupResult"}
 _OUTPUTS = [name for name in _STRUCTS if name != settings.STRUCT]
 _TO_CONFIG = "hrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, const hrt_session_config& Before)"
-# The first is given by the component's transform; the plugin keeps the others.
+# plate_rotation is given by the component's transform; the plugin keeps the other fields.
 _NOT_SHOWN = (*HIDDEN, "plate_rotation", "covariance", "sd_m")
 # Enumerations of the component's arguments.
 _ENUMERATIONS = ("HRT_TARGET",)

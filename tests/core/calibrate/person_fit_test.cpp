@@ -19,7 +19,7 @@ double true_weight(const PersonCondition& condition) {
   return (felt_shift_deg(illusion, 60.0) - felt_shift_deg(illusion, -60.0)) / 120.0;
 }
 
-// 0.2 t, constant beyond 45 degrees to the left: 9 degrees there, and 12 at 60 to the right.
+// The curve is 0.2 t up to 45 degrees to the left and constant beyond: 9 degrees there, and 12 at 60 to the right.
 TEST(IllusionCurve, OneBendAt45Degrees_GivesTheHandCalculatedCurve) {
   CurveBends bends{};
   constexpr std::size_t at_45 = 15;  // index from the knot at -67.5 degrees
@@ -45,7 +45,7 @@ TEST(IllusionCurve, ACubicCurve_GivesItsOwnParameters) {
   EXPECT_NEAR(controllers_curve(curve).curve, 0.1, 1e-12);
 }
 
-// Without noise of person and tracker, for several gains and delays.
+// Neither the person nor the tracker has noise; gains and delays differ.
 TEST(PersonFit, SlidesWithoutNoise_GiveTheTrueWeightAndBias) {
   for (const double gain : {6.0, 9.0}) {
     for (const double delay_s : {0.0, 0.06}) {

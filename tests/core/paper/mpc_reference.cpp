@@ -89,15 +89,15 @@ DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem) {
 }
 
 KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate) {
-  const LongVector room = problem.limits - problem.rows * plate;
+  const LongVector slack = problem.limits - problem.rows * plate;
   std::vector<int> active;
-  for (int i = 0; i < room.size(); ++i)
-    if (room[i] < 1e-10L) active.push_back(i);
+  for (int i = 0; i < slack.size(); ++i)
+    if (slack[i] < 1e-10L) active.push_back(i);
   const LongVector gradient = problem.hessian * plate + problem.gradient;
   return {
       .stationarity =
           min_nonnegative_residual(problem.rows(active, Eigen::seqN(0, plate.size())).transpose(), gradient),
-      .violation_deg = std::max(0.0L, -room.minCoeff()),
+      .violation_deg = std::max(0.0L, -slack.minCoeff()),
   };
 }
 

@@ -44,8 +44,8 @@ class PersonEstimatorTest : public ::testing::Test {
   PersonEstimator estimator_{unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt};
 };
 
-// With a precise tracker: noise would hide the first millimetres. The peak of the speed is at half of the time, later
-// than the prior of the evenness expects.
+// The tracker is precise, because noise would hide the first millimetres. The peak of the speed is at half of the time,
+// later than the prior of the evenness expects.
 TEST_F(PersonEstimatorTest, PrecisePositions_DateTheOnsetWithin40Ms) {
   PersonBelief belief = unknown_person();
   belief.mean(PersonState::evenness) = 0.0;

@@ -42,8 +42,8 @@ TEST(PlateLimits, EquivalentOrientations_GiveTheNearest) {
   }
 }
 
-// The range from 30 to 80 fits between stops at +-90 only without half turns. Between stops at +-360 it also fits one,
-// -1 and -2 half turns further: the nearest is used.
+// The range from 30 to 80 fits between stops at +-90 only without half turns. Between stops at +-360, it also fits
+// after 1, -1 or -2 half turns: the nearest is used.
 TEST(PlateLimits, Stops_GiveTheHalfTurnsThatFit) {
   const PlateStops half{.lower_deg = -90.0, .upper_deg = 90.0};
   for (const double current : {-90.0, 0.0, 90.0}) EXPECT_EQ(half_turns_between_stops(30.0, 80.0, current, half), 0.0);

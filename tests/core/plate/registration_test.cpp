@@ -137,7 +137,7 @@ TEST(Registration, InconsistentTouches_AreRejected) {
   touches[0].touched_mm.x() += 50.0;
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::inconsistent);
 
-  // Left and right swapped, on marks at several heights: a mirror image is no pose.
+  // Left and right are swapped, on marks at several heights: a mirror image is no pose.
   const std::vector<Vector3d> corners = {{100.0, 0.0, 0.0}, {-100.0, 0.0, 0.0}, {0.0, 100.0, 0.0}, {0.0, 0.0, 100.0}};
   touches.clear();
   for (const Vector3d& corner : corners) touches.push_back({corner, {-corner.x(), corner.y(), corner.z()}});
@@ -145,7 +145,7 @@ TEST(Registration, InconsistentTouches_AreRejected) {
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::inconsistent);
 }
 
-// Left and right swapped on a flat plate: an upside-down plate fits the touches, unless up is known.
+// Left and right are swapped on a flat plate: an upside-down plate fits the touches, unless up is known.
 TEST(Registration, SwappedMarks_AreRejectedAsUpsideDown) {
   const Vector3d position(100.0, 700.0, -300.0);
   const Matrix3d level = AngleAxisd(0.4, Vector3d::UnitY()).toRotationMatrix();
@@ -155,7 +155,7 @@ TEST(Registration, SwappedMarks_AreRejectedAsUpsideDown) {
   std::swap(touches[2].touched_mm, touches[4].touched_mm);
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::accepted);
   EXPECT_EQ(fit_registration({.up = up}, touches).verdict, RegistrationVerdict::upside_down);
-  // A plate that leans by 50 degrees is accepted, one by 70 is rejected.
+  // A plate that leans by 50 degrees is accepted, one that leans by 70 is rejected.
   const auto leaning = [&](double by_deg) {
     const Matrix3d lean = AngleAxisd(by_deg * rad_per_deg, Vector3d::UnitX()).toRotationMatrix();
     return fit_registration({.up = up}, exact_touches(lean, position)).verdict;

@@ -174,7 +174,7 @@ TEST(SimulationPeople, WithoutIllusion_TheHandReachesTheVirtualTarget) {
   }
 }
 
-// 90 Hz during the rest, 1.5 s of motion and 0.3 s after it.
+// Samples come at 90 Hz during the rest, 1.5 s of motion and 0.3 s after it.
 TEST(SimulationPeople, Trackers_HaveTheirRateAndLosses) {
   const auto summary = [](const char* family) { return guided(draw(family)); };
   const ReachSummary usual = summary("linear");

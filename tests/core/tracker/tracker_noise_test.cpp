@@ -126,7 +126,7 @@ TEST(TrackerNoise, AnotherPositionAndUnit_ScalesTheNoise) {
   EXPECT_NEAR(there.correlation_s.value, here.correlation_s.value, 1e-6);
 }
 
-// White noise of n values is known to 1 / sqrt(2 n); the interval must be about as wide.
+// From n values, the SD of white noise is known to a fraction 1 / sqrt(2 n); the interval must be about as wide.
 TEST(TrackerNoise, WhiteNoise_HasAnIntervalOfTheExpectedWidth) {
   const SimulatedTracker tracker{"white", 1.2, 0.0, 0.1, 90.0};
   const Rests rests = simulate_rests(tracker, 1, 20.0, 0);

@@ -30,11 +30,11 @@ bool UHapticRetargetingComponent::HasLibrary() const
 	{
 		return true;
 	}
-	if (!bSaidMissing)
+	if (!bMissingIsLogged)
 	{
 		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the plugin's library is missing: an earlier line of the log names the DLL and its folder"));
 	}
-	bSaidMissing = true;
+	bMissingIsLogged = true;
 	return false;
 }
 

@@ -235,5 +235,5 @@ private:
 	uint32_t SetupDone = 0;
 	bool bReaching = false;
 	bool bSettingUp = false;
-	mutable bool bSaidMissing = false;
+	mutable bool bMissingIsLogged = false;
 };
