@@ -8,8 +8,8 @@
 
 namespace {
 
-// One line, without control characters.
-void complain(std::string message) {
+// Prints the message in one line, without control characters.
+void print_error(std::string message) {
   for (char& character : message)
     if (std::iscntrl(static_cast<unsigned char>(character))) character = '?';
   std::cerr << "hrt-study: " << message << '\n';
@@ -17,26 +17,26 @@ void complain(std::string message) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(bugprone-exception-escape): the parser is set up, which throws without memory only
+// NOLINTNEXTLINE(bugprone-exception-escape): setting up the parser throws only if memory is exhausted
 int main(int argc, char** argv) {
   using namespace hrt::study;
   constexpr int usage_error = 2;
 
   CLI::App app(
-      "Simulates haptic retargeting by touch: a plate that turns under the fingertip leads the hand to\n"
-      "a real target while the participant feels that they go to a virtual one.\n"
-      "Every result is of simulation; there was no human trial.",
+      "Simulates haptic retargeting by touch: a plate that turns under the fingertip steers the hand to a\n"
+      "real target while the participant feels a motion to a virtual one.\n"
+      "All results are simulated; there was no human trial.",
       "hrt-study");
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.footer(
       R"(Start with:
   hrt-study table1                 the paper's Table I next to the model's
   hrt-study trial                  one reach, step by step
-  hrt-study report --out report    figures and a page that shows them all
+  hrt-study report --out report    figures, and a page that shows them
 
-'hrt-study SUBCOMMAND --help' lists what each takes. Directions are in degrees from the plate's
+'hrt-study SUBCOMMAND --help' lists the options of a subcommand. Directions are in degrees from the plate's
 mid-line (straight away from the participant), counter-clockwise positive seen from above.
-Exit codes: 0 done, 1 failed, 2 an argument is wrong.)");
+Exit codes: 0 success, 1 failure, 2 invalid argument.)");
   app.set_version_flag("--version", HRT_STUDY_VERSION, "Print the version and exit.");
   app.set_help_flag("-h,--help", "Print this and exit.");
   app.require_subcommand(1);
@@ -54,13 +54,13 @@ Exit codes: 0 done, 1 failed, 2 an argument is wrong.)");
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    complain(std::string(error.what()) + " (see --help)");
+    print_error(std::string(error.what()) + " (see --help)");
     return usage_error;
   } catch (const UsageError& error) {
-    complain(error.what());
+    print_error(error.what());
     return usage_error;
   } catch (const std::exception& error) {
-    complain(error.what());
+    print_error(error.what());
     return 1;
   }
   return 0;

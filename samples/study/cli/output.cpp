@@ -104,8 +104,8 @@ std::string read_input(const std::string& argument, const std::string& path, std
     return UsageError(not_allowed(argument, path, "a file that can be read (" + why + ")"));
   };
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw refuse("this is a folder");
-  if (named_files()[std::filesystem::weakly_canonical(path, ignored)]) throw refuse("this one is to be written");
+  if (std::filesystem::is_directory(path, ignored)) throw refuse("it is a folder");
+  if (named_files()[std::filesystem::weakly_canonical(path, ignored)]) throw refuse("another option writes this file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw refuse(std::generic_category().message(errno));
@@ -114,9 +114,9 @@ std::string read_input(const std::string& argument, const std::string& path, std
   do {
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > max_bytes) throw refuse("this one is larger than " + std::to_string(max_bytes >> 20) + " MiB");
+    if (text.size() > max_bytes) throw refuse("it is larger than " + std::to_string(max_bytes >> 20) + " MiB");
   } while (file);
-  if (file.bad()) throw refuse("reading fails");
+  if (file.bad()) throw refuse("reading failed");
   return text;
 }
 

@@ -21,13 +21,13 @@ namespace hrt::study {
 namespace {
 
 struct CalibrationReport {
-  std::string name;  // of the data
+  std::string name;  // file name of the data
   std::size_t trials = 0;
   double goal_direction_deg = 0.0;
   Calibration calibration;
 };
 
-// A value of a calibration, with how it is written.
+// A value of a calibration, with its label and number of decimals.
 struct EstimatedTrait {
   const char* name;   // name in JSON
   const char* words;  // label with its unit
@@ -50,22 +50,23 @@ std::string fit_text(const Calibration& calibration) {
   const auto line = [](const char* over, double p) {
     return row(std::string("  ") + over, fixed(p, 3), p < min_fit_p ? "a pattern" : "none");
   };
-  std::string text = "\nPatterns in what the fit leaves, probability by chance\n" +
+  std::string text = "\nPatterns in the residuals of the fit, with p of the test\n" +
                      line("over the plate's angle", lack.angle_p) + line("over the order of the slides", lack.order_p) +
                      line("along the paths", lack.path_p);
   for (const CalibratedSlide& slide : calibration.slides) {
     if (slide.verdict != SlideVerdict::outlying) continue;
     Eigen::Index part = 0;
     (slide.parts_deg - slide.fitted_deg).cwiseAbs().maxCoeff(&part);
-    text += "  left out: trial " + std::to_string(slide.trial + 1) + ", an outlier: part " + std::to_string(part + 1) +
-            " of its path goes to " + fixed(slide.parts_deg(part), 1) + " deg, the fit to " +
+    text += "  excluded: trial " + std::to_string(slide.trial + 1) + ", an outlier: part " + std::to_string(part + 1) +
+            " of its path has a direction of " + fixed(slide.parts_deg(part), 1) + " deg, the fit " +
             fixed(slide.fitted_deg(part), 1) + '\n';
   }
   if (const std::size_t along = calibration.count(SlideVerdict::along_ridges); along > 0)
-    text += "  left out: " + std::to_string(along) + " slides nearly along the ridges, where the illusion flips\n";
+    text +=
+        "  excluded: " + std::to_string(along) + " slides nearly along the ridges, where the illusion changes sign\n";
   if (calibration.max_plate_deg > 60.0)
-    text += "  slides used reach plate angles of " + fixed(calibration.max_plate_deg, 0) +
-            " deg; published human data cover 60\n";
+    text += "  the slides have plate angles up to " + fixed(calibration.max_plate_deg, 0) +
+            " deg; published human data cover 60 deg\n";
   for (const std::string& advice : calibration.advice()) text += "Next: " + advice + ".\n";
   return text;
 }
@@ -74,26 +75,27 @@ std::vector<EstimatedTrait> estimated_traits(const Calibration& calibration) {
   return {{"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
           {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
           {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
-          {"max_gap_deg", "largest gap, °", calibration.max_gap_deg, 1},
-          {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
-          {"person_curve", "curve b of it", calibration.curve, 3},
+          {"max_gap_deg", "largest feasible gap, °", calibration.max_gap_deg, 1},
+          {"person_weight", "slope w of the illusion curve", calibration.slope, 3},
+          {"person_curve", "curvature b of the illusion curve", calibration.curve, 3},
           {"tracker_noise_mm", "tracker noise, white, mm", calibration.noise.white_mm, 3},
           {"correlated_noise_mm", "tracker noise, correlated, mm", calibration.noise.correlated_mm, 3},
-          {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}};
+          {"noise_correlation_s", "correlation time of the noise, s", calibration.noise.correlation_s, 3}};
 }
 
 std::string calibration_text(const CalibrationReport& report) {
   const Calibration& calibration = report.calibration;
   std::string text = "Calibration of " + report.name + ": " + std::to_string(calibration.count(SlideVerdict::used)) +
-                     " of " + std::to_string(report.trials) + " trials have a slide that can be used\n\n";
+                     " of " + std::to_string(report.trials) + " trials were used\n\n";
   text += row("", "estimate", "95 % interval");
   for (const EstimatedTrait& trait : estimated_traits(calibration)) {
     const std::string value = fixed(trait.interval.value, trait.decimals);
     text += trait.interval.known ? row(trait.words, value, interval_text(trait))
                                  : row(trait.words, "not determined", "best fit " + value);
   }
-  text += row("largest gap, plate from motion, °", fixed(calibration.peak_offset_deg, 0), "") + fit_text(calibration);
-  return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
+  text +=
+      row("its angle between plate and motion, °", fixed(calibration.peak_offset_deg, 0), "") + fit_text(calibration);
+  return text + "\nThe method has been tested with simulated people only; there was no human trial.\n";
 }
 
 nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
@@ -164,7 +166,7 @@ std::string calibration_profile(const Calibration& calibration) {
   return profile.dump(2) + '\n';
 }
 
-// Directions against the plate's orientation with the fit, and the residuals.
+// Figure of the illusion curve, of the directions and of the residuals.
 Figure calibration_figure(const CalibrationReport& report) {
   return {.name = "calibration",
           .title = "Directions over plates at rest",
@@ -172,7 +174,7 @@ Figure calibration_figure(const CalibrationReport& report) {
           .data = calibration_json(report)};
 }
 
-// Twice the size of a thousand slides of one minute at 90 Hz.
+// Twice the size of a file with a thousand slides of one minute at 90 Hz.
 constexpr std::size_t max_slides_bytes = std::size_t{1} << 29;
 
 struct CalibrateOptions {
@@ -222,9 +224,8 @@ std::string conclusion(const RetestReport& report) {
   }
   if (known == 0) return "No value is known from both calibrations: nothing can be compared";
   if (differing.empty())
-    return "No difference is shown. That is no proof that nothing changed: the intervals say how much it may "
-           "be";
-  return "They differ: " + differing;
+    return "No significant difference. The intervals show how large an undetected difference may be";
+  return "Significantly different: " + differing;
 }
 
 RetestReport compare_calibrations(CalibrationReport first, CalibrationReport second) {
@@ -243,7 +244,7 @@ RetestReport compare_calibrations(CalibrationReport first, CalibrationReport sec
 }
 
 std::string retest_text(const RetestReport& report) {
-  std::string text = "\nRetest " + report.second.name + " less test " + report.first.name + "\n  " + left("", 36) +
+  std::string text = "\nRetest " + report.second.name + " minus test " + report.first.name + "\n  " + left("", 36) +
                      right("difference", 15) + "   95 % interval\n";
   for (const ComparedValue& value : report.values) {
     const Interval& difference = value.difference.difference;
@@ -254,7 +255,7 @@ std::string retest_text(const RetestReport& report) {
                              : right("not determined", 15) + '\n';
   }
   return text + conclusion(report) +
-         ". With all values together, 5 % of pairs of an unchanged person would show a difference.\n";
+         ". Of pairs of calibrations of an unchanged person, 5 % have a significant difference in any value.\n";
 }
 
 nlohmann::ordered_json retest_json(const RetestReport& report) {
@@ -313,14 +314,15 @@ void add_calibrate(CLI::App& app) {
       add_command(app, "calibrate", "Estimate a participant's parameters from slides over a fixed plate.",
                   "FILE is CSV with a header that names " + std::string(calibration_header) +
                       R"(:
-a row a tracked position of the fingertip (right of and away along the mid-line), the rows of a trial
-together, its time increasing. Lines that start with # and other columns are ignored.
+one row per tracked position of the fingertip (to the right of the mid-line, and away along it). The rows of
+a trial are contiguous, with increasing times. Lines that start with # and other columns are ignored.
 
-Let the person slide to one target, twice at each of the plate orientations -75 to 75 in steps of 7.5 in
-random order; a slide of 30 mm or more, and half a second at rest before it. Needed are ten such slides at
-three orientations that span 40 deg; between orientations that are far apart the curve is not known.
-Slides within which the plate turned are left out. If the data do not suffice, the reason is on standard error, and the exit code is 1. If the person is unlike the model, the page says so and what to do, and their values are not
-determined. Published human data cover orientations of -60 to 60.
+Protocol: the person slides to one target, twice at each plate orientation from -75 to 75 in steps of 7.5, in
+random order. A slide is at least 30 mm long, after half a second at rest. The minimum is ten such slides at
+three orientations that span 40 deg; between orientations that are far apart the illusion curve is unknown.
+Slides during which the plate turned are excluded. If the data are not sufficient, the exit code is 1 and the
+reason is on standard error. If the model does not fit the person, the values are not determined, and the
+output says what to do. Published human data cover orientations from -60 to 60.
 
 Examples:
   hrt-study calibrate me.csv --plot me.svg --profile me.json
@@ -329,12 +331,13 @@ Examples:
                   [options] { run(*options); });
   add_path(command, "FILE", options->data, "The data, CSV.")->required();
   add_path(command, "--retest", options->retest,
-           "A second calibration's data: whether the two differ, and by how much. --plot and --profile are\n"
-           "of FILE.");
+           "Data of a second calibration, with which FILE is compared: differences, intervals and significance.\n"
+           "--plot and --profile use FILE.");
   add_number(command, "--goal", options->goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
-  add_choice(command, "--format", options->format, {"text", "json"}, "What to write.");
-  add_plot(command, options->plot, "Draw curve, directions and residuals there. Needs python3-matplotlib.");
-  add_path(command, "--profile", options->profile, "File of a profile that the plugin loads (hrt_profile_load).");
+  add_choice(command, "--format", options->format, {"text", "json"}, "Format of the output.");
+  add_plot(command, options->plot,
+           "SVG file for a figure of curve, directions and residuals. Needs python3-matplotlib.");
+  add_path(command, "--profile", options->profile, "File for a profile that the plugin loads (hrt_profile_load).");
   add_out(command, options->out);
 }
 

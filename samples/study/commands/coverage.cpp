@@ -27,8 +27,8 @@ struct CoverageKind {
   const char* name;
   const char* description;
   const char* family;
-  double weight_trend = 0.0;    // change of w from the first slide to the last; sign at random
-  double outlying_share = 0.0;  // fraction of slides that are off by 15 to 40 degrees
+  double weight_trend = 0.0;    // change of w from the first slide to the last, with a random sign
+  double outlying_share = 0.0;  // fraction of slides whose direction is 15 to 40 degrees off
   void (*change)(PersonCondition& condition, Draws& draws) = nullptr;  // applied before the session
 };
 
@@ -54,8 +54,8 @@ struct CoveragePerson {
 struct Tally {
   Share known;
   Share covered;       // among determined values
-  double error = 0.0;  // sum over the known
-  double width = 0.0;  // sum over the known
+  double error = 0.0;  // sum over determined values
+  double width = 0.0;  // sum over determined values
 
   void add(const Interval& found, double truth) {
     known.count(found.known);
@@ -109,30 +109,30 @@ void biased(PersonCondition& condition, Draws& draws) {
 constexpr CoverageKind all_kinds[] = {
     {"linear", "linear illusion, continuous steering", "linear"},
     {"steps", "the paper's person", "steps"},
-    {"predictive", "predict their own motion", "predictive"},
+    {"predictive", "predict their own motion over the sensory delay", "predictive"},
     {"clip-60", "illusion saturates at 60°", "clip-60"},
     {"clip-45", "illusion saturates at 45°", "clip-45"},
     {"tanh-60", "60° tanh(t / 60°)", "tanh-60"},
     {"sine-45", "45° sin 2t", "sine-45"},
-    {"dead-band", "nothing felt within 10°", "dead-band"},
-    {"unequal", "half to the right", "unequal"},
+    {"dead-band", "no shift within 10°", "dead-band"},
+    {"unequal", "half the illusion to the right", "unequal"},
     {"bias-3", "bias of ±3°", "bias-3"},
     {"habit-5", "habit of ±5°", "habit-5"},
     {"mixture", "clip-60, bias, habit, correlated noise", "mixture"},
     {"noise-100", "noise of 1.2 mm over 100 ms", "noise-100"},
-    {"outliers", "3 % of positions off by 30 mm", "outliers"},
-    {"slow-tracker", "30 Hz, uneven", "slow-tracker"},
-    {"slips", "5 % of slides go 15 to 40° off", "linear", 0.0, 0.05},
+    {"outliers", "3 % of positions with an error of 30 mm", "outliers"},
+    {"slow-tracker", "tracker of 30 Hz with jitter", "slow-tracker"},
+    {"slips", "5 % of slides in a direction 15 to 40° off", "linear", 0.0, 0.05},
     {"trend", "w changes by ±0.06 over the session", "linear", 0.06},
     {"strong", "linear, w_T of 0.3 to 0.45", "linear", 0.0, 0.0, weighs<30, 45>},
     {"strong-clip", "saturating at 60°, w_T of 0.3 to 0.45", "clip-60", 0.0, 0.0, weighs<30, 45>},
     {"weak", "linear, w_T of 0.05 to 0.12", "linear", 0.0, 0.0, weighs<5, 12>},
     {"peaked", "illusion rises to 50° and falls to 0 at 90°", "linear", 0.0, 0.0, peaked},
     {"drift", "w changes by ±0.05 within each slide", "drift"},
-    {"place-bias", "seek the target's place, bias of ±3°", "place", 0.0, 0.0, biased},
-    {"place", "seek the target's place", "place"},
-    {"heavy-arm", "1 kg, muscles of 40 ms", "heavy-arm"},
-    {"crossings", "ridges felt as they are crossed", "crossings"},
+    {"place-bias", "steer to the target's position, bias of ±3°", "place", 0.0, 0.0, biased},
+    {"place", "steer to the target's position", "place"},
+    {"heavy-arm", "arm of 1 kg, muscles with a time constant of 40 ms", "heavy-arm"},
+    {"crossings", "ridges felt only when crossed", "crossings"},
 };
 
 // Simulates the slides of person `index` of a kind, in the order of the session. `truth`: output, the true values.
@@ -149,7 +149,8 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   double bias_deg = person.bias_deg - person.own_bias_deg;
   double habit_deg = person.habit_deg;
   if (person.steering == Steering::place) {
-    // They aim past the position until they are near: the goal is bias (1 + log(1 - s)) at the share s of the path.
+    // Such people aim past the position until they are near: at the fraction s of the path, the goal is bias (1 + log(1
+    // - s)).
     habit_deg = -0.5 * bias_deg * logarithm(0.15);
     bias_deg *= 1.0 + logarithm(0.5);
   }
@@ -223,11 +224,11 @@ std::string text(const CoverageStudy& study) {
   const CoverageOptions& options = study.options;
   std::string page =
       "Calibrations of simulated people; there was no human trial. " + std::to_string(options.people) +
-      " people a kind, " + std::to_string(options.session.slides) + " slides at the angles of a set-up, " +
+      " people of each kind, " + std::to_string(options.session.slides) + " slides at the angles of a set-up, " +
       number(options.session.duration_s) +
-      " s each.\nknown: % of people of whom the calibration says that it knows the value; cover: % of those "
-      "whose 95 %\ninterval holds the truth, and the 95 % interval of that share; error: mean of estimate "
-      "less truth; width: mean of\nthe interval's.\n\n";
+      " s each.\nknown: % of people for whom the calibration determines the value\n"
+      "cover: % of these whose 95 % interval contains the true value, and the 95 % interval of this percentage\n"
+      "error: mean of estimate minus true value; width: mean width of the interval\n\n";
   page += left("", 14);
   for (const char* name : {"w_T", "bias, deg", "habit, deg", "largest gap, deg"}) page += "  " + left(name, 34);
   page += '\n' + left("", 14);
@@ -244,8 +245,9 @@ std::string text(const CoverageStudy& study) {
     page += '\n';
   }
   page +=
-      "\nWithheld for a pattern over the plate's angle, the order of the slides, the path; refused: % of "
-      "people\n";
+      "\n% of people whose values are unknown because of a lack of fit over the plate's angle, the order of the slides "
+      "or "
+      "the\npath (first three columns), or because the calibration failed (fourth column)\n";
   for (const KindRow& row : study.rows) {
     const Coverage& of = row.coverage;
     page += left(row.kind->name, 14) + cell(of.angle.percent(), 0, 6) + cell(of.order.percent(), 0, 6) +
@@ -296,8 +298,8 @@ void add_coverage(CLI::App& app) {
   const auto options = std::make_shared<CoverageOptions>();
   CLI::App& command = add_command(
       app, "coverage", "Coverage of the calibration's 95 % intervals, for simulated people.",
-      R"(People as 'robustness' has them, and others: strong and weak illusions, one with a peak, slides that slip,
-people who change over the session. 50 people of all kinds take some three minutes.
+      R"(Simulates families of 'robustness', and people with strong, weak or peaked illusions, with outlying slides, or
+with a weight that changes over the session. 50 people of each kind take about three minutes.
 
 Examples:
   hrt-study coverage --kind habit-5
@@ -305,10 +307,10 @@ Examples:
       [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
   std::vector<std::string> kinds{"all"};
   for (const CoverageKind& kind : all_kinds) kinds.emplace_back(kind.name);
-  add_choice(command, "--kind", options->kind, kinds, "Kind of people.");
-  add_integer(command, "--people", options->people, 1, 100'000, "People of each kind.");
-  add_integer(command, "--slides", options->session.slides, 16, 200, "Slides of each person.");
-  add_number(command, "--duration", options->session.duration_s, {0.3, 20.0}, "Time of a slide, s.");
+  add_choice(command, "--kind", options->kind, kinds, "Kind of simulated people.");
+  add_integer(command, "--people", options->people, 1, 100'000, "Number of simulated people of each kind.");
+  add_integer(command, "--slides", options->session.slides, 16, 200, "Number of slides of each person.");
+  add_number(command, "--duration", options->session.duration_s, {0.3, 20.0}, "Duration of a slide, s.");
   add_threads(command, options->threads);
   add_seed(command, options->session.seed);
   options->writing.add_options(command);

@@ -14,7 +14,6 @@ constexpr double max_rows = 1e7;
 
 struct ParticipantsOptions {
   Session session;
-  double distance_mm = 100.0;
   double tracker_noise_mm = 1.2;
   std::string out;
 };
@@ -27,11 +26,10 @@ void check_size(const ParticipantsOptions& options) {
   if (rows > max_rows)
     throw UsageError(not_allowed("--trials", std::to_string(options.session.trials_per_angle),
                                  "small enough for at most " + fixed(max_rows, 0) +
-                                     " rows with these angles, rate and times; this makes " + fixed(rows, 0)));
+                                     " rows; with these angles, rate and times there are " + fixed(rows, 0)));
 }
 
 void run(ParticipantsOptions options) {
-  options.session.condition.distance_mm = options.distance_mm;
   options.session.condition.tracker_noise_mm = options.tracker_noise_mm;
   check_size(options);
   const Output output("--out", options.out);
@@ -54,21 +52,14 @@ Examples:
                   [options] { run(*options); });
   CalibrationCondition& condition = options->session.condition;
   add_number(command, "--tactile-weight", condition.participant.tactile_weight, tactile_weight_range,
-             "Tactile weight w_T: weight of touch in the perceived direction.");
+             "Tactile weight w_T: fraction of touch in the perceived direction.");
   add_number(command, "--bias", condition.participant.bias_deg, {-45.0, 45.0},
              "Perceptual bias: perceived minus true goal direction, deg.");
-  add_number(command, "--motor-variance", condition.participant.motor_variance_deg2, variance_range,
-             "Variance of the motor command (sigma_u^2), deg^2.");
-  add_number(command, "--sensory-variance", condition.participant.sensory_variance_deg2, positive_variance_range,
-             "Sensory variance of the perceived direction (sigma_h^2), deg^2.");
   add_number(command, "--goal", condition.goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
   add_numbers(command, "--angles", options->session.plate_angles_deg, {-360.0, 360.0}, "Plate orientations, deg.");
-  add_integer(command, "--trials", options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");
-  add_number(command, "--distance", options->distance_mm, {1.0, 1'000.0}, "Length of a slide, mm.");
-  add_number(command, "--duration", condition.duration_s, {0.1, 60.0}, "Time of a slide, s.");
-  add_number(command, "--rest", condition.rest_s, {0.0, 60.0}, "Time at rest before a slide, s.");
-  add_number(command, "--step-period", condition.step_period_s, {0.001, 10.0},
-             "Time between two corrections by the participant, s.");
+  add_integer(command, "--trials", options->session.trials_per_angle, 1, 1'000, "Number of slides at each angle.");
+  add_number(command, "--duration", condition.duration_s, {0.1, 60.0}, "Duration of a slide, s.");
+  add_number(command, "--rest", condition.rest_s, {0.0, 60.0}, "Duration of the rest before a slide, s.");
   add_number(command, "--tracker-noise", options->tracker_noise_mm, {0.0, 100.0},
              "Standard deviation of each tracked coordinate, mm.");
   add_number(command, "--rate", condition.tracker_rate_hz, {1.0, 10'000.0}, "Sample rate of the tracker, Hz.");

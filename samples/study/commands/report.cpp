@@ -18,7 +18,7 @@ struct ReportOptions {
 };
 
 void run(const ReportOptions& options) {
-  Workshop workshop("--out", options.out);
+  StagingFolder staged("--out", options.out);
   const Table1 table = simulate_table1(options.table);
   std::vector<Figure> figures = path_figures(options.table.seed);
   figures.insert(figures.begin(), ridges_figure(options.table.seed));
@@ -29,13 +29,12 @@ void run(const ReportOptions& options) {
            "Share of trials that end within 1.5° of the real direction, for the six pairs of each condition. Bars: "
            "95 % intervals (Wilson) of the paper's 50 trials and of the model's " +
            std::to_string(table.options.trials) +
-           " a cell. Dashed: limit of any controller, since the noise of the last step comes after the plate has "
-           "acted.",
+           " per cell. Dashed: limit of any controller, as the plate cannot correct the noise of the last step.",
        .data = Row::parse(json_of(table1_results(table)))});
-  workshop.draw(figures);
+  staged.draw(figures);
   const std::string page = "report.html";
-  workshop.write(page, html_page(table1_text(table), figures));
-  workshop.publish();
+  staged.write(page, html_page(table1_text(table), figures));
+  staged.publish();
   Output("--out", "")
       .write("Wrote " + std::to_string(figures.size()) + " pictures and the page " +
              (fs::path(options.out) / page).string() + "\n");
@@ -47,8 +46,8 @@ void add_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
   CLI::App& command = add_command(
       app, "report", "Draw Figs. 1c and 4 to 8 and Table I as SVG, with an HTML page.",
-      R"(Makes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Needs python3-matplotlib. Files
-of these names are replaced.
+      R"(Writes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Existing files of these names
+are replaced. Needs python3-matplotlib.
 
 Examples:
   hrt-study report --out report

@@ -12,7 +12,7 @@ namespace hrt::study {
 namespace {
 
 struct RidgeOptions {
-  std::vector<double> plate_angles_deg{-60.0, -30.0, 0.0, 30.0, 60.0};  // those of the paper's [2]
+  std::vector<double> plate_angles_deg{-60.0, -30.0, 0.0, 30.0, 60.0};  // those of reference [2] of the paper
   double tactile_weight = 0.15;
   double motor_variance_deg2 = 0.5;
   std::uint64_t trials = 50;
@@ -21,10 +21,10 @@ struct RidgeOptions {
 
 struct RidgeAngle {
   double plate_deg;
-  double rest_deg;  // where what is felt is straight ahead: -w T / (1 - w)
-  double mean_deg;  // of the final directions
+  double rest_deg;  // fixed point: direction that is perceived as straight ahead, -w T / (1 - w)
+  double mean_deg;  // mean and SD of the final directions
   double sd_deg;
-  std::vector<std::vector<double>> directions_deg;  // of the finger in each step of each trial
+  std::vector<std::vector<double>> directions_deg;  // direction of the finger in each step of each trial
 };
 
 struct Ridges {
@@ -68,16 +68,16 @@ Ridges simulate_ridges(const RidgeOptions& options) {
 std::string ridges_text(const Ridges& ridges) {
   std::string page =
       wrapped("The paper's Fig. 1c: " + std::to_string(ridges.options.trials) +
-                  " simulated slides straight ahead over a plate that rests at each angle, weight of touch " +
+                  " simulated slides straight ahead over a plate that rests at each angle, tactile weight " +
                   number(ridges.options.tactile_weight) + ", motor variance " +
                   number(ridges.options.motor_variance_deg2) +
-                  " deg^2. Ridges that lead to the left by touch (positive) bend the path to the right. There was "
-                  "no human trial here.",
+                  " deg^2. Ridges that shift the perceived direction to the left (positive angles) bend the path to "
+                  "the right. Fixed point: direction that is perceived as straight ahead. There was no human trial.",
               110) +
-      '\n' + "\nplate, deg  final direction, deg: mean      SD  at rest\n";
+      '\n' + "\nplate, deg  final direction, deg: mean      SD  fixed point\n";
   for (const RidgeAngle& angle : ridges.angles)
     page += right(number(angle.plate_deg), 10) + right(fixed(angle.mean_deg, 1), 29) +
-            right(fixed(angle.sd_deg, 1), 8) + right(fixed(angle.rest_deg, 1), 9) + '\n';
+            right(fixed(angle.sd_deg, 1), 8) + right(fixed(angle.rest_deg, 1), 13) + '\n';
   return page;
 }
 
@@ -103,8 +103,8 @@ Figure figure_of(const Ridges& ridges) {
   return {.name = "fig1c",
           .title = "Fig. 1c: straight ahead over a plate at rest",
           .caption =
-              "Simulated paths of a participant who goes straight ahead, and their median, over a plate that rests. "
-              "The color is that of the plate's angle.",
+              "Simulated paths of a participant who slides straight ahead over a plate at rest, and their median. Each "
+              "color is an angle of the plate.",
           .data = data};
 }
 
@@ -129,7 +129,7 @@ void add_ridges(CLI::App& app) {
   const auto options = std::make_shared<RidgesOptions>();
   CLI::App& command = add_command(
       app, "ridges", "The paper's Fig. 1c: slides straight ahead over a fixed plate at five angles.",
-      R"(At rest the participant feels straight ahead: w_T T + (1 - w_T) P = 0 for a plate at T.
+      R"(Paths approach the direction P that is perceived as straight ahead: w_T T + (1 - w_T) P = 0 for a plate at T.
 
 Examples:
   hrt-study ridges --plot fig1c.svg
@@ -139,7 +139,7 @@ Examples:
   add_numbers(command, "--angles", ridges.plate_angles_deg, {-90.0, 90.0, false, false},
               "Plate orientations (normal of the ridges), deg.");
   add_number(command, "--tactile-weight", ridges.tactile_weight, tactile_weight_range,
-             "Tactile weight w_T: weight of touch in the perceived direction.");
+             "Tactile weight w_T: fraction of touch in the perceived direction.");
   add_number(command, "--motor-variance", ridges.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
   add_integer(command, "--trials", ridges.trials, 1, 10'000, "Slides at each angle.");

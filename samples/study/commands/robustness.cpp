@@ -1,10 +1,7 @@
 // hrt-study robustness: tests the controllers on simulated people who differ from their models.
 #include "samples/study/people/robustness.h"
 
-#include <cctype>
-#include <cmath>
 #include <memory>
-#include <set>
 
 #include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
@@ -13,12 +10,9 @@
 #include "samples/study/numbers/results.h"
 #include "samples/study/people/own_recordings.h"
 #include "samples/study/people/person_file.h"
-#include "samples/study/people/replay.h"
 
 namespace hrt::study {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Options {
   RobustnessOptions robustness;               // except durations
@@ -26,18 +20,9 @@ struct Options {
   std::vector<const PeopleFamily*> families;  // empty: not given
   std::string person;
   std::string recorded;
-  std::string replay;
   std::string csv;
   Writing writing;
 };
-
-// draw_person() takes durations to the millisecond, and files are named after them.
-void check_durations(const RobustnessOptions& options) {
-  std::set<long long> seen_ms;
-  for (const double duration_s : options.durations_s)
-    if (!seen_ms.insert(std::llround(1e3 * duration_s)).second)
-      throw UsageError(not_allowed("--durations", number(duration_s), "given once, to the millisecond"));
-}
 
 void simulate(RobustnessStudy& study) {
   Progress progress;
@@ -45,17 +30,7 @@ void simulate(RobustnessStudy& study) {
                                    [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); });
 }
 
-// File name with the characters that tables and CSV can represent.
-std::string table_name(const std::string& path) {
-  std::string name = cut_to(fs::path(path).stem().string(), 13);
-  for (char& character : name) {
-    const auto byte = static_cast<unsigned char>(character);
-    if (byte >= 0x80 || (!std::isalnum(byte) && character != '-')) character = '_';
-  }
-  return name.empty() ? "person" : name;
-}
-
-// The person of the file; each repetition has other random noise.
+// The person of the file; the repetitions differ in their random noise.
 SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
   const PersonFile file = read_person("--person", options.person);
   if (file.has_duration && options.durations_s.empty()) study.options.durations_s = {file.condition.person.duration_s};
@@ -64,15 +39,12 @@ SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
     person.person.duration_s = duration_s;
     return person;
   };
-  SimulatedPeople people{.name = table_name(options.person), .description = "as --person says", .draw = draw};
-  if (people_family(people.name.c_str())) people.name += '_';
-  return people;
+  return {.name = "person", .description = "person of --person", .draw = draw};
 }
 
 RobustnessStudy simulated(const Options& options) {
   RobustnessStudy study{.options = options.robustness, .people = {}, .rows = {}};
   if (!options.durations_s.empty()) study.options.durations_s = options.durations_s;
-  check_durations(study.options);
   if (!options.person.empty()) study.people.push_back(take_person(options, study));
   if (!options.recorded.empty()) study.people.push_back(people_of_recordings("--recorded", options.recorded));
   for (const PeopleFamily* family : options.families) study.people.push_back(people_of(*family));
@@ -85,9 +57,6 @@ RobustnessStudy simulated(const Options& options) {
 }
 
 void run(const Options& options) {
-  if (!options.replay.empty())  // open loop
-    return options.writing.write([&] { return replay_folder("--replay", options.replay); }, replay_results,
-                                 replay_text);
   options.writing.write([&] { return simulated(options); }, robustness_results, robustness_text);
 }
 
@@ -105,20 +74,26 @@ without a controller; with the paper's; --reaches times with ours, which starts 
 and carries its estimates to the next reach; and once with ours informed of the person's traits, which
 shows the cost of not knowing them. All results are simulation; there was no human trial.
 
-The text has the percentage of reaches that end within 1.5 deg of the real target, and the flags. CSV
-and JSON have a row for each family, duration and controller, each number with its 95 % interval
-(percentages: Wilson's score interval; quantiles: order statistics, for any distribution). The numbers:
-that percentage, the miss across the real direction, the largest perceived-direction error, unreachable
-found (in this or an earlier reach) and false, model does not fit, off target, silent misses (off
-target without a flag), false alarms (on target, but flagged off target or unreachable), and the
-coverage of the 95 % interval of w_T. People for whom the gap is not feasible are counted separately.
-A missing value is empty (CSV) or null (JSON). For one family the text has all numbers.
+The text has the percentage of reaches that end within 1.5 deg of the real target, and the flags; for one
+family it has all numbers. CSV and JSON have a row for each family, duration and controller, each number
+with its 95 % interval (percentages: Wilson's score interval; quantiles: order statistics, for any
+distribution). People for whom the gap is infeasible are counted separately, in columns that begin with
+infeasible_. A missing value is empty (CSV) or null (JSON). Columns:
+  near                    reaches that end within 1.5 deg of the real target
+  miss_median, miss_95    miss across the real direction: median and 95 % quantile
+  peak_felt_error_...     largest perceived-direction error: median and 95 % quantile
+  silent_miss             reaches that miss without a flag
+  false_alarm             reaches on target that are flagged off target or unreachable
+  unreachable_found       gap infeasible: flagged unreachable in this or an earlier reach
+  unreachable_false       gap feasible: flagged unreachable
+  misfit, off_target      reaches with these flags
+  weight_covered, ...     95 % intervals of w_T, bias, habit and miss that contain the true value
 
-Sequential stopping: after each 100 people, a row ends if half the width of the 95 % interval of its
-percentage within 1.5 deg is at most --within points. Its people are the first of --people, so threads
-and other families change nothing; summaries weight all rows equally. Because of the repeated looks,
-the intervals cover 95 % on average over true percentages (at least 91 %), and the estimates are biased
-by up to 0.4 points away from 50 %. --within 0 simulates all people.
+Sequential stopping: after each 100 people, a cell ends if half the width of the 95 % interval of its
+percentage within 1.5 deg is at most --within points. Its people are the first of --people, so the result
+does not depend on threads or other families; summaries weight all rows equally. Because of the repeated
+tests, the intervals cover 95 % on average over true percentages (at least 91 %), and the estimates are
+biased by up to 0.4 points away from 50 %. --within 0 simulates all people.
 
 Examples:
   hrt-study robustness
@@ -130,12 +105,6 @@ Examples:
   hrt-study robustness --csv robustness.csv
   hrt-study robustness --recorded my_lab --durations 1.5 --people 300
   hrt-study robustness --person me.json --people 1000
-  hrt-study robustness --replay recordings --format csv
-
---replay reads all .csv files of a folder: the plugin's recordings, and calibration data. It passes each
-recorded path through our controller and prints its state estimates and commands. The loop is open: the
-finger does not react, so the output has neither misses nor perceived-direction errors under our
-commands. Only --format and --out can be combined with it.
 
 --recorded replaces the path statistics of the families "recorded" by recorded reaches. Each .csv file of
 the folder has the reaches of one person to one target, in the columns reach, time_s, right_mm and
@@ -177,14 +146,9 @@ void add_robustness(CLI::App& app) {
   add_tuning(command, robustness.tuning);
   add_path(command, "--recorded", options->recorded,
            "Folder of recorded reaches whose paths and speeds are simulated, in addition to --family.");
-  CLI::Option* replay =
-      add_path(command, "--replay", options->replay,
-               "Folder of recorded paths to pass through our controller, in place of simulated people.");
   add_seed(command, robustness.seed);
   add_threads(command, robustness.threads);
   add_path(command, "--csv", options->csv, "CSV file for all numbers, in addition to the output.");
-  replay->excludes("--people", "--reaches", "--within", "--durations", "--family", "--person", "--recorded",
-                   "--informed-of", "--tune", "--seed", "--threads", "--csv");
   options->writing.add_options(command);
 }
 

@@ -1,4 +1,4 @@
-// hrt-study scene: contents of a glTF scene, and the plate orientation that sustains each pair.
+// hrt-study scene: contents of a glTF scene, and the plate orientation that sustains the gap of each pair.
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ const SceneTarget& real_of(const Scene& scene, const SceneTarget& virtual_target
   return scene.targets[virtual_target.served_by.value()];
 }
 
-// The gap is in [-180, 180], so that a pair near 180 degrees is not 360 apart.
+// Wraps the gap to [-180, 180]: 175 and -175 degrees are 10 degrees apart.
 GapFeasibility gap_feasibility_of(const Scene& scene, const SceneTarget& virtual_target, double tactile_weight,
                                   double plate_bound_deg) {
   const double virtual_deg = direction_deg(scene, virtual_target);
@@ -57,11 +57,11 @@ std::string text(const Scene& scene, const SceneOptions& options) {
             right(millimetres(target.position_m.y), 8) + "  " + target.node_path + '\n';
 
   page +=
-      "\nWhere the plate must stand, in deg from the mid-line, to hold the finger on the real target while "
-      "the\n"
-      "virtual one is felt; -: no orientation within " +
+      "\nPlate orientation, in deg from the mid-line, that sustains the gap of each pair; -: infeasible, as no "
+      "orientation\n"
+      "within " +
       number(options.plate_bound_deg) +
-      " deg of the virtual direction does. From the model;\nthere was no human trial.\n\n";
+      " deg of the virtual direction sustains it. Computed from the model; there was no human trial.\n\n";
   page += left("virtual", widest) + "  " + left("real", widest) + "     gap  tactile weight\n";
   page += left("", 2 * widest + 2) + "     deg";
   for (const double tactile_weight : options.tactile_weights) page += right(number(tactile_weight), 8);
@@ -109,7 +109,7 @@ Results results(const Scene& scene, const SceneOptions& options) {
 void add_scene(CLI::App& app) {
   const auto options = std::make_shared<SceneOptions>();
   CLI::App& command =
-      add_command(app, "scene", "What a glTF scene holds, and which of its pairs can be held.",
+      add_command(app, "scene", "Show the contents of a glTF scene, and which of its gaps are feasible.",
                   R"(scene/README.md lists the properties of the file.
 
 Examples:
@@ -122,7 +122,7 @@ Examples:
                   });
   add_path(command, "FILE", options->file, "The scene, .gltf or .glb.")->required();
   add_numbers(command, "--tactile-weight", options->tactile_weights, tactile_weight_range,
-              "Tactile weights w_T of the table.");
+              "Tactile weights w_T; the table has a column for each.");
   add_number(command, "--plate-bound", options->plate_bound_deg, plate_bound_range,
              "Largest angle between plate and virtual direction, deg.");
   options->writing.add_options(command);

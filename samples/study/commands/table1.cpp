@@ -17,8 +17,8 @@ void add_table1(CLI::App& app) {
   const auto options = std::make_shared<CommandOptions>();
   CLI::App& command = add_command(
       app, "table1", "Compare the paper's Table I and its other claims with the model.",
-      R"(A cell agrees if the model's percentage lies in the 95 % interval (Wilson's) of the paper's
-50 trials. Chi-squared compares all 24 cells at once; its mean by chance is 24.
+      R"(A cell agrees if the model's percentage lies in Wilson's 95 % interval of the paper's 50 trials.
+Chi-squared compares all 24 cells together; if they agree, its expected value is 24.
 
 Examples:
   hrt-study table1

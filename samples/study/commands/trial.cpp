@@ -15,8 +15,7 @@ namespace {
 
 struct TrialOptions {
   Condition condition;
-  std::optional<double> assumed_tactile_weight;  // default: the participant's
-  std::optional<double> fixed_plate_deg;         // default: set by the controller
+  std::optional<double> fixed_plate_deg;  // nullopt: the controller turns the plate
   std::uint64_t seed = 1;
   std::uint32_t condition_number = 0;
   std::uint32_t trial = 0;
@@ -48,21 +47,20 @@ std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome
 }
 
 void run_trace(const TrialOptions& options) {
-  if (options.families.size() != 1) throw UsageError("--family: one family is traced at a time");
-  Workshop workshop("--trace", options.trace);
+  if (options.families.size() != 1) throw UsageError("--family: --trace allows one family only");
+  StagingFolder staged("--trace", options.trace);
   PersonCondition condition = draw_person(*options.families.front(), options.duration_s, options.seed, options.trial);
   condition.real_direction_deg = options.condition.real_direction_deg;
   condition.virtual_direction_deg = options.condition.virtual_direction_deg;
   const Trace trace = trace_reach(condition, options.reach, options.seed, options.trial);
-  workshop.write("trace.csv", trace_csv(trace));
-  workshop.draw(trace_figures(trace));
-  workshop.publish();
+  staged.write("trace.csv", trace_csv(trace));
+  staged.draw(trace_figures(trace));
+  staged.publish();
 }
 
 void run(const TrialOptions& options) {
   Condition condition = options.condition;
   condition.controller.participant = condition.participant;
-  if (options.assumed_tactile_weight) condition.controller.participant.tactile_weight = *options.assumed_tactile_weight;
   if (options.fixed_plate_deg) {
     condition.controller.mode = ControlMode::fixed_plate;
     condition.controller.fixed_plate_orientation_deg = *options.fixed_plate_deg;
@@ -84,13 +82,14 @@ void add_trial(CLI::App& app) {
   const auto options = std::make_shared<TrialOptions>();
   CLI::App& command =
       add_command(app, "trial", "Simulate one reach as CSV, one row per step.",
-                  R"(Row k holds what happened in step k. The last row holds only the direction in which the finger
-moves after the last step. Numbers have full precision. The same seed, condition and trial
-number give the random numbers of that trial in a batch.
+                  R"(Row k has the values of step k. The last row has only the direction in which the finger moves after
+the last step. Numbers have full precision. A trial has the same random numbers as the trial of
+'table1' with the same seed, condition and trial number.
 
-With --trace the reach is one of a person led by our controller: --family, --duration, --reach, --trial (the
-person's number), --seed, --real and --virtual say which. The folder gets trace.csv, every state of the filter
-with its deviation at each sample, trace.svg, their picture, and reach.svg, the reach from above, moving.
+--trace simulates a reach of a person under our controller instead: --family, --duration, --reach, --trial
+(number of the person), --seed, --real and --virtual select it. Files in the folder: trace.csv, the states of
+the filter with their SDs at each sample; trace.svg, their figure; reach.svg, an animation of the reach from
+above.
 
 Examples:
   hrt-study trial --trace reach --family bias-3 --reach 5
@@ -105,11 +104,7 @@ Examples:
              "Direction of the virtual target, deg; less than 90 from the real one.");
   const std::vector<CLI::Option*> of_paper = {
       add_number(command, "--tactile-weight", participant.tactile_weight, tactile_weight_range,
-                 "Tactile weight w_T: weight of touch in the perceived direction."),
-      command
-          .add_option("--assumed-tactile-weight", options->assumed_tactile_weight,
-                      "Tactile weight that the controller assumes. Default: that of --tactile-weight.")
-          ->check(must_be(tactile_weight_range)),
+                 "Tactile weight w_T: fraction of touch in the perceived direction."),
       add_number(command, "--motor-variance", participant.motor_variance_deg2, variance_range,
                  "Variance of the motor command in a step (sigma_u^2), deg^2."),
       add_number(command, "--sensory-variance", participant.sensory_variance_deg2, positive_variance_range,
@@ -117,29 +112,23 @@ Examples:
       add_number(command, "--initial-variance", participant.initial_variance_deg2, variance_range,
                  "Variance of the perceived direction before the first step, deg^2."),
       add_integer(command, "--horizon", mpc.horizon, 1, max_horizon, "Prediction horizon of the controller, steps."),
-      add_number(command, "--perceived-weight", mpc.perceived_weight, positive_variance_range,
-                 "Weight of the perceived direction's error in the controller's cost."),
-      add_number(command, "--actual-weight", mpc.actual_weight, variance_range,
-                 "Weight of the actual direction's error in the controller's cost."),
       add_number(command, "--plate-bound", mpc.plate_bound_deg, plate_bound_range,
                  "Largest angle between plate and virtual direction, deg."),
       add_number(command, "--plate-rate-bound", mpc.plate_rate_bound_deg, {0.0, 360.0, false, true, true},
                  "Largest rotation of the plate in one step, deg; inf: no limit."),
       add_integer(command, "--steps", condition.steps, 1, max_trial_steps, "Model steps of a reach, 0.1 s each."),
-      add_number(command, "--plate-start", condition.plate_orientation_deg, direction_range,
-                 "Orientation of the plate before the first step, deg; matters with a rate bound."),
       command
           .add_option("--fixed-plate", options->fixed_plate_deg,
                       "No controller: the plate stays at this orientation, deg.")
           ->check(must_be(direction_range)),
       add_integer(command, "--condition", options->condition_number, 0, UINT32_MAX,
-                  "Condition whose random numbers are drawn."),
+                  "Number of the condition, for the random numbers."),
       add_out(command, options->out)};
   add_seed(command, options->seed);
-  add_integer(command, "--trial", options->trial, 0, UINT32_MAX, "Trial whose random numbers are drawn.");
+  add_integer(command, "--trial", options->trial, 0, UINT32_MAX, "Number of the trial, for the random numbers.");
   CLI::Option* trace =
       add_path(command, "--trace", options->trace, "Folder for the trace of a reach by a simulated person.");
-  add_families(command, options->families, "linear", "The person's family.")->needs(trace);
+  add_families(command, options->families, "linear", "Family of the person.")->needs(trace);
   add_number(command, "--duration", options->duration_s, {0.3, 10.0}, "Duration of the motion, s.")->needs(trace);
   add_integer(command, "--reach", options->reach, 1, 100, "Number of the reach of this person.")->needs(trace);
   for (CLI::Option* option : of_paper) trace->excludes(option);

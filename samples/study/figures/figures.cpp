@@ -24,7 +24,8 @@ std::string quoted(std::string path) {
 
 }  // namespace
 
-Workshop::Workshop(const std::string& argument, const std::string& out) : out_(out), was_made_(!fs::exists(out)) {
+StagingFolder::StagingFolder(const std::string& argument, const std::string& out)
+    : out_(out), was_made_(!fs::exists(out)) {
   if (std::system("/usr/bin/python3 -c 'import matplotlib' >/dev/null 2>&1") != 0)
     throw std::runtime_error(
         "matplotlib draws the figures, and /usr/bin/python3 does not have it; on Debian: apt-get install "
@@ -36,13 +37,13 @@ Workshop::Workshop(const std::string& argument, const std::string& out) : out_(o
   if (error) throw UsageError(not_allowed(argument, out, "a folder that can be written (" + error.message() + ")"));
 }
 
-Workshop::~Workshop() {
+StagingFolder::~StagingFolder() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
   if (was_made_) fs::remove(out_, ignored);  // only if it is empty
 }
 
-void Workshop::draw(const std::vector<Figure>& figures) {
+void StagingFolder::draw(const std::vector<Figure>& figures) {
   Row list = Row::array();
   for (const Figure& figure : figures)
     list.push_back({{"name", figure.name}, {"title", figure.title}, {"data", figure.data}});
@@ -57,24 +58,24 @@ void Workshop::draw(const std::vector<Figure>& figures) {
   for (const Figure& figure : figures) files_.push_back(figure.name + ".svg");
 }
 
-void Workshop::write(const std::string& name, std::string_view content) {
+void StagingFolder::write(const std::string& name, std::string_view content) {
   replace_file(folder_ / name, content);
   files_.push_back(name);
 }
 
-std::string Workshop::read(const std::string& name) const {
+std::string StagingFolder::read(const std::string& name) const {
   std::ifstream file(folder_ / name, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void Workshop::publish() const {
+void StagingFolder::publish() const {
   for (const std::string& name : files_) fs::rename(folder_ / name, out_ / name);
 }
 
 std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure) {
-  Workshop workshop(argument, fs::absolute(path).parent_path().string());
-  workshop.draw({figure});
-  return workshop.read(figure.name + ".svg");
+  StagingFolder staged(argument, fs::absolute(path).parent_path().string());
+  staged.draw({figure});
+  return staged.read(figure.name + ".svg");
 }
 
 std::string html_page(const std::string& text, const std::vector<Figure>& figures) {

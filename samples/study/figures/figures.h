@@ -24,7 +24,7 @@ struct Figure {
 /// Fig. 1c of the paper: paths straight ahead over a plate at rest.
 Figure ridges_figure(std::uint64_t seed);
 
-/// Figs. 4 to 8 of the paper: true paths, perceived paths, plate orientation of one trial.
+/// Figs. 4 to 8 of the paper: true paths, perceived paths, plate orientation of one trial, directions of motion.
 std::vector<Figure> path_figures(std::uint64_t seed);
 
 /// Returns an HTML page with `text` and then each figure (NAME.svg in the same folder) with its caption.
@@ -50,19 +50,19 @@ Trace trace_reach(const PersonCondition& condition, int reach, std::uint64_t see
 /// Returns CSV with one row per sample, and the mean and SD of each state.
 std::string trace_csv(const Trace& trace);
 
-/// "reach", the reach from above as one moving picture: plate and ridges, the finger and its path, and where it is
-/// felt; and "trace", every state of the filter over time, with two deviations to both sides.
+/// Returns "reach", an animation of the reach from above (plate and ridges, true and perceived path), and "trace", the
+/// states of the filter over time with intervals of +-2 SDs.
 std::vector<Figure> trace_figures(const Trace& trace);
 
 /// A staging folder for the files of one result, which are published together when complete, or not at all.
-class Workshop {
+class StagingFolder {
  public:
   /// Creates `out` if it is missing. Throws UsageError naming `argument` if it cannot be written, and
   /// std::runtime_error if python3 has no matplotlib.
-  Workshop(const std::string& argument, const std::string& out);
-  ~Workshop();
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
+  StagingFolder(const std::string& argument, const std::string& out);
+  ~StagingFolder();
+  StagingFolder(const StagingFolder&) = delete;
+  StagingFolder& operator=(const StagingFolder&) = delete;
 
   /// Draws each figure as NAME.svg.
   void draw(const std::vector<Figure>& figures);
@@ -82,7 +82,7 @@ class Workshop {
   bool was_made_;
 };
 
-/// Draws a figure for the file `path`. Throws like Workshop.
+/// Draws a figure for the file `path`. Throws like StagingFolder.
 std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure);
 
 }  // namespace hrt::study

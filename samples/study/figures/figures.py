@@ -1,4 +1,4 @@
-"""Draws figures.json, a list of figures with name, title and data, as NAME.svg. hrt-study contains this script and runs it."""
+"""Draws the figures of figures.json, a list with name, title and data of each, into NAME.svg. hrt-study contains and runs this script."""
 import itertools
 import json
 import math
@@ -20,13 +20,13 @@ def signed(value):
 
 
 def path(directions_deg):
-    """Positions to the right and away: equal distances along each direction, 100 mm in all."""
+    """Returns positions (right, away) in mm of a path of 100 mm with steps of equal length in the given directions."""
     steps = numpy.radians(directions_deg)
     return numpy.vstack([[0, 0], numpy.cumsum(numpy.column_stack([-numpy.sin(steps), numpy.cos(steps)]), axis=0) * 100 / len(steps)])
 
 
 def draw_many(axes, xs, ys, color, median_color, style="-", width=0.7, label="median"):
-    """Curves, one each column of `ys`, and their median."""
+    """Draws a curve for each column of `ys`, and their median."""
     for line in axes.plot(xs, ys, color=color, linewidth=width)[:1]:
         line.set_label("one trial" if label == "median" else None)
     middle = xs if xs.ndim == 1 else numpy.median(xs, axis=1)
@@ -55,8 +55,8 @@ def draw_paths(figure, data):
     if data["bound_deg"] is not None:
         for side, label in ((-1, "bound"), (1, None)):
             plate.axhline(data["virtual_deg"] + side * data["bound_deg"], linestyle=":", color=GREY, label=label)
-    if data["holding_deg"] is not None:
-        plate.axhline(data["holding_deg"], linestyle="--", color=VIRTUAL, label="holds the real direction")
+    if data["sustaining_deg"] is not None:
+        plate.axhline(data["sustaining_deg"], linestyle="--", color=VIRTUAL, label="sustains the gap")
     plate.plot(data["plate_deg"], "o-", color=PLATE, markersize=3, label="plate")
     plate.set(title="c: plate orientation in one trial", ylim=(-110, 110), xlabel="model step (0.1 s)", ylabel="plate orientation, °")
     directions = numpy.array(data["direction_deg"]).T
@@ -99,7 +99,7 @@ def draw_calibration(figure, data):
     axes["curve"].fill_between(offsets, *zip(*(point["interval"] for point in data["curve"])), color="#c6dbef", label="95 %")
     axes["curve"].plot(offsets, shifts, color=PLATE, label="curve")
     axes["curve"].set(title=f"Illusion\nw_T = {between(data['tactile_weight'], 3)}, largest gap {between(data['max_gap_deg'], 1, '°')}",
-                      xlabel="ridge normal less motion, °", ylabel="felt shift, °")
+                      xlabel="ridge normal minus motion, °", ylabel="shift of the perceived direction, °")
     axes["curve"].legend()
     looks = {"used": ("slide", "o", VIRTUAL), "outlying": ("outlier", "x", "#d7191c"), "along_ridges": ("along ridges", ".", "#999999")}
     for verdict, (label, marker, color) in looks.items():
@@ -113,7 +113,7 @@ def draw_calibration(figure, data):
             for name, x in (("angle", "plate_deg"), ("order", "trial")):
                 axes[name].plot(column(x), column("direction_deg") - column("fitted_deg"), marker, color=color, markersize=4)
     axes["slides"].set(title=f"Directions of {len(data['slides'])} slides\nbias {between(data['bias_deg'], 2, '°')}, habit {between(data['habit_deg'], 2, '°')}",
-                       xlabel="plate orientation (normal of the ridges) less goal, °", ylabel="direction less goal, °")
+                       xlabel="plate orientation (normal of the ridges) minus goal, °", ylabel="direction minus goal, °")
     axes["slides"].legend()
     parts, errors = numpy.arange(1, residuals.shape[1] + 1), 1.96 * residuals.std(axis=0) / len(residuals) ** 0.5
     axes["path"].errorbar(parts, residuals.mean(axis=0), errors, fmt="o", color=VIRTUAL)
@@ -121,7 +121,7 @@ def draw_calibration(figure, data):
         p = data["lack_of_fit"][f"{name}_p"]
         axes[name].axhline(0, color=PLATE, linewidth=1.5)
         axes[name].set(title=f"{title}\np = {p:.3f}" + (": a pattern" if p < data["min_fit_p"] else ""), xlabel=label)
-    axes["angle"].set_ylabel("slide less fit, °")
+    axes["angle"].set_ylabel("slide minus fit, °")
 
 
 def draw_trace(figure, data):
@@ -139,14 +139,14 @@ PLATE_MM, START_MM, FRAMES_S = 75, 50, 25
 
 
 def animation(opening, values):
-    """The values of an attribute over the picture's time, the last one held for 1.2 s."""
+    """Returns an SVG element that animates an attribute through these values and pauses at the last one for 1.2 s."""
     total_s = len(values) / FRAMES_S + 1.2
     times = "".join(f"{i / FRAMES_S / total_s:.4f};" for i in range(len(values)))
     return f'{opening} dur="{total_s:.2f}s" repeatCount="indefinite" values="{";".join(values)};{values[-1]}" keyTimes="{times}1"/>'
 
 
 def moving(places, line, dot):
-    """A path that is drawn as the finger comes along, and the dot at its end."""
+    """Returns a path that grows over time, with a dot at its end."""
     done_mm = list(itertools.accumulate([0.0, *(math.dist(a, b) for a, b in zip(places, places[1:]))]))
     xs, ys = ([f"{place[i]:.1f}" for place in places] for i in range(2))
     animate = lambda name, values: animation(f'<animate attributeName="{name}"', values)
@@ -156,8 +156,8 @@ def moving(places, line, dot):
 
 
 def moving_picture(data):
-    """The reach from above: plate and ridges, the finger and its path, and where it is felt, from a quarter of a second before the motion."""
-    place = lambda point: (point[0], START_MM - point[1])  # to the right, and down towards the person
+    """Returns the animation of a reach from above, which begins 0.25 s before the motion: plate and ridges, true and perceived path."""
+    place = lambda point: (point[0], START_MM - point[1])  # SVG coordinates: right, and down towards the person
     target = lambda deg: place((-data["distance_mm"] * math.sin(math.radians(deg)), data["distance_mm"] * math.cos(math.radians(deg))))
     times = data["time_s"]
     first_s = max(times[0], next(time for time, finger in zip(times, data["finger_mm"]) if math.hypot(*finger) > 1) - 0.25)

@@ -32,13 +32,13 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
   const double bound_deg = condition.controller.mpc.plate_bound_deg;
   const GapFeasibility feasibility =
       paper_gap_feasibility(paper.real_direction_deg, paper.virtual_direction_deg, paper.tactile_weight, bound_deg);
-  Row data{
-      {"real_deg", paper.real_direction_deg},
-      {"virtual_deg", paper.virtual_direction_deg},
-      {"tolerance_deg", condition.tolerance_deg},
-      {"bound_deg", paper.is_plate_fixed ? Row() : Row(bound_deg)},
-      {"holding_deg", paper.is_plate_fixed || !feasibility.reachable ? Row() : Row(feasibility.plate_orientation_deg)},
-      {"plate_deg", {condition.plate_orientation_deg}}};  // of the first trial
+  Row data{{"real_deg", paper.real_direction_deg},
+           {"virtual_deg", paper.virtual_direction_deg},
+           {"tolerance_deg", condition.tolerance_deg},
+           {"bound_deg", paper.is_plate_fixed ? Row() : Row(bound_deg)},
+           {"sustaining_deg",
+            paper.is_plate_fixed || !feasibility.reachable ? Row() : Row(feasibility.plate_orientation_deg)},
+           {"plate_deg", {condition.plate_orientation_deg}}};  // of the first trial
   int hits = 0;
   for (std::uint32_t trial = 0; trial < static_cast<std::uint32_t>(paper_trials); ++trial) {
     std::vector<TrialStep> steps;
@@ -61,8 +61,8 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
           .title = "Fig. " + number_text + ": real target at " + number(paper.real_direction_deg) + "°, virtual at " +
                    number(paper.virtual_direction_deg) + "°" + (paper.is_plate_fixed ? ", no controller" : ""),
           .caption = "a: " + number(paper_trials) +
-                     " simulated paths and their median. b: the paths that the participant perceives. c: the plate in "
-                     "the first of these trials. d: the direction of motion, which the last step judges. Motor "
+                     " simulated paths and their median. b: the perceived paths. c: the plate in the first of these "
+                     "trials. d: the direction of motion, whose last value decides whether the trial is a hit. Motor "
                      "variance " +
                      number(paper.motor_variance_deg2) + " (°)², tactile weight " + number(paper.tactile_weight) +
                      ". " + number(100.0 * hits / paper_trials) +

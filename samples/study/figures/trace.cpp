@@ -73,11 +73,9 @@ std::vector<Figure> trace_figures(const Trace& trace) {
     }
     filter["states"].push_back(state);
   }
-  return {{.name = "reach", .title = "", .caption = "", .data = reach},
-          {.name = "trace",
-           .title = "Every state of the filter and two deviations, over seconds",
-           .caption = "",
-           .data = filter}};
+  return {
+      {.name = "reach", .title = "", .caption = "", .data = reach},
+      {.name = "trace", .title = "States of the filter over time in s, with +-2 SDs", .caption = "", .data = filter}};
 }
 
 }  // namespace hrt::study

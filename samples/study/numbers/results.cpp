@@ -48,7 +48,7 @@ std::string json_of(const Results& results) {
 }
 
 void Writing::add_options(CLI::App& command) {
-  add_choice(command, "--format", format, {"text", "csv", "json"}, "What to write.");
+  add_choice(command, "--format", format, {"text", "csv", "json"}, "Format of the output.");
   add_out(command, out);
 }
 

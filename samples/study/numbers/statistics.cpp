@@ -53,13 +53,6 @@ double percent_within(double tolerance, double variance) {
   return variance > 0.0 ? 100.0 * std::erf(tolerance / std::sqrt(2.0 * variance)) : 100.0;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
-
 double quantile(std::vector<double> values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
   const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);

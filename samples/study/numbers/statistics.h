@@ -38,9 +38,6 @@ double chi_squared_tail(double chi_squared, int degrees_of_freedom);
 /// Returns the percentage of N(0, variance) within +-`tolerance`.
 double percent_within(double tolerance, double variance);
 
-/// Returns the median; `values` must not be empty.
-double median(std::vector<double> values);
-
 /// Returns the quantile at `share`, in [0, 1], interpolated linearly between the two nearest; `values` must not be
 /// empty.
 double quantile(std::vector<double> values, double share);

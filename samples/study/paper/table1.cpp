@@ -113,16 +113,16 @@ std::vector<CellGroup> amplitude_groups(const Table1Options& options) {
   return groups;
 }
 
-// Sets the verdict: whether the group's mean lies within the paper's interval, with `reason` if it does not.
+// Sets the verdict: reproduced if the group's mean lies within the paper's interval, else `reason`.
 void judge(CellGroup& group, const std::string& reason = {}) {
   const PercentInterval interval = *group.paper_interval();
   group.reproduced = interval.contains(group.mean_percent());
   group.verdict = group.reproduced ? "reproduced"
-                  : reason.empty() ? "NOT reproduced: ours lies outside the paper's 95 % interval"
+                  : reason.empty() ? "NOT reproduced: the model's mean lies outside the paper's 95 % interval"
                                    : reason;
 }
 
-// Extends a verdict by the difference: "reproduced: 1.2 percentage points below".
+// Returns a verdict with the difference: "reproduced: 1.2 percentage points below".
 std::string compared_words(const CellGroup& group, const CellGroup& other) {
   const double gain_percent = group.mean_percent() - other.mean_percent();
   return std::string(group.reproduced ? "reproduced" : "NOT reproduced") + ": " + fixed(std::abs(gain_percent), 1) +
@@ -168,17 +168,18 @@ void judge_claims(std::vector<CellGroup>& claims) {
         return fixed(max_gap_deg(first.participant.tactile_weight, bound_deg), 1);
       };
       const double bound_deg = first.controller.mpc.plate_bound_deg;
-      judge(claim,
-            "NOT reproducible: by the paper's own equations a gap of 10 deg cannot be held with this weight; "
-            "with the plate within " +
-                number(bound_deg) + " deg of the virtual direction it can be " + limit(bound_deg) +
-                " deg, within 90 deg " + limit(90.0) + " deg");
+      judge(
+          claim,
+          "NOT reproducible: by the paper's own equations a gap of 10 deg is infeasible with this weight; the largest "
+          "feasible gap is " +
+              limit(bound_deg) + " deg with the plate within " + number(bound_deg) + " deg of the virtual direction, " +
+              limit(90.0) + " deg within 90");
     } else if (claim.name == "gap_12") {
       judge(claim);
-      claim.verdict += "; the caption of the paper's Fig. 7 calls 2 the variance";
+      claim.verdict += "; in the caption of the paper's Fig. 7, 2 is the variance";
     } else if (claim.name == "gap_12_deviation_2") {
       judge(claim);
-      claim.verdict += "; the paper's text calls 2 the standard deviation";
+      claim.verdict += "; in the paper's text, 2 is the standard deviation";
     } else if (claim.name == "gap_12_within_5") {
       judge(claim,
             "NOT reproduced: the paper's text counts the 60 % within 1.5 deg, the caption of its Fig. 7 "

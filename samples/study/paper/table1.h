@@ -67,17 +67,17 @@ struct Table1 {
 
 /// Limitations of the chi-squared test, for reports.
 inline constexpr const char* in_sample_words =
-    "In-sample: the paper does not give the sensory variance (0.1 deg^2 by default), and the default bound on the "
-    "plate "
-    "(84.5 deg, where section III has 90) was fitted to these cells, so p is too high. --plate-bound 90 is the paper's "
-    "own bound; samples/study/paper/README.md compares the readings.";
+    "p is too high: the default bound on the plate (84.5 deg; section III has 90) and the default sensory variance "
+    "(0.1 "
+    "deg^2; the paper does not give it) were fitted to these cells. --plate-bound 90 uses the paper's bound; "
+    "samples/study/paper/README.md compares the readings of the paper.";
 
-/// The best gap of a condition, and whether the paper's 10 degrees differ from it significantly.
+/// The gap with the highest percentage in a condition, compared with the paper's 10 degrees.
 struct BestAmplitude {
   double gap_deg;
   double percent;
   double paper_amplitude_percent;
-  bool by_chance;
+  bool by_chance;  ///< the difference from 10 degrees is not significant
 };
 BestAmplitude best_amplitude(const Table1& table, std::size_t condition);
 

@@ -17,8 +17,7 @@ std::string paper_columns(std::optional<double> paper_percent, std::optional<Per
 
 std::string yes_or_no(bool yes) { return yes ? "     yes" : "      NO"; }
 
-// Ends of the 95 % interval of the standard deviation of a sample of six from a normal distribution, over the true
-// one.
+// Ends of the 95 % interval of the SD of a sample of six from a normal distribution, divided by the true SD.
 constexpr double low_sd_of_six = 0.408;
 constexpr double high_sd_of_six = 1.602;
 
@@ -34,9 +33,9 @@ std::string condition_text(const CellGroup& group) {
   return page + left("    mean", 16) +
          paper_columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
          yes_or_no(group.reproduced) + '\n' + left("    SD", 16) + paper_columns(group.paper_sd, six, sd) +
-         yes_or_no(six.contains(*group.paper_sd)) + "\n    no controller does better than " +
-         fixed(limit_percent(group.cells.front().condition), 1) +
-         ": the noise of the last step comes after the plate has acted\n\n";
+         yes_or_no(six.contains(*group.paper_sd)) +
+         "\n    limit of any controller: " + fixed(limit_percent(group.cells.front().condition), 1) +
+         ", as the plate cannot correct the noise of the last step\n\n";
 }
 
 std::string fit_text(const Table1& table) {
@@ -46,15 +45,12 @@ std::string fit_text(const Table1& table) {
   std::string page =
       "chi-squared " + fixed(table.chi_squared, 1) + " over " + std::to_string(table.degrees_of_freedom) +
       " cells, p = " + fixed(table.p_value, 2) + ": " + (table.p_value >= 0.05 ? "consistent" : "NOT consistent") +
-      " with the sampling noise of the paper's 50 trials a cell.\nlog-likelihood of the paper's trials " +
+      " with the noise of the paper's 50 trials per cell.\nlog-likelihood of the paper's trials " +
       fixed(table.log_likelihood, 1) + "\n" + std::to_string(outside) + " of the " +
       std::to_string(table.degrees_of_freedom) +
-      " cells lie outside their 95 % interval; one in twenty does by chance.\n" + wrapped(in_sample_words, 110) + '\n' +
-      wrapped(
-          "SD: over the six pairs; the model's is that of cells of 50 trials, with 95 % of "
-          "its samples of six.",
-          110) +
-      '\n';
+      " cells lie outside their 95 % interval; one in twenty does by chance.\n" + wrapped(in_sample_words, 110) +
+      "\nSD: over the six pairs. The model's SD is that of cells of 50 trials; its interval contains 95 % of the\n"
+      "SDs of six cells.\n";
   for (const CellGroup& group : table.conditions)
     if (!group.reproduced)
       page += "The mean of " + group.name.substr(0, 9) + ' ' + group.name.substr(10) +
@@ -63,11 +59,11 @@ std::string fit_text(const Table1& table) {
                              group.mean_percent() - group.paper_interval()->high),
                     2) +
               " percentage points.\n";
-  return page + "79 % of 50 trials is no whole number; it is taken as the paper prints it.\n\n";
+  return page + "79 % of 50 trials is not a whole number of trials; it is used as the paper prints it.\n\n";
 }
 
 std::string claims_text(const Table1& table) {
-  std::string page = left("What else the paper says", 34) + "    paper  95 % interval    model  lowest and highest\n";
+  std::string page = left("Other claims of the paper", 34) + "    paper  95 % interval    model  lowest and highest\n";
   for (const CellGroup& claim : table.claims) {
     page += left(claim.title, 34) + paper_columns(claim.paper_percent, claim.paper_interval(), claim.mean_percent());
     if (claim.cells.size() > 1) {
@@ -86,11 +82,11 @@ std::string claims_text(const Table1& table) {
 std::string best_words(const BestAmplitude& best) {
   if (best.gap_deg == amplitudes_deg[paper_amplitude]) return "best at 10 deg";
   return "best at " + number(best.gap_deg) + " deg, by " + fixed(best.percent - best.paper_amplitude_percent, 1) +
-         " points" + (best.by_chance ? ", within chance" : "");
+         " points" + (best.by_chance ? ", not significant" : "");
 }
 
 std::string amplitudes_text(const Table1& table) {
-  std::string page = "\nThe six pairs as wide as here, deg; the paper calls 10 deg the best\n" + left("", 12);
+  std::string page = "\nThe six pairs with other gaps, deg; the paper calls 10 deg the best\n" + left("", 12);
   for (const double gap_deg : amplitudes_deg) page += right(number(gap_deg), 7);
   page += '\n';
   for (std::size_t i = 0; i < table.conditions.size(); ++i) {
@@ -146,8 +142,8 @@ Row group_row(const CellGroup& group) {
 
 std::string table1_text(const Table1& table) {
   std::string page =
-      "Trials that end within 1.5 deg of the real target, in percent: paper (50 trials a cell) and model\n(" +
-      std::to_string(table.options.trials) + " trials a cell, seed " + std::to_string(table.options.seed) +
+      "Percentage of trials that end within 1.5 deg of the real target: paper (50 trials per cell) and model\n(" +
+      std::to_string(table.options.trials) + " trials per cell, seed " + std::to_string(table.options.seed) +
       ", horizon " + std::to_string(table.options.horizon) + ", plate bound " + number(table.options.plate_bound_deg) +
       " deg,\nsensory variance " + number(table.options.sensory_variance_deg2) + " deg^2, " +
       std::to_string(table.options.steps) +

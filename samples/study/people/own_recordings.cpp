@@ -12,10 +12,10 @@ namespace hrt::study {
 namespace {
 
 constexpr std::size_t max_reaches_bytes = 1U << 28;
-constexpr double moving_share = 0.05;    // fraction of the largest speed
-constexpr double min_reach_mm = 20.0;    // the direction of shorter ones is too uncertain
-constexpr std::size_t min_samples = 20;  // in motion
-constexpr double smoothing_s = 0.05;     // half width; reduces the speed that tracker noise simulates
+constexpr double moving_share = 0.05;    // fraction of the largest speed above which the finger moves
+constexpr double min_reach_mm = 20.0;    // the direction of a shorter reach is too uncertain
+constexpr std::size_t min_samples = 20;  // minimum number of samples in motion
+constexpr double smoothing_s = 0.05;     // half width of the mean; without it, tracker noise looks like motion
 constexpr double max_position_mm = 1e5;
 
 using Samples = std::vector<TimedPoint>;
@@ -99,22 +99,23 @@ RecordedReach checked_reach(const std::string& name, double number, const Sample
   return reach_of(motion);
 }
 
-}  // namespace
-
-std::vector<std::string> csv_files(const std::string& argument, const std::string& folder, const std::string& what) {
+// Returns the .csv files of a folder, sorted by name.
+std::vector<std::string> csv_files(const std::string& argument, const std::string& folder) {
   namespace fs = std::filesystem;
   const auto refuse = [&](const std::string& why) {
-    return UsageError(not_allowed(argument, folder, "a folder with " + what + ", .csv (" + why + ")"));
+    return UsageError(not_allowed(argument, folder, "a folder with recorded reaches in .csv files (" + why + ")"));
   };
   std::error_code error;
   std::vector<std::string> files;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     if (entry->path().extension() == ".csv") files.push_back(entry->path().string());
   if (error) throw refuse(error.message());
-  if (files.empty()) throw refuse("it has no file of that ending");
+  if (files.empty()) throw refuse("it has no .csv file");
   std::sort(files.begin(), files.end());
   return files;
 }
+
+}  // namespace
 
 std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_view text) {
   constexpr const char* columns = "reach,time_s,right_mm,away_mm";
@@ -149,7 +150,7 @@ std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_vi
 
 SimulatedPeople people_of_recordings(const std::string& argument, const std::string& folder) {
   std::vector<OwnPath> paths;
-  for (const std::string& file : csv_files(argument, folder, "recorded reaches"))
+  for (const std::string& file : csv_files(argument, folder))
     paths.push_back(own_path_of(parse_reaches(file, read_input(argument, file, max_reaches_bytes))));
   return {.name = "own",
           .description = std::to_string(paths.size()) + " files of --recorded",

@@ -10,13 +10,9 @@
 
 namespace hrt::study {
 
-/// Returns the .csv files of a folder, sorted by name. `what`: expected content, for errors. Throws UsageError if the
-/// folder has no such file.
-std::vector<std::string> csv_files(const std::string& argument, const std::string& folder, const std::string& what);
-
 /// Reads the reaches of one person to one target. Columns, in any order:
 ///
-///   reach     whole number; rows with the same number, one after another, are a reach
+///   reach     whole number; contiguous rows with the same number are one reach
 ///   time_s    increases within a reach
 ///   right_mm, away_mm   position of the fingertip, in any fixed frame of the plane
 ///
@@ -24,8 +20,8 @@ std::vector<std::string> csv_files(const std::string& argument, const std::strin
 /// the file's name in errors. Throws UsageError naming the line or reach and what is allowed.
 std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_view text);
 
-/// Returns people with the paths and speeds of the files of `folder`, one file per person: person i has the reaches of
-/// file i modulo the number of files, in random order. Their response to touch is drawn as in the family "linear".
+/// Returns simulated people with the paths and speeds of the files in `folder`. Person i repeats the reaches of file i
+/// modulo the number of files, in random order. Their response to touch is drawn as in the family "linear".
 SimulatedPeople people_of_recordings(const std::string& argument, const std::string& folder);
 
 }  // namespace hrt::study

@@ -32,9 +32,9 @@ std::vector<double> angles_in_order(const Session& session) {
 
 std::string comment(const std::string& name, double value) { return "#   " + name + ' ' + number(value) + '\n'; }
 
-// Tolerance of the sensor for a plate at rest.
+// Orientations of a plate at rest may differ by this much, because of the noise of its sensor.
 constexpr double rest_tolerance_deg = 1.0;
-// Times have nine decimals.
+// Half a nanosecond: times are written with nine decimals.
 constexpr double min_spacing_s = 0.5e-9;
 
 class SlidesReader {
@@ -120,7 +120,7 @@ std::vector<CalibrationTrial> simulate_session(const Session& session) {
 std::string session_csv(const Session& session) {
   const CalibrationCondition& condition = session.condition;
   const Participant& participant = condition.participant;
-  std::string csv = "# hrt-study participants: SIMULATION of the model's participant; the true values:\n";
+  std::string csv = "# hrt-study participants: SIMULATION. True values of the simulated participant:\n";
   csv += comment("tactile_weight", participant.tactile_weight) + comment("bias_deg", participant.bias_deg) +
          comment("motor_variance_deg2", participant.motor_variance_deg2) +
          comment("sensory_variance_deg2", participant.sensory_variance_deg2) +

@@ -65,7 +65,7 @@ constexpr NumberParameter number_parameters[] = {
 
 #undef HRT_FIELD
 
-// Names in the order of the enumeration; its last values are for families only and have no name.
+// Names in the order of the enumeration. Further values of the enumeration exist in families only and have no name.
 constexpr const char* illusions[] = {"linear", "saturating", "sine", "tanh", "dead_band", "unequal"};
 constexpr const char* steerings[] = {"steps", "continuous", "predictive", "place", "heavy_arm", "crossings"};
 constexpr const char* paces[] = {"minimum_jerk", "even", "skewed", "stop_and_go", "pause", "two_parts", "reversal"};
@@ -129,7 +129,7 @@ PersonFile parse_person(const std::string& name, std::string_view text) {
     throw UsageError(refusal.what());
   }
   if (!page.is_object() || page.empty())
-    throw UsageError(name + ": there is no parameter; it must be a JSON object of " + all_names());
+    throw UsageError(name + ": there is no parameter; the file must be a JSON object with " + all_names());
   PersonFile file;
   for (const auto& [parameter, value] : page.items()) take(name + ", " + shown(parameter), parameter, value, &file);
   const C& c = file.condition;

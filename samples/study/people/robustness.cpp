@@ -10,10 +10,10 @@
 namespace hrt::study {
 namespace {
 
-constexpr std::uint64_t people_between_looks = 100;
+constexpr std::uint64_t people_between_tests = 100;
 
-// w_T at the end of a reach as in hrt_command: perceived shift divided by the angle of the ridges, at 60 degrees to the
-// side that leads to the real target.
+// w_T at the end of a reach, as hrt_command defines it: perceived shift divided by the angle of the ridges, at 60
+// degrees to the side that steers the finger to the real target.
 double true_weight(const PersonCondition& condition) {
   SimulatedIllusion illusion = condition.person.illusion;
   illusion.tactile_weight += condition.person.weight_drift;
@@ -32,7 +32,7 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
   };
   const Person& person = condition.person;
   const auto if_known = [](bool known, bool covers) { return known ? std::optional(covers) : std::nullopt; };
-  return {.can_hold = gap_is_feasible(condition),
+  return {.is_feasible = gap_is_feasible(condition),
           .bearing_error_deg = outcome.bearing_error_deg,
           .miss_mm = std::abs(outcome.miss_mm),
           .peak_felt_error_deg = outcome.peak_felt_error_deg,
@@ -48,17 +48,17 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
 }
 
 // Simulates all reaches up to the requested one.
-std::vector<ReachResult> simulate(const PersonCondition& condition, Leading leading, const RobustnessOptions& options,
-                                  std::uint32_t index) {
-  const RetargeterConfig controller = leading == Leading::paper ? paper_controller()
-                                      : leading == Leading::informed
+std::vector<ReachResult> simulate(const PersonCondition& condition, ControllerKind kind,
+                                  const RobustnessOptions& options, std::uint32_t index) {
+  const RetargeterConfig controller = kind == ControllerKind::paper ? paper_controller()
+                                      : kind == ControllerKind::informed
                                           ? informed_controller(condition, options.informed_of, options.tuning)
                                           : people_controller(condition, options.tuning);
   std::vector<ReachResult> results;
   bool found = false;
   for (const PersonOutcome& outcome :
-       simulate_person(condition, leading == Leading::none ? nullptr : &controller,
-                       leading == Leading::last ? static_cast<int>(options.reaches) : 1, options.seed, index)) {
+       simulate_person(condition, kind == ControllerKind::none ? nullptr : &controller,
+                       kind == ControllerKind::last ? static_cast<int>(options.reaches) : 1, options.seed, index)) {
     results.push_back(result(condition, outcome));
     results.back().found = found = found || outcome.summary.unreachable;
   }
@@ -75,12 +75,12 @@ bool ReachResult::false_alarm() const { return near() && (unreachable || off_tar
 
 namespace {
 
-ReachGroup summarise(std::span<const ReachResult> results, bool can_hold) {
+ReachGroup summarise(std::span<const ReachResult> results, bool is_feasible) {
   ReachGroup group{};
   std::vector<double> misses_mm;
   std::vector<double> peaks_deg;
   for (const ReachResult& reach : results) {
-    if (reach.can_hold != can_hold) continue;
+    if (reach.is_feasible != is_feasible) continue;
     group.near.count(reach.near());
     group.unreachable.count(reach.unreachable);
     group.found.count(reach.found);
@@ -104,7 +104,7 @@ double half_interval(const Share& share) {
 }
 
 RobustnessCell summarise(std::span<const ReachResult> results) {
-  RobustnessCell cell{.can_hold = summarise(results, true), .cannot_hold = summarise(results, false)};
+  RobustnessCell cell{.feasible = summarise(results, true), .infeasible = summarise(results, false)};
   for (const ReachResult& reach : results) {
     cell.misfit.count(reach.misfit);
     cell.off_target.count(reach.off_target);
@@ -137,27 +137,28 @@ std::vector<RobustnessRow> simulate_robustness(
     for (const double duration_s : options.durations_s)
       rows.push_back({.people = sort, .duration_s = duration_s, .cells = {}});
 
-  constexpr std::size_t columns = leadings.size();
+  constexpr std::size_t columns = all_controllers.size();
   std::vector<std::vector<ReachResult>> results(rows.size() * columns);  // by cell, then person
   for (std::uint64_t before = 0, now = 0; before < options.people; before += now) {
-    now = std::min(people_between_looks, options.people - before);
+    now = std::min(people_between_tests, options.people - before);
     std::vector<std::size_t> taking;
     for (std::size_t cell = 0; cell < results.size(); ++cell) {
-      if (half_interval(rows[cell / columns].cells[cell % columns].can_hold.near) <= options.points) continue;
+      if (half_interval(rows[cell / columns].cells[cell % columns].feasible.near) <= options.points) continue;
       taking.push_back(cell);
       results[cell].resize(before + now);
     }
     const auto work = [&](std::uint64_t i) {
       const std::size_t cell = taking[i / now];
       const std::uint64_t index = before + i % now;
-      const auto is = [&](Leading leading) { return leadings[cell % columns] == leading; };
-      if (is(Leading::first) && results[cell + 1].size() > index) return;  // the reaches to the last have it
+      const auto is = [&](ControllerKind controller) { return all_controllers[cell % columns] == controller; };
+      if (is(ControllerKind::first) && results[cell + 1].size() > index)
+        return;  // the column of the last reach simulates it too
       const RobustnessRow& row = rows[cell / columns];
       const auto person = static_cast<std::uint32_t>(index);
-      const std::vector<ReachResult> reached =
-          simulate(row.people.draw(row.duration_s, options.seed, person), leadings[cell % columns], options, person);
+      const std::vector<ReachResult> reached = simulate(row.people.draw(row.duration_s, options.seed, person),
+                                                        all_controllers[cell % columns], options, person);
       results[cell][index] = reached.back();
-      if (is(Leading::last) && results[cell - 1].size() > index) results[cell - 1][index] = reached.front();
+      if (is(ControllerKind::last) && results[cell - 1].size() > index) results[cell - 1][index] = reached.front();
     };
     for_each_part(taking.size() * now, options.threads, work, [&](std::uint64_t done, std::uint64_t) {
       if (progress) progress(before * results.size() + done, options.people * results.size());
@@ -167,11 +168,11 @@ std::vector<RobustnessRow> simulate_robustness(
   return rows;
 }
 
-double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading) {
+double mean_near_percent(std::span<const RobustnessRow> rows, ControllerKind controller) {
   double sum = 0.0;
   double count = 0.0;
   for (const RobustnessRow& row : rows) {
-    const Share& near = row.cell(leading).can_hold.near;
+    const Share& near = row.cell(controller).feasible.near;
     if (near.of == 0) continue;
     sum += near.percent();
     count += 1.0;
@@ -179,13 +180,13 @@ double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading) {
   return sum / count;
 }
 
-Share pooled(std::span<const RobustnessRow> rows, Leading leading,
+Share pooled(std::span<const RobustnessRow> rows, ControllerKind controller,
              const std::function<Share(const RobustnessCell&)>& share) {
   double hits = 0.0, of = 0.0, squares = 0.0;
   for (const RobustnessRow& row : rows) {
-    const Share counted = share(row.cell(leading));
+    const Share counted = share(row.cell(controller));
     if (counted.of == 0) continue;
-    const double weight = 1.0 / static_cast<double>(row.cell(leading).people());
+    const double weight = 1.0 / static_cast<double>(row.cell(controller).people());
     hits += weight * static_cast<double>(counted.hits);
     of += weight * static_cast<double>(counted.of);
     squares += weight * weight * static_cast<double>(counted.of);

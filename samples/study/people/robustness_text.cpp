@@ -12,7 +12,7 @@ namespace {
 
 using Rows = std::vector<RobustnessRow>;
 
-// No more than all are 100 %.
+// Rounds to a whole percentage; only a share of all cases becomes 100.
 std::string rounded(const Share& share) {
   if (share.of == 0) return "-";
   const double percent = share.percent();
@@ -34,11 +34,12 @@ bool is_recorded(const RobustnessRow& row) { return row.people.kind == FamilyKin
 bool is_misplaced(const RobustnessRow& row) { return row.people.kind == FamilyKind::misplaced; }
 
 std::string near_line(const std::string& name, const Rows& rows, const std::vector<double>& durations_s,
-                      const std::function<std::string(const Rows&, Leading)>& words) {
+                      const std::function<std::string(const Rows&, ControllerKind)>& words) {
   std::string line = left(name, 15);
   for (const double duration_s : durations_s) {
     const Rows of_duration = rows_where(rows, [&](const RobustnessRow& row) { return row.duration_s == duration_s; });
-    for (const Leading leading : leadings) line += right(words(of_duration, leading), leading == Leading::none ? 5 : 4);
+    for (const ControllerKind controller : all_controllers)
+      line += right(words(of_duration, controller), controller == ControllerKind::none ? 5 : 4);
   }
   return line + '\n';
 }
@@ -53,11 +54,12 @@ std::string near_table(const RobustnessStudy& study) {
     page += "   no pap   1" + right(std::to_string(study.options.reaches), 4) + " inf";
   page += '\n';
   for (const SimulatedPeople& people : study.people)
-    page += near_line(label(people), of_people(rows, people.name), durations_s,
-                      [](const Rows& of, Leading leading) { return rounded(of.front().cell(leading).can_hold.near); });
+    page += near_line(
+        label(people), of_people(rows, people.name), durations_s,
+        [](const Rows& of, ControllerKind controller) { return rounded(of.front().cell(controller).feasible.near); });
   if (study.people.size() == 1) return page;
-  const auto mean = [](const Rows& of, Leading leading) {
-    const double percent = mean_near_percent(of, leading);
+  const auto mean = [](const Rows& of, ControllerKind controller) {
+    const double percent = mean_near_percent(of, controller);
     return std::isnan(percent) ? "-" : fixed(percent, 0);
   };
   const auto mean_line = [&](const std::string& name, bool tuned, FamilyKind kind) {
@@ -68,9 +70,9 @@ std::string near_table(const RobustnessStudy& study) {
   const Rows invented = rows_where(rows, is_invented);
   return page + '\n' + mean_line("mean, recorded", false, FamilyKind::recorded) +
          mean_line("mean, tuned on", true, FamilyKind::invented) +
-         mean_line("mean, apart *", false, FamilyKind::invented) +
+         mean_line("mean, untuned *", false, FamilyKind::invented) +
          (invented.empty() ? "" : near_line("mean of both", invented, durations_s, mean)) +
-         mean_line("mean, off +", false, FamilyKind::misplaced);
+         mean_line("mean, error +", false, FamilyKind::misplaced);
 }
 
 // "0.42 (0.38-0.47)"; a bound that the sample does not determine is "?".
@@ -89,11 +91,12 @@ std::string flags_table(const Rows& all, std::uint64_t reaches) {
   const Rows rows = rows_where(all, is_invented);
   const Rows recorded = rows_where(all, is_recorded);
   const Rows off = rows_where(all, is_misplaced);
-  constexpr Leading flagging[] = {Leading::paper, Leading::first, Leading::last, Leading::informed};
+  constexpr ControllerKind flagging[] = {ControllerKind::paper, ControllerKind::first, ControllerKind::last,
+                                         ControllerKind::informed};
   const auto line = [&](const std::string& name, const Rows& of,
                         const std::function<Share(const RobustnessCell&)>& share) {
     std::string text = left(name, 41);
-    for (const Leading leading : flagging) text += right(with_interval(pooled(of, leading, share)), 19);
+    for (const ControllerKind controller : flagging) text += right(with_interval(pooled(of, controller, share)), 19);
     return text + '\n';
   };
   using Cell = const RobustnessCell&;
@@ -102,46 +105,48 @@ std::string flags_table(const Rows& all, std::uint64_t reaches) {
        {std::string("pap"), std::string("reach 1"), "reach " + std::to_string(reaches), std::string("inf")})
     page += right(title, 19);
   page += '\n';
-  page += line("cannot hold: found unreachable by then", rows, [](Cell cell) { return cell.cannot_hold.found; }) +
-          line("  silent miss", rows, [](Cell cell) { return cell.cannot_hold.silent; }) +
-          line("can hold: unreachable, falsely", rows, [](Cell cell) { return cell.can_hold.unreachable; }) +
-          line("  silent miss: off target and no flag", rows, [](Cell cell) { return cell.can_hold.silent; }) +
-          line("  on target, flagged as if it were not", rows, [](Cell cell) { return cell.can_hold.false_alarm; }) +
-          line("all: model does not fit", rows, [](Cell cell) { return cell.misfit; }) +
-          line("  off target", rows, [](Cell cell) { return cell.off_target; });
+  page += line("gap infeasible: flagged unreachable", rows, [](Cell cell) { return cell.infeasible.found; }) +
+          line("  missed without a flag", rows, [](Cell cell) { return cell.infeasible.silent; }) +
+          line("gap feasible: flagged unreachable", rows, [](Cell cell) { return cell.feasible.unreachable; }) +
+          line("  missed without a flag", rows, [](Cell cell) { return cell.feasible.silent; }) +
+          line("  on target, but flagged", rows, [](Cell cell) { return cell.feasible.false_alarm; }) +
+          line("all: flagged as a misfit", rows, [](Cell cell) { return cell.misfit; }) +
+          line("  flagged off target", rows, [](Cell cell) { return cell.off_target; });
   if (const Rows linear = of_people(rows, people_families().front().name); !linear.empty())
-    page += line("linear: interval of w_T covers theirs", linear, [](Cell cell) { return cell.weight_covered; });
+    page += line("linear: interval contains true w_T", linear, [](Cell cell) { return cell.weight_covered; });
   if (!recorded.empty())
     page +=
-        line("recorded (~), can hold: silent miss", recorded, [](Cell cell) { return cell.can_hold.silent; }) +
-        line("  cannot hold: found unreachable by then", recorded, [](Cell cell) { return cell.cannot_hold.found; }) +
-        line("  model does not fit", recorded, [](Cell cell) { return cell.misfit; });
+        line("recorded, feasible: missed without a flag", recorded, [](Cell cell) { return cell.feasible.silent; }) +
+        line("  infeasible: flagged unreachable", recorded, [](Cell cell) { return cell.infeasible.found; }) +
+        line("  flagged as a misfit", recorded, [](Cell cell) { return cell.misfit; });
   if (!off.empty())
-    page += line("tracker or plate off (+): silent miss", off, [](Cell cell) { return cell.can_hold.silent; });
+    page += line("systematic error: missed without a flag", off, [](Cell cell) { return cell.feasible.silent; });
   return page;
 }
 
 // All numbers of one kind of people.
 std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   std::string page = people.name + ": " + people.description + '\n';
-  for (const bool can_hold : {true, false}) {
+  for (const bool is_feasible : {true, false}) {
     const bool any = std::any_of(rows.begin(), rows.end(), [&](const RobustnessRow& row) {
-      return row.cell(Leading::none).group(can_hold).near.of > 0;
+      return row.cell(ControllerKind::none).group(is_feasible).near.of > 0;
     });
     if (!any) continue;
-    page += std::string(can_hold ? "\nWho can hold the gap" : "\nWho cannot hold the gap") +
-            " (95 % intervals; ?: too few reaches bound it)\n" + right("s", 4) + "  " + left("controller", 18) +
-            right("near, %", 19) + right("miss: median, mm", 18) + right("95 %, mm", 18) + right("felt peak, deg", 18) +
-            right("silent, %", 18) + '\n';
+    page +=
+        std::string("\nPeople for whom the gap is ") + (is_feasible ? "feasible" : "infeasible") +
+        ": reaches within 1.5 deg, quantiles of the miss, median of the largest\nperceived-direction error, misses " +
+        "without a flag. 95 % intervals; ?: too few reaches determine this bound\n" + right("s", 4) + "  " +
+        left("controller", 18) + right("within, %", 19) + right("median miss, mm", 18) + right("95 % miss, mm", 18) +
+        right("error, deg", 18) + right("unflagged, %", 19) + '\n';
     for (const RobustnessRow& row : rows) {
-      if (row.cell(Leading::none).group(can_hold).near.of == 0) continue;
-      for (const Leading leading : leadings) {
-        const ReachGroup& of = row.cell(leading).group(can_hold);
-        page += right(leading == Leading::none ? number(row.duration_s) : "", 4) + "  " +
-                left(leading_titles[static_cast<std::size_t>(leading)], 18) + right(with_interval(of.near), 19) +
+      if (row.cell(ControllerKind::none).group(is_feasible).near.of == 0) continue;
+      for (const ControllerKind controller : all_controllers) {
+        const ReachGroup& of = row.cell(controller).group(is_feasible);
+        page += right(controller == ControllerKind::none ? number(row.duration_s) : "", 4) + "  " +
+                left(controller_titles[static_cast<std::size_t>(controller)], 18) + right(with_interval(of.near), 19) +
                 right(with_interval(of.miss_median_mm, 1), 18) + right(with_interval(of.miss_95_mm, 1), 18) +
                 right(with_interval(of.peak_felt_error_median_deg, 1), 18) +
-                right(leading == Leading::none ? "" : with_interval(of.silent), 18) + '\n';
+                right(controller == ControllerKind::none ? "" : with_interval(of.silent), 19) + '\n';
       }
     }
   }
@@ -151,11 +156,11 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
 // The numbers of a cell. Without a controller there are no flags.
 void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
   const auto put_flag = [&](const std::string& name, const Share& share) { put(row, name, flags ? share : Share{}); };
-  row["can_hold"] = cell.can_hold.near.of;
-  row["cannot_hold"] = cell.cannot_hold.near.of;
-  for (const bool can_hold : {true, false}) {
-    const ReachGroup& group = cell.group(can_hold);
-    const std::string whose = can_hold ? "" : "cannot_hold_";
+  row["feasible"] = cell.feasible.near.of;
+  row["infeasible"] = cell.infeasible.near.of;
+  for (const bool is_feasible : {true, false}) {
+    const ReachGroup& group = cell.group(is_feasible);
+    const std::string whose = is_feasible ? "" : "infeasible_";
     put(row, whose + "near", group.near);
     put(row, whose + "miss_median", "_mm", group.miss_median_mm);
     put(row, whose + "miss_95", "_mm", group.miss_95_mm);
@@ -164,8 +169,8 @@ void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
     put_flag(whose + "silent_miss", group.silent);
     put_flag(whose + "false_alarm", group.false_alarm);
   }
-  put_flag("unreachable_found", cell.cannot_hold.found);
-  put_flag("unreachable_false", cell.can_hold.unreachable);
+  put_flag("unreachable_found", cell.infeasible.found);
+  put_flag("unreachable_false", cell.feasible.unreachable);
   put_flag("misfit", cell.misfit);
   put_flag("off_target", cell.off_target);
   put_flag("weight_covered", cell.weight_covered);
@@ -179,12 +184,13 @@ std::string condition_words(const RobustnessStudy& study) {
   const RobustnessOptions& options = study.options;
   const bool has_families = std::any_of(study.people.begin(), study.people.end(),
                                         [](const SimulatedPeople& each) { return people_family(each.name.c_str()); });
-  return std::to_string(options.people) + " people of each family at each duration at most (seed " +
+  return "At most " + std::to_string(options.people) + " people of each family at each duration, seed " +
          std::to_string(options.seed) +
-         (has_families ? "), except where a family says otherwise: 100 mm, a gap of 10°, w_T 0.12 to 0.30, 1.2 mm of "
-                         "tracker noise at 90 Hz, a servo of 400°/s after 30 ms"
-                       : "), as the file of --person says") +
-         "; our controller does not know the duration.";
+         (has_families
+              ? ". Unless the description of a family states otherwise: 100 mm, a gap of 10°, w_T from 0.12 to "
+                "0.30, tracker noise of 1.2 mm at 90 Hz, a servo with 400°/s and a latency of 30 ms."
+              : ". The file of --person defines the person.") +
+         " Our controller does not know the duration.";
 }
 
 std::string informed_of(const RobustnessStudy& study) {
@@ -207,28 +213,26 @@ std::string robustness_text(const RobustnessStudy& study) {
   double widest = 0.0, people = 0.0;
   for (const RobustnessRow& row : study.rows)
     for (const RobustnessCell& cell : row.cells) {
-      if (cell.can_hold.near.of > 0) widest = std::max(widest, half_interval(cell.can_hold.near));
-      people += static_cast<double>(cell.people()) / static_cast<double>(study.rows.size() * leadings.size());
+      if (cell.feasible.near.of > 0) widest = std::max(widest, half_interval(cell.feasible.near));
+      people += static_cast<double>(cell.people()) / static_cast<double>(study.rows.size() * all_controllers.size());
     }
   std::string page =
       wrapped("Simulated reaches; there was no human trial. " + condition_words(study), 110) + '\n' + '\n' +
       wrapped(
-          "Percent of reaches that end within 1.5 deg of the real target's bearing, of people who can hold "
-          "the gap; the 95 % interval of a cell is at most +-" +
-              fixed(widest, 1) + " points, and a cell that is within " + number(study.options.points) +
-              " takes no more people: here " + fixed(people, 0) +
-              " in the mean (--format csv: each). no: no controller; pap: the paper's; 1, " +
-              std::to_string(study.options.reaches) +
-              ": ours on a person's reach of that number, with what it has learnt; inf: ours, informed of the "
-              "person's " +
-              informed_of(study) +
-              "; -: no one can hold the gap; *: kept apart from "
-              "the search for our controller's numbers; +: tracker or plate is off, which no controller sees; ~: paths "
-              "and "
-              "pace of "
-              "recorded reaches.",
+          "The table has the percentage of reaches that end within 1.5 deg of the real target's bearing, of people for "
+          "whom the gap is feasible (-: of none). The 95 % interval of a cell is at most +-" +
+              fixed(widest, 1) + " points. A cell takes no more people once its interval is at most +-" +
+              number(study.options.points) + " points (--within); cells have " + fixed(people, 0) +
+              " people on average (--format csv has the number of each).",
           110) +
-      '\n' + '\n' + near_table(study);
+      "\n\nno: no controller. pap: the paper's controller.\n1, " + std::to_string(study.options.reaches) +
+      ": our controller in a person's first reach, and in reach " + std::to_string(study.options.reaches) +
+      ", with its estimates from the earlier ones.\n" +
+      wrapped("inf: our controller in the first reach, with the person's true values of " + informed_of(study) + ".",
+              110) +
+      "\n*: family that was not used to tune our controller. ~: paths and speeds of recorded reaches.\n"
+      "+: systematic error of the tracker or of the plate, which no controller can detect within a reach.\n\n" +
+      near_table(study);
   if (study.people.size() == 1) page += '\n' + details_table(study.people.front(), study.rows);
   return page + '\n' + flags_table(study.rows, study.options.reaches);
 }
@@ -241,16 +245,16 @@ Results robustness_results(const RobustnessStudy& study) {
                           {"condition", condition_words(study)}},
                 .rows = {}};
   for (const RobustnessRow& of : study.rows)
-    for (const Leading leading : leadings) {
+    for (const ControllerKind controller : all_controllers) {
       Row row{{"family", of.people.name},
               {"tuned", of.people.tuned},
               {"misplaced", is_misplaced(of)},
               {"duration_s", of.duration_s},
-              {"controller", leading_names[static_cast<std::size_t>(leading)]},
-              {"reach", leading == Leading::last ? study.options.reaches : 1},
-              {"people", of.cell(leading).people()},
+              {"controller", controller_names[static_cast<std::size_t>(controller)]},
+              {"reach", controller == ControllerKind::last ? study.options.reaches : 1},
+              {"people", of.cell(controller).people()},
               {"seed", study.options.seed}};
-      put_numbers(row, of.cell(leading), leading != Leading::none);
+      put_numbers(row, of.cell(controller), controller != ControllerKind::none);
       row["description"] = of.people.description;
       found.rows.push_back(std::move(row));
     }

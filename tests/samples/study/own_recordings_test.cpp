@@ -1,4 +1,4 @@
-// Recorded reaches of a lab's own people.
+// Recorded reaches as input of hrt-study robustness --recorded.
 #include "samples/study/people/own_recordings.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace hrt::study {
 namespace {
 
-// A reach of 300 mm in 0.8 s, with 0.3 s of rest before and after; its direction is turn + habit (1 - 2 s).
+// A reach of 300 mm in 0.8 s, with rests of 0.3 s before and after. Its direction is turn + habit (1 - 2 s).
 std::string reach(int number, double turn_deg, double habit_deg) {
   std::string rows;
   PlatePoint place{40.0, -20.0};
@@ -30,7 +30,7 @@ std::string reach(int number, double turn_deg, double habit_deg) {
 }
 const std::string header = "reach,time_s,right_mm,away_mm\n";
 
-TEST(StudyOwnRecordings, TurnedReachesHaveTheirDirectionAndPace) {
+TEST(StudyOwnRecordings, DirectionAndPaceOfRotatedReaches) {
   const auto reaches = parse_reaches("own.csv", header + reach(1, 30.0, 10.0) + reach(2, -70.0, 10.0));
   ASSERT_EQ(reaches.size(), 2U);
   for (const RecordedReach& each : reaches) {
@@ -45,13 +45,13 @@ TEST(StudyOwnRecordings, TurnedReachesHaveTheirDirectionAndPace) {
   EXPECT_NEAR(wander_sd_deg(path), 0.0, 0.1);
 }
 
-TEST(StudyOwnRecordings, TheWanderIsWhatDiffersFromReachToReach) {
+TEST(StudyOwnRecordings, WanderIsTheDifferenceBetweenReaches) {
   const OwnPath path = own_path_of(parse_reaches("own.csv", header + reach(1, 0.0, 6.0) + reach(2, 0.0, -6.0)));
   EXPECT_NEAR(path.mean_deg[0], 0.0, 0.1);
   EXPECT_NEAR(wander_sd_deg(path), 6.0 / std::sqrt(3.0), 0.4);
 }
 
-TEST(StudyOwnRecordings, RefusalsNameTheReachAndTheRemedy) {
+TEST(StudyOwnRecordings, ErrorsNameTheReachAndTheRemedy) {
   const auto refusal = [](const std::string& text) {
     try {
       parse_reaches("own.csv", text);

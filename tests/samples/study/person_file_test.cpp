@@ -23,7 +23,7 @@ void expect_refusal(std::string_view text, std::initializer_list<const char*> wo
   for (const char* word : words) EXPECT_TRUE(has(message, word));
 }
 
-TEST(StudyPersonFile, WhatIsNotNamedKeepsItsDefault) {
+TEST(StudyPersonFile, MissingParametersHaveTheirDefault) {
   const PersonFile file = parse_person("me", R"({"illusion": "sine", "tactile_weight": 0.3,
       "tracker_white_mm": 2, "plate_latency_s": 0.06})");
   EXPECT_EQ(file.condition.person.illusion.family, IllusionFamily::sine);
@@ -35,8 +35,7 @@ TEST(StudyPersonFile, WhatIsNotNamedKeepsItsDefault) {
   EXPECT_TRUE(parse_person("me", R"({"duration_s": 0.8})").has_duration);
 }
 
-// Each word of each parameter stands for the value of its name.
-TEST(StudyPersonFile, WordsByHand) {
+TEST(StudyPersonFile, WordsSelectTheValueOfTheirName) {
   const auto person = [](const std::string& parameter, const std::string& word) {
     return parse_person("me", "{\"" + parameter + "\": \"" + word + "\"}").condition.person;
   };
@@ -49,7 +48,7 @@ TEST(StudyPersonFile, WordsByHand) {
   EXPECT_EQ(person("pace", "reversal").pace, Pace::reversal);
 }
 
-TEST(StudyPersonFile, RefusalsNameParameterAndAllowedValues) {
+TEST(StudyPersonFile, ErrorsNameParameterAndAllowedValues) {
   expect_refusal("", {"me", "not JSON"});
   expect_refusal("{}", {"no parameter", "tactile_weight"});
   expect_refusal("[1]", {"no parameter"});
@@ -67,7 +66,7 @@ TEST(StudyPersonFile, RefusalsNameParameterAndAllowedValues) {
   expect_refusal(R"({"real_direction_deg": 5})", {"real_direction_deg: '5'", "virtual_direction_deg"});
 }
 
-// Every name of the help is one that is taken, with its default.
+// Parses the names and defaults of the help as a file.
 TEST(StudyPersonFile, HelpHasAllParameters) {
   std::string text;
   const std::string help = person_parameters();

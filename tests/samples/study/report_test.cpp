@@ -10,7 +10,7 @@ namespace {
 const std::vector<std::string> all_files{"fig1c.svg", "fig4.svg", "fig5.svg",    "fig6.svg",
                                          "fig7.svg",  "fig8.svg", "report.html", "table1.svg"};
 
-TEST(StudyReport, MakesEveryFigureAndAPageThatShowsThem) {
+TEST(StudyReport, WritesAllFiguresAndAPage) {
   const TemporaryFolder folder;
   for (const char* threads : {"1", "2"}) {
     const StudyRun run =
@@ -27,12 +27,12 @@ TEST(StudyReport, MakesEveryFigureAndAPageThatShowsThem) {
     if (!file.ends_with(".svg")) continue;
     EXPECT_TRUE(has(page, "<img src=\"" + file + "\"")) << file;
     EXPECT_TRUE(has(content, "</svg>")) << file;
-    EXPECT_TRUE(has(content, file == "fig1c.svg" ? ", mm" : ", °")) << file << ": an axis without its unit";
-    EXPECT_FALSE(has(content, " deg")) << file << ": ° is the symbol";
+    EXPECT_TRUE(has(content, file == "fig1c.svg" ? ", mm" : ", °")) << file << ": an axis has no unit";
+    EXPECT_FALSE(has(content, " deg")) << file << ": the unit is written °";
   }
 }
 
-TEST(StudyReport, AFailingDrawingLeavesTheLastReportAsItWas) {
+TEST(StudyReport, AFailedDrawingKeepsThePreviousReport) {
   const TemporaryFolder folder;
   std::ofstream(folder / "matplotlib.py") << "def use(_): raise SystemExit('out of ink')";
   std::filesystem::create_directory(folder / "report");

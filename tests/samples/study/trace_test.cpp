@@ -1,4 +1,4 @@
-// A traced reach, its table and its pictures.
+// The trace of a reach: samples, table and figures.
 #include "samples/study/figures/figures.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ TEST(StudyTrace, EndsWhereTheReachDoes) {
                              [](const TracedSample& a, const TracedSample& b) { return a.time_s < b.time_s; }));
 }
 
-// The person's own values lie within four deviations of what the filter has at the end.
-TEST(StudyTrace, FilterKnowsTheFingerAndThePerson) {
+// The true values lie within four SDs of the estimates at the end.
+TEST(StudyTrace, TheFilterEstimatesFingerAndPerson) {
   for (const char* family : {"linear", "bias-3", "habit-5"}) {
     const Trace trace = traced(family, 5);
     const TracedSample& last = trace.samples.back();
@@ -44,7 +44,7 @@ TEST(StudyTrace, FilterKnowsTheFingerAndThePerson) {
   }
 }
 
-TEST(StudyTrace, TableHasAColumnAStateAndItsDeviation) {
+TEST(StudyTrace, TheTableHasMeanAndSdOfEachState) {
   std::istringstream table(trace_csv(traced("linear", 1)));
   std::string line;
   std::getline(table, line);
@@ -59,16 +59,16 @@ TEST(StudyTrace, TableHasAColumnAStateAndItsDeviation) {
   EXPECT_GT(rows, 100);
 }
 
-TEST(StudyTrace, CommandWritesTableAndPictures) {
+TEST(StudyTrace, TheCommandWritesTableAndFigures) {
   const TemporaryFolder folder;
   expect_exit(0, run_study({"trial", "--trace", folder.path.string(), "--family", "bias-3", "--reach", "2"}));
   for (const char* file : {"trace.csv", "trace.svg"})
     EXPECT_GT(std::filesystem::file_size(folder.path / file), 1000u) << file;
-  // The picture runs one time throughout.
+  // All parts of the animation have the same times.
   const std::string picture = read_file(folder / "reach.svg");
   EXPECT_TRUE(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
   const std::size_t animated = occurrences(picture, "<animate");
-  EXPECT_EQ(animated, 7u);  // ridges; of two paths the line, and x and y of the dot
+  EXPECT_EQ(animated, 7u);  // the ridges; for each of two paths the line, and x and y of the dot
   const std::size_t at = picture.find("keyTimes=\"");
   EXPECT_EQ(occurrences(picture, picture.substr(at, picture.find('"', at + 10) - at)), animated);
   EXPECT_EQ(occurrences(picture, ">"), occurrences(picture, "<"));
