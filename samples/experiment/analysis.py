@@ -1,4 +1,4 @@
-"""The registered tests of a study, for `analyse` and `power`. Needs python3-statsmodels and, for mixed models, r-cran-lmertest."""
+"""Registered tests of a study, for `analyse` and `power`. Needs python3-statsmodels and, for mixed models, r-cran-lmertest."""
 import io
 import json
 import math
@@ -13,11 +13,11 @@ import scipy.stats
 from statsmodels.stats.meta_analysis import combine_effects
 from statsmodels.stats.oneway import anova_oneway
 
-FLIPS = 20_000  # of signs: all of them for up to 14 people
-LAPSES = 0.02  # of the psychometric function
+FLIPS = 20_000  # maximum number of sign assignments in a sign flip test: all of them for up to 14 participants
+LAPSES = 0.02  # lapse rate of the psychometric function
 
 
-# Columns of text, whatever it looks like.
+# Columns that are read as text, even if it looks like a number.
 NAMES = ["subject", "level", "kind", "condition", "pair", "end", "reason", "library", "questionnaire", "when", "text", "event", "details"]
 
 
@@ -26,30 +26,30 @@ def read_study(file):
 
 
 def read_table(file):
-    """A table of hrt-experiment export. Names such as "NA", "null", "0" and "True" are text; what is not known is nan."""
+    """Reads a table of hrt-experiment export. Names such as "NA", "null", "0" and "True" are text; empty fields are nan."""
     names = NAMES + (["answer"] if file.name in ("trials.csv", "questionnaires.csv") else [])
     return pandas.read_csv(file, encoding="utf-8", dtype={name: str for name in names}, keep_default_na=False, na_values=[""])
 
 
 def run_main(main):
-    """Errors of input are one line, without a traceback."""
+    """Runs `main`; an error of the input ends the program with one line, without a traceback."""
     try:
         main()
-    except (OSError, ValueError, KeyError, AttributeError) as error:  # the last two: a column that is missing
+    except (OSError, ValueError, KeyError, AttributeError) as error:  # KeyError and AttributeError: a missing column
         what = f"{error} is missing" if isinstance(error, KeyError) else str(error).splitlines()[0]
-        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {what}; give it the folder of a study that this version of hrt-experiment exported")
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {what}; DATA must be a folder that this version of hrt-experiment has exported")
 
 
 def sign_flip(differences, seed, flips=FLIPS, direction="two-sided"):
-    """p of a mean of 0 if the sign of each difference is arbitrary; of each column if there are several."""
+    """Returns p of the sign flip test that the mean of the differences is 0, for each column."""
     mean = lambda values, axis: numpy.mean(values, axis=axis)
     return scipy.stats.permutation_test((numpy.asarray(differences, float),), mean, permutation_type="samples", vectorized=True, batch=50,
                                         n_resamples=flips, axis=0, random_state=seed, alternative=direction).pvalue
 
 
 def student(values, level=0.95, direction="two-sided"):
-    """Student's p of a mean of 0, and the ends of the mean's interval, one of them infinite if there is a direction. nan if more than half of the
-    people have the same value, as at 0 or 100 %: Student's t does not hold there."""
+    """Returns p of Student's t test that the mean is 0, and the ends of the interval of the mean; one end is infinite if there is a direction.
+    Returns nan if more than half of the people have the same value, such as 0 or 100 %, because the test is invalid then."""
     if len(values) < 2:
         return math.nan, -math.inf, math.inf
     if pandas.Series(values).round(9).value_counts().iloc[0] > max(1, len(values) / 2):
@@ -59,23 +59,25 @@ def student(values, level=0.95, direction="two-sided"):
 
 
 def above(values):
-    """One-sided p of a mean of at most 0, by Student's t; of each column, if there are several."""
+    """Returns p of the one-sided t test that the mean is at most 0, for each column."""
     return scipy.stats.ttest_1samp(values, 0, alternative="greater").pvalue
 
 
 def equivalence(differences, margin):
-    """p of a mean that is `margin` or more away from 0: the larger one of two one-sided tests."""
+    """Returns p of the test that the absolute value of the mean is at least `margin`: the larger p of two one-sided tests."""
     return numpy.maximum(above(numpy.asarray(differences) + margin), above(margin - numpy.asarray(differences)))
 
 
 def population(estimates, errors):
-    """Mean of people, the ends of its 95 % interval, and their standard deviation, of estimates whose standard errors are known (Paule and Mandel 1982)."""
+    """Returns the mean over people, the ends of its 95 % interval, and the SD of people, from estimates with known standard errors (Paule and
+    Mandel 1982)."""
     found = combine_effects(numpy.asarray(estimates), numpy.square(errors), method_re="iterated", use_t=True)
     return found.mean_effect_re, *found.conf_int()[1], found.tau2**0.5
 
 
 def mixed_models(studies, measure, reference, direction="two-sided"):
-    """Frames of trials, by lmerTest: a table for each, by condition: estimate, error, df, p (nan: no model converged) and the model."""
+    """Fits a mixed model by lmerTest to the trials of each study. Returns a table for each, by condition: estimate, error, df, p (nan: no model
+    converged) and the fitted model."""
     conditions = sorted({name for trials in studies for name in trials.condition} - {reference})
     codes = {reference: 0, **{name: i + 1 for i, name in enumerate(conditions)}}
     pairs = {name: i for i, name in enumerate(sorted({name for trials in studies for name in trials.pair}))}
@@ -96,7 +98,7 @@ def mixed_models(studies, measure, reference, direction="two-sided"):
 
 
 def holm(values):
-    """Holm's p of each; of one that is not determined (nan) it is not determined, and that one still counts among the tests."""
+    """Corrects p values by Holm's method. A p value that is not determined (nan) stays nan, and still counts among the tests."""
     order, largest, adjusted = sorted(values, key=lambda name: (math.isnan(values[name]), values[name])), 0.0, {}
     for rank, name in enumerate(order):
         largest = max(largest, min(1.0, (len(values) - rank) * values[name])) if not math.isnan(values[name]) else math.nan
@@ -105,31 +107,31 @@ def holm(values):
 
 
 def registered(study):
-    """What a design says of its analysis, with the defaults."""
+    """Returns the registered analysis of a design, with defaults."""
     return {"measure": "abs_miss_deg", "test": "t", "hypothesis": "difference", "direction": "two-sided", "alpha": 0.05, "margin": 1.0, "within_deg": 1.5,
             "reference": study["conditions"][-1]["name"], "noticed": study.get("answers", ["yes"])[0], **study.get("analysis", {})}
 
 
 def counted(trials):
-    """The reaches that count."""
+    """Returns the valid trials with a gap."""
     return trials[(trials.kind == "reaches") & (trials.is_catch == 0) & (trials.end == "counted")]
 
 
 def means_of(trials, measure):
-    """A row of each participant, a column of each condition."""
+    """Returns the mean of each participant (row) and condition (column)."""
     return trials.groupby(["participant", "condition"])[measure].mean().unstack()
 
 
 def noticed_share(trials, noticed):
-    """Share of the answer `noticed` of each participant and condition, in reaches (0) and catch trials (1), by the log-linear rule (Hautus
-    1995): half an answer is added to either side, so none is 0 or 1."""
+    """Returns the fraction of the answer `noticed`, for each participant and condition, in reaches (0) and in catch trials (1). By the log-linear
+    rule (Hautus 1995), half an answer is added to both alternatives, so that no fraction is 0 or 1."""
     answered = trials[(trials.kind == "reaches") & (trials.end == "counted") & trials.answer.notna()]
     groups = (answered.answer == noticed).groupby([answered.is_catch, answered.participant, answered.condition])
     return (groups.sum() + 0.5) / (groups.size() + 1)
 
 
 def outcomes(trials, plan):
-    """The registered outcome: a row of each participant, a column of each condition. Trials of an export, or reaches that count."""
+    """Returns the registered outcome of each participant (row) and condition (column), from exported trials or valid trials."""
     reaches, measure = counted(trials) if "kind" in trials else trials, plan["measure"]
     groups = reaches.groupby(["participant", "condition"])
     if measure == "percent_within":
@@ -145,19 +147,20 @@ def outcomes(trials, plan):
 
 
 def registered_p(plan):
-    """The column of compare() that is registered."""
+    """Returns the name of the column of compare() with the registered test."""
     return plan["test"] if plan.get("hypothesis", "difference") == "difference" else "equivalence"
 
 
 def contrasts(means, plan):
-    """What is tested of each condition, by participant: its difference from the reference, or the outcome that is to be below the margin."""
+    """Returns the tested value of each condition, by participant: the difference from the reference, or the outcome itself for below_margin."""
     if plan.get("hypothesis") == "below_margin":
         return {condition: means[condition].dropna() for condition in means}
     return {condition: (means[condition] - means[plan["reference"]]).dropna() for condition in means.columns.drop(plan["reference"])}
 
 
 def by_level(trials, plan):
-    """Of each contrast, and of the mean of all conditions: the mean at each level between participants, and p of equal means (Welch's test)."""
+    """Returns the mean at each level of the between-participants factor, and p of equal means (Welch's test), for each contrast and for the mean of
+    all conditions."""
     means, levels = outcomes(trials, plan), trials.groupby("participant")["level"].first()
     rows = {}
     for name, values in {"mean of all": means.mean(axis=1, skipna=False).dropna(), **contrasts(means, plan)}.items():
@@ -169,7 +172,7 @@ def by_level(trials, plan):
 
 
 def excluded(study, trials):
-    """Whom the design's rules leave out of the analysis: the reason, by participant."""
+    """Returns the participants whom the rules of the design exclude, with the reason."""
     rules = {"max_missing_share": 0.2, "max_false_alarms": 1.0, **study.get("exclusions", {})}
     reaches = trials[trials.kind == "reaches"]
     asked = reaches[(reaches.is_catch == 1) & reaches.answer.notna()]
@@ -180,8 +183,9 @@ def excluded(study, trials):
 
 
 def psychometric(trials):
-    """Threshold (the Weibull's scale) and slope of right answers by the delivered bend, of all participants together, by maximum likelihood, and p of
-    the fit: Pearson's chi-squared over sixths of the bends. Both are nan if the answers do not determine them within the bends and slopes of 0.5 to 10."""
+    """Fits a Weibull function of the delivered bend to the correct answers of all participants, by maximum likelihood. Returns threshold (scale) and
+    slope (nan if they are outside of the delivered bends and of slopes from 0.5 to 10), and p of Pearson's chi-squared test of the fit over six bins of
+    the bend."""
     asked = trials[trials.is_right.notna() & (trials.bend_deg > 0)]
     share = lambda x, bend: 0.5 + (0.5 - LAPSES) * (1 - numpy.exp(-((bend / numpy.exp(x[0])) ** numpy.exp(x[1]))))
     loss = lambda x: -scipy.stats.bernoulli.logpmf(asked.is_right, share(x, asked.bend_deg)).sum()
@@ -196,7 +200,8 @@ def psychometric(trials):
 
 
 def threshold_ratios(trials, people, study):
-    """Logarithm of each participant's threshold over the bend in use: the mean angle between virtual target and end under noticeability's condition."""
+    """Returns log(threshold / delivered bend) of each participant. Delivered bend: mean angle between the virtual target and the end of reaches, under the
+    condition of the noticeability block."""
     reaches = counted(trials)
     reaches = reaches[reaches.condition == study["noticeability"]["condition"]]
     bends = (reaches.real_deg + reaches.miss_deg - reaches.virtual_deg).abs().groupby(reaches.participant).mean()
@@ -204,9 +209,9 @@ def threshold_ratios(trials, people, study):
 
 
 def compare(trials, plan, seed):
-    """A row of each condition against the reference, or against 0 if its outcome is to be below the margin: people, estimate, interval, p of
-    Student's t, of the sign flip, of equivalence (a difference beyond the margin) and of the mixed model if it is registered, and Holm's p of
-    the registered one. The interval is that of the test at alpha / comparisons: 1 - alpha / comparisons, or of equivalence 1 - 2 alpha / comparisons."""
+    """Compares each condition with the reference, or with 0 for below_margin. Returns a row for each: number of people, estimate, interval, p of
+    Student's t, of the sign flip, of equivalence and, if registered, of the mixed model, and p of the registered test corrected by Holm's method. The
+    level of the interval is 1 - alpha / comparisons, or 1 - 2 alpha / comparisons for equivalence."""
     differences, way = contrasts(outcomes(trials, plan), plan), plan.get("direction", "two-sided")
     level = 1 - (2 if registered_p(plan) == "equivalence" else 1) * plan["alpha"] / max(1, len(differences))
     rows = {}

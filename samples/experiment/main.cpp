@@ -14,9 +14,9 @@
 #include "samples/app/xr/check.h"
 #include "samples/experiment/design/design.h"
 #include "samples/experiment/output/export.h"
-#include "samples/experiment/session/led.h"
 #include "samples/experiment/session/session.h"
 #include "samples/experiment/session/simulated.h"
+#include "samples/experiment/session/xr_subject.h"
 
 namespace hrt::experiment {
 namespace {
@@ -50,15 +50,16 @@ void run_one(const Options& options) {
     SimulatedSubject subject(design, options.participant, options.reach.seed);
     end = run_session(design, place, subject, Disk());
   } else {
-    if (options.reach.scene.empty()) throw Refusal("--scene: is missing; or give --simulated SEED");
+    if (options.reach.scene.empty())
+      throw Refusal("--scene is missing: give the scene of the plate, or --simulated SEED for a simulated participant");
     app::note_interrupts();
-    app::Options led = options.reach;
-    led.person = !options.simulated;
-    led.plate = app::parse_plate(options.plate).value();
-    app::watch_runtime(led.runtime_limit);
+    app::Options at_plate = options.reach;
+    at_plate.person = !options.simulated;
+    at_plate.plate = app::parse_plate(options.plate).value();
+    app::watch_runtime(at_plate.runtime_limit);
     std::optional<Live> live;
     if (!options.live.empty()) std::cerr << live.emplace(options.live == "keys").addresses();
-    LedSubject subject(design, options.participant, led, live ? &*live : nullptr);
+    XrSubject subject(design, options.participant, at_plate, live ? &*live : nullptr);
     try {
       end = run_session(design, place, subject, Disk([&subject](const char*) { subject.between_frames(); }));
     } catch (const app::Interrupted&) {
@@ -117,37 +118,42 @@ void add_commands(CLI::App& app, Options& options) {
     command->callback([run, &options] { run(options); });
     return command;
   };
-  add("design", "Check a design, and show its trials, minutes, balance and orders", true,
+  add("design", "Check a design, and print its trials, time plan, balance and orders", true,
       [](const Options& o) { std::cout << design_text(read_design(o.study)); });
   add("preregister", "Print the text of a registered report, in Markdown, to be completed", true, [](const Options& o) {
     std::cout << preregistration_text(read_design(o.study), o.power.empty() ? "" : content_of(o.power));
-  })->add_option("--power", options.power, "Output of samples/experiment/power, for the numbers of participants");
+  })->add_option("--power", options.power, "Output of samples/experiment/power for this design, to be included");
   add("protocol", "Print the experimenters' protocol, in Markdown", true,
       [](const Options& o) { std::cout << protocol_text(read_design(o.study)); });
   add("schema", "Print the JSON schema of designs", false,
       [](const Options&) { std::cout << design_schema().dump(2) << "\n"; });
   CLI::App* run = add("run", "Run or resume the session of a participant", true, run_one);
-  CLI::App* all = add("simulate", "Run sessions of simulated people, all of the design", true, simulate);
-  CLI::App* tables = add("export", "Write the journals as tables, with their dictionary", false, write_tables);
-  run->add_option("--participant", options.participant, "From 1; N + participants replaces participant N")->required();
-  run->add_option("--session", options.session, "From 1 [1]")->check(CLI::Range(1, 99));
-  run->add_option("--simulated", options.reach.seed, "Seed of a simulated participant, who needs no --scene")
+  CLI::App* all = add("simulate", "Simulate the sessions of all participants of the design", true, simulate);
+  CLI::App* tables = add("export", "Write the journals as tables with a data dictionary", false, write_tables);
+  run->add_option("--participant", options.participant,
+                  "Number of the participant, from 1; participant N + (participants of the design) replaces N")
+      ->required();
+  run->add_option("--session", options.session, "Number of the session, from 1 [1]")->check(CLI::Range(1, 99));
+  run->add_option("--simulated", options.reach.seed,
+                  "Seed of a simulated participant; without --scene, no runtime is used")
       ->each([&options](const std::string&) { options.simulated = true; });
   run->add_option("--scene", options.reach.scene, "glTF file with the plate and the start, for OpenXR");
-  run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")
+  run->add_option("--plate", options.plate, "Plate, as in hrt-reach --help [runtime]")
       ->needs("--scene")
       ->check([](const std::string& text) {
         return app::parse_plate(text) ? ""
                                       : "must be runtime, servo, servo:SPEED, serial:LINE, dynamixel:LINE or *.json";
       });
-  run->add_option("--finger", options.reach.finger, "As of hrt-reach: evdev:/dev/input/by-id/NAME [hand tracking]")
+  run->add_option("--finger", options.reach.finger,
+                  "Touch frame as the tracker, as in hrt-reach --help: evdev:/dev/input/by-id/NAME [hand tracking]")
       ->needs("--scene")
       ->excludes("--simulated");
   run->add_option("--registered", options.reach.registered,
                   "Registration file of hrt-reach --register [register by touches]")
       ->needs("--scene")
       ->excludes("--simulated", "--finger");
-  run->add_option("--live", options.live, "Serve a page on 127.0.0.1: look (display), or keys (with keys, too)")
+  run->add_option("--live", options.live,
+                  "Serve a page on 127.0.0.1 that displays the session: look, or keys (with the experimenter's keys)")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
   run->add_flag_callback(
@@ -173,8 +179,8 @@ namespace {
 
 int run_from(int argc, char** argv) {
   CLI::App app(
-      "A study of haptic retargeting by touch, from its design to its data. It has led simulated people "
-      "only.",
+      "Runs a study of haptic retargeting by touch, from its design to its data. It has been run with simulated\n"
+      "participants only.",
       "hrt-experiment");
   app.require_subcommand(1);
   setenv("XR_LOADER_DEBUG", "none", 0);
@@ -184,7 +190,7 @@ int run_from(int argc, char** argv) {
   hrt::experiment::add_commands(app, options);
   try {
     app.parse(argc, argv);
-    if (!std::cout.flush()) throw hrt::Refusal("standard output cannot be written");
+    if (!std::cout.flush()) throw hrt::Refusal("standard output cannot be written: it is closed, or the disk is full");
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {

@@ -1,6 +1,6 @@
-# Mixed models of studies, by lmerTest: lme4, with Satterthwaite's degrees of freedom.
+# Fits mixed models to studies by lmerTest (lme4 with Satterthwaite's degrees of freedom).
 #
-# Reads CSV from standard input: study, participant, condition (0: the reference), pair, value. Writes a row for each study and condition.
+# Reads CSV from standard input: study, participant, condition (0: the reference), pair, value. Prints CSV with a row for each study and condition.
 # Fixed effects: condition and pair, with the effect of a condition averaged over pairs. Random effects of participants: intercept and
 # condition, and, as its own variance in each condition, each contrast between pairs, since a participant's bias raises the misses to one
 # side and lowers those to the other. The residual has a variance in each condition, by weights from repeated trials.
@@ -10,7 +10,7 @@ trials <- read.csv(file("stdin"))
 
 fit_of <- function(formula, data) {
   for (optimizer in c("nloptwrap", "bobyqa", "Nelder_Mead")) {
-    # A variance of zero, a singular fit, is an estimate; a fit that has not converged is none.
+    # A singular fit (a variance of zero) is accepted; a fit that has not converged is not.
     control <- lmerControl(optimizer, check.conv.singular = "ignore")
     found <- tryCatch(lmer(formula, data, weights = weight, control = control), error = function(e) NULL)
     if (!is.null(found) && length(found@optinfo$conv$lme4) == 0 && found@optinfo$conv$opt == 0) return(found)

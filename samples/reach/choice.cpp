@@ -8,8 +8,9 @@
 #include <tuple>
 
 #include "samples/app/base/exit_code.h"
-#include "samples/app/run/stage.h"
+#include "samples/app/run/run_context.h"
 #include "samples/app/text/format.h"
+#include "samples/app/text/json_file.h"
 
 namespace hrt::reach {
 namespace {
@@ -21,10 +22,22 @@ void copy_name(const std::string& name, char (&out)[HRT_NAME_SIZE]) {
                  [](char c) { return c >= ' ' && c <= '~' ? c : '?'; });
 }
 
+void warn_of_other(const std::string& device, const std::string& measured, const std::string& now) {
+  std::cerr << "hrt-reach: warning: the profile was measured with the " << device << " \"" << measured
+            << "\", but this run uses \"" << now
+            << "\", so its estimates may be wrong; calibrate again, or select another profile (--profile)\n";
+}
+
+std::vector<std::string> names_of(const TargetSet& targets) {
+  std::vector<std::string> names;
+  for (const TargetPair& pair : targets.pairs) names.push_back(pair.virtual_name);
+  return names;
+}
+
 double asked_eye_height_m(Prompt& prompt) {
   const std::optional<double> answer = prompt.ask_number(
-      "How high are your eyes above the floor, in metres? Seated about 1.2, standing about 1.6. Then press "
-      "Enter.",
+      "How high are your eyes above the floor, in metres? When seated, about 1.2; when standing, about 1.6. Type the "
+      "number, then press Enter.",
       0.3, 2.5);
   if (answer) return *answer;
   throw Failure(ExitCode::usage,
@@ -34,14 +47,13 @@ double asked_eye_height_m(Prompt& prompt) {
 
 std::string words_of(const ScenePlace& place, double above_floor_m) {
   const XrVector3f& at = place.pose.position;
-  const char* from = place.space == XR_REFERENCE_SPACE_TYPE_STAGE
-                         ? "the centre of the runtime's room"
-                         : "where you were when the runtime last centred its view";
-  return format("The plate is assumed at the scene's position: %.2f m above the floor, ", above_floor_m) +
+  const char* from = place.space == XR_REFERENCE_SPACE_TYPE_STAGE ? "the centre of the room"
+                                                                  : "your position when the view was last centred";
+  return format("The plate is assumed at its position in the scene: %.2f m above the floor, ", above_floor_m) +
          format("%.2f m to the %s and ", std::abs(static_cast<double>(at.x)), at.x < 0.0f ? "left" : "right") +
          format("%.2f m %s, seen from ", std::abs(static_cast<double>(at.z)), at.z > 0.0f ? "behind" : "ahead") + from +
          " (" + name_of(place.space) +
-         " space). If it is elsewhere, start again with --register FILE, which measures its pose by touches.";
+         " space). If it is elsewhere, start again with --register FILE to measure its pose by touches.";
 }
 
 }  // namespace
@@ -65,10 +77,15 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
     const auto found = std::find_if(targets.pairs.begin(), targets.pairs.end(),
                                     [&](const TargetPair& pair) { return pair.virtual_name == name; });
     if (found == targets.pairs.end())
-      throw Failure(ExitCode::scene, "the scene has no virtual target named \"" + name + "\"");
+      throw Failure(ExitCode::scene, "the scene has no virtual target named \"" + name +
+                                         "\"; its virtual targets are " + quoted_list(names_of(targets)) +
+                                         " (--target)");
     chosen.push_back(*found);
   }
-  if (chosen.empty()) throw Failure(ExitCode::scene, "the scene has no virtual target");
+  if (chosen.empty())
+    throw Failure(
+        ExitCode::scene,
+        "the scene has no virtual target: give one node the property haptic_role \"virtual\" (scene/README.md)");
   std::vector<TargetPair> all;
   for (int round = 0; round < options.repeat; ++round) all.insert(all.end(), chosen.begin(), chosen.end());
   return all;
@@ -106,10 +123,8 @@ void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoic
   plugin.check(plugin.hrt_profile_set_conditions(session, &now));
   hrt_conditions measured{.struct_size = sizeof measured};
   plugin.check(plugin.hrt_profile_get_conditions(session, &measured));
-  if (measured.differing & HRT_CONDITION_PLATE)
-    std::cerr << "hrt-reach: the profile was measured with another plate, " << measured.plate << "\n";
-  if (measured.differing & HRT_CONDITION_TRACKER)
-    std::cerr << "hrt-reach: the profile was measured with another tracker, " << measured.tracker << "\n";
+  if (measured.differing & HRT_CONDITION_PLATE) warn_of_other("plate", measured.plate, now.plate);
+  if (measured.differing & HRT_CONDITION_TRACKER) warn_of_other("tracker", measured.tracker, now.tracker);
 }
 
 }  // namespace hrt::reach

@@ -24,11 +24,11 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
 struct ScenePlace {
   XrReferenceSpaceType space;
   XrPosef pose;       ///< pose of the plate's mount in that space
-  std::string words;  ///< description of that position for a person
+  std::string words;  ///< description of that position, printed and spoken
 };
 
-/// Determines the assumed pose. The scene's heights are above the floor. A runtime without a floor space needs the
-/// height of the eyes, the origin of its LOCAL space: `eye_height_m`, or else the person's answer on the terminal.
+/// Determines the assumed pose. Heights in the scene are above the floor. If the runtime has no floor space, the origin
+/// of its LOCAL space is at the eyes, whose height is `eye_height_m`, or else the person's answer on the terminal.
 /// Throws Failure (ExitCode::usage) if both are missing.
 ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session, std::optional<double> eye_height_m,
                     Prompt& prompt);
@@ -36,8 +36,8 @@ ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session, 
 /// Replaces the scene's limits of the plate by those of the device.
 void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report& report);
 
-/// Passes the names of the plate and the tracker to the plugin. Warns on standard error if the session's profile was
-/// measured with others.
+/// Passes the names of the plate and the tracker to the plugin. Warns on standard error if the profile in use was
+/// measured with other devices.
 void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate, const std::string& tracker);
 
 }  // namespace hrt::reach

@@ -9,9 +9,9 @@ namespace hrt::reach {
 namespace {
 
 constexpr const char* description =
-    "Leads a tracked fingertip to real targets while the user feels that it reaches virtual ones:\n"
-    "OpenXR hand tracking in, the orientation of the ridged plate out. With samples/mock_runtime all\n"
-    "numbers are simulation.";
+    "Steers a tracked fingertip to real targets while the user feels that it reaches virtual ones: locates the\n"
+    "fingertip by OpenXR hand tracking and turns the ridged plate. With the mock runtime, all results are\n"
+    "simulated.";
 
 constexpr const char* exit_codes = "Exit codes:\n"
 #define HRT_EXIT_CODE(name, number, words) "  " #number "  " words "\n"
@@ -39,10 +39,11 @@ struct Words {
 
 void add_reaches(CLI::App& app, Options& options, Words& words) {
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
-  app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so, or the system's]");
-  app.add_option("--target", options.targets, "Reach for this virtual target; may be given again [all]");
-  app.add_option("--repeat", options.repeat, "Number of rounds through the targets [1]")
-      ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--plugin", options.plugin,
+                 "Plugin library [../lib/libhaptic_retargeting.so beside the folder of this program, if it exists\n"
+                 "there, else the installed library]");
+  app.add_option("--target", options.targets, "Name of a virtual target to reach for; can be repeated [all targets]");
+  app.add_option("--repeat", options.repeat, "Number of reaches for each target [1]")->check(CLI::Range(1, 1'000'000));
   app.add_option("--seed", options.seed, "Seed of a simulated user and of the noise [1]")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
@@ -50,59 +51,63 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
             return digits && text.size() < 20 ? "" : "\"" + text + "\" is not a whole number from 0, below 10^19";
           },
           "a whole number from 0"));
-  app.add_option("--hand", words.hand, "left, right, or either: the first at the start [right]")
+  app.add_option("--hand", words.hand, "left, right, or either (the first hand at the start) [right]")
       ->check(CLI::IsMember({"left", "right", "either"}));
   app.add_option("--plate", words.plate,
-                 "What turns the plate: runtime (the one that a runtime simulates), servo[:SPEED] (one that this\n"
-                 "program simulates, degrees a second, [400]), serial:LINE, dynamixel:LINE or\n"
-                 "the path of a plate.json; hrt_plate_open() describes them [runtime]")
+                 "Plate to turn: runtime (simulated by the runtime), servo[:SPEED] (simulated by this program, in\n"
+                 "degrees per second, [400]), serial:LINE, dynamixel:LINE, or a plate.json of hrt-plate commission\n"
+                 "[runtime]")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             if (parse_plate(text)) return "";
             return "\"" + text +
-                   "\" is not runtime, servo, servo:SPEED (1 to 1000000), serial:LINE, dynamixel:LINE or a "
-                   "file *.json";
+                   "\" is not a plate; allowed: runtime, servo, servo:SPEED (1 to 1000000), serial:LINE, "
+                   "dynamixel:LINE "
+                   "or a file *.json";
           },
           "PLATE"));
-  app.add_option("--time-limit", options.time_limit_s, "Longest reach, and longest wait for its start, seconds [30]")
+  app.add_option("--time-limit", options.time_limit_s,
+                 "Maximum duration of a reach, and of the wait for its start, seconds [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option("--runtime-limit", words.runtime_limit_s,
-                 "Longest call into the runtime, and longest wait for it, seconds [10]")
+                 "Maximum duration of a call into the runtime, and of a wait for it, seconds [10]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
 }
 
 void add_controller(CLI::App& app, Options& options, Words& words) {
-  app.add_option("--controller", words.controller,
-                 "people: estimates the parameters of the user, and steers to the target's position; or paper:\n"
-                 "assumes a known tactile weight, and steers in a fixed direction [people]")
+  app.add_option(
+         "--controller", words.controller,
+         "people (estimates the parameters of the user, and steers to the target's position) or paper (assumes\n"
+         "a known tactile weight, and steers in a fixed direction) [people]")
       ->check(CLI::IsMember({"people", "paper"}));
   app.add_option("--tactile-weight", options.tactile_weight,
                  "Tactile weight w_T: initial estimate for people [0.2], constant for paper [0.15]")
       ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
   app.add_option("--motor-variance", options.motor_variance_deg2,
-                 "Variance of motor noise that the paper's controller assumes, degrees squared a step [0.5]")
+                 "Variance of motor noise that the paper's controller assumes, degrees squared per step [0.5]")
       ->check(between(1e-9, 1e4, "a number from 1e-9 to 10000"));
 }
 
 void add_place(CLI::App& app, Options& options) {
-  CLI::Option* register_to =
-      app.add_option("--register", options.register_to,
-                     "Ask a person to touch the plate's marks, fit its pose to the touches, and write it to this file");
+  CLI::Option* register_to = app.add_option(
+      "--register", options.register_to,
+      "Ask a person to touch the plate's marks, fit the pose of the plate to the touches, and write it to\n"
+      "this file");
   app.add_option("--registered", options.registered,
                  "Read the plate's pose from this file, and ask for a touch of one mark that checks it")
       ->excludes(register_to);
   app.add_flag("--fingertip", options.fingertip,
-               "Before the registration, measure the offset from the tracked joint of the --hand to the skin,\n"
-               "so that the hand may be held in any attitude; it is written to the same file")
+               "Before the registration, measure the offset from the tracked joint of the --hand to the skin, so that\n"
+               "the hand may have any attitude; the offset is written to the same file")
       ->needs(register_to);
   app.add_flag("--measure-tracker", options.measure_tracker,
-               "Ask for 20 slides between two dimples 100 mm apart, in place of reaches, and print the error of\n"
-               "the tracker's bearing and the percentage of reaches on target that it allows")
+               "Instead of reaches, ask for 20 slides between two dimples 100 mm apart, and print the error of the\n"
+               "tracker's bearings and the percentage of reaches on target that this error allows")
       ->excludes(register_to, "--registered");
   app.add_flag("--check-each", options.check_each,
-               "Ask for the touch that checks a registered plate before every reach, not only the first");
+               "Ask for the touch that checks a registered plate before every reach, not only before the first");
   app.add_option("--marks", options.marks,
-                 "CSV file of the marks to touch: name,x_m,y_m,z_m [the scene's start and five on the rim]")
+                 "CSV file of the marks to touch: name,x_m,y_m,z_m [the scene's start and five marks on the rim]")
       ->needs(register_to);
   app.add_option("--eye-height", options.eye_height_m,
                  "Height of the eyes above the floor in metres, for a runtime without a floor space, whose LOCAL\n"
@@ -129,7 +134,7 @@ void add_person(CLI::App& app, Options& options, Words& words) {
   app.add_flag("--person", options.person, "Instruct a person on the terminal, even if the runtime simulates a user");
   app.add_option(
          "--finger", options.finger,
-         "Track the fingertip by a multitouch device, such as an infrared touch frame, in place of the runtime:\n"
+         "Track the fingertip by a multitouch device, such as an infrared touch frame, instead of the runtime:\n"
          "evdev:/dev/input/by-id/NAME?width_mm=W&... (README). Tested with an emulated device only")
       ->needs("--person")
       ->excludes("--register", "--registered");
@@ -138,7 +143,7 @@ void add_person(CLI::App& app, Options& options, Words& words) {
                  "Speak with this program: its name and arguments, separated by spaces; each text is a line\n"
                  "on its standard input")
       ->excludes(aloud);
-  app.add_flag("--verbose,-v", options.verbose, "Print a line a frame");
+  app.add_flag("--verbose,-v", options.verbose, "Print a line per frame");
 }
 
 void take(const Words& words, Options& options) {
@@ -150,7 +155,7 @@ void take(const Words& words, Options& options) {
   if (words.hand == "right") options.hands = {Hand::right};
   if (words.hand == "either") options.hands = {Hand::right, Hand::left};
   if (options.fingertip && options.hands.size() > 1)
-    throw CLI::ValidationError("--fingertip", "needs --hand left or right: each hand has its own skin");
+    throw CLI::ValidationError("--fingertip", "needs --hand left or right, as the offset is valid for one hand only");
   if (options.check_each && options.register_to.empty() && options.registered.empty())
     throw CLI::ValidationError("--check-each", "needs --register or --registered");
 }

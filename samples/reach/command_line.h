@@ -9,8 +9,8 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Parses the command line. Returns the exit code if the program is to end immediately: after --help, or after a
-/// message on stderr about a mistake. `options` is then unspecified.
+/// Parses the command line. Returns an exit code if the program must end: after --help, or after an error, whose
+/// message was printed. `options` is then unspecified.
 std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options);
 
 }  // namespace hrt::reach

@@ -15,8 +15,9 @@ void load_profile(const Plugin& plugin, hrt_session session, const std::filesyst
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream || plugin.hrt_profile_load(session, text.data(), text.size()) != HRT_OK)
-    throw Failure(ExitCode::plugin,
-                  file.string() + " is not a profile" + (stream ? std::string(": ") + plugin.hrt_last_error() : ""));
+    throw Failure(ExitCode::plugin, file.string() + " is not a profile (" +
+                                        (stream ? plugin.hrt_last_error() : "it cannot be read") +
+                                        "); select a file that --calibrate wrote (--profile)");
 }
 
 void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file) {
@@ -41,8 +42,8 @@ void RecordingFile::finish() {
   hrt_recording_status status{.struct_size = sizeof status};
   plugin_.check(plugin_.hrt_recording_stop(session_, &status));
   if (status.rows_lost > 0 || status.system_error != 0)
-    throw Failure(ExitCode::output, file.string() + " is not complete: " + std::to_string(status.rows_lost) +
-                                        " rows could not be written");
+    throw Failure(ExitCode::output, file.string() + " is incomplete: " + std::to_string(status.rows_lost) +
+                                        " rows could not be written; record to a faster or larger disk (--record)");
 }
 
 }  // namespace hrt::reach

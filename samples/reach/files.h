@@ -12,7 +12,7 @@ using namespace app;
 /// Loads the profile into the plugin's session. Throws Failure (ExitCode::plugin).
 void load_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
-/// Replaces the file atomically. Throws Failure (ExitCode::output).
+/// Writes the session's profile and replaces the file atomically. Throws Failure (ExitCode::output).
 void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
 /// Opens the file in the constructor, so that a wrong name is reported before the first reach. Every function throws

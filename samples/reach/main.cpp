@@ -13,11 +13,11 @@
 #include "samples/app/base/interrupt.h"
 #include "samples/app/base/say.h"
 #include "samples/app/finger/touch_frame.h"
+#include "samples/app/run/finger_record.h"
 #include "samples/app/run/make_plate.h"
 #include "samples/app/run/reach.h"
 #include "samples/app/run/registration.h"
 #include "samples/app/run/set_up.h"
-#include "samples/app/run/sighting.h"
 #include "samples/app/text/format.h"
 #include "samples/app/text/whole_file.h"
 #include "samples/reach/choice.h"
@@ -39,26 +39,26 @@ struct OtherReach : std::exception {
   bool is_previous;  // false: the next one
 };
 
-// Handles the person's keys in every frame of one session, and reports recentring.
-class Attendant {
+// Handles the keys of the person in every frame of one session, and reports recentring.
+class KeyHandler {
  public:
-  Attendant(Prompt& prompt, const Stage& stage) : prompt_(prompt), stage_(stage) {}
+  KeyHandler(Prompt& prompt, const RunContext& context) : prompt_(prompt), context_(context) {}
 
   // After this call the plate's pose is known, so that the `w` key can give the finger's position.
   void plate_is_placed() { is_placed_ = true; }
   void reaches_begin() { in_reaches_ = true; }
 
   // Handles the pressed keys. Throws OtherReach, or Interrupted for the key that stops the run.
-  void attend(XrTime time) {
-    if (stage_.session.recentrings() != recentrings_) {
-      recentrings_ = stage_.session.recentrings();
-      prompt_.say("The runtime moved its space, as by recentring. The plate keeps its position in the room.");
+  void handle(XrTime time) {
+    if (context_.session.recentrings() != recentrings_) {
+      recentrings_ = context_.session.recentrings();
+      prompt_.say("The view was recentred. The position of the plate in the room is unchanged.");
     }
-    while (const std::optional<char> key = prompt_.key()) obey(*key, time);
+    while (const std::optional<char> key = prompt_.key()) handle_key(*key, time);
   }
 
  private:
-  void obey(char key, XrTime time) {
+  void handle_key(char key, XrTime time) {
     switch (key) {
       case 'r':
         return prompt_.repeat();
@@ -72,20 +72,20 @@ class Attendant {
       case 'n':
       case 'b':
         if (in_reaches_) throw OtherReach(key == 'b');
-        return prompt_.say("That key works during reaches only.");
+        return prompt_.say("This key has an effect during reaches only.");
       default:
         return;
     }
   }
 
   void say_where(XrTime time) {
-    Sightings now(stage_.targets.start_m);
-    for (const Hand hand : {Hand::left, Hand::right}) now.see(hand, locate(stage_, hand, time));
-    prompt_.say(now.where(stage_, is_placed_));
+    FingerRecord now(context_.targets.start_m);
+    for (const Hand hand : {Hand::left, Hand::right}) now.add(hand, locate(context_, hand, time));
+    prompt_.say(now.where(context_, is_placed_));
   }
 
   Prompt& prompt_;
-  const Stage& stage_;
+  const RunContext& context_;
   bool is_placed_ = false;
   bool in_reaches_ = false;
   int recentrings_ = 0;
@@ -131,8 +131,8 @@ class Run {
     try {
       run_in_sessions();
     } catch (const Interrupted&) {
-      prompt_.say(calibrates() ? "hrt-reach: interrupted; no profile was written"
-                               : "hrt-reach: interrupted; the unfinished reach does not count");
+      prompt_.say(calibrates() ? "The calibration was interrupted; no profile was written."
+                               : "The run was interrupted; the unfinished reach is not counted.");
       code = ExitCode::interrupted;
     } catch (const std::exception& error) {
       status_.clear();
@@ -165,8 +165,8 @@ class Run {
           throw Failure(ExitCode::runtime_failed,
                         std::string("the OpenXR runtime was lost repeatedly: ") + lost.what());
         status_.clear();
-        std::cerr << "hrt-reach: " << lost.what() << "; starting again\n";
-        prompt_.speak("The headset's runtime was lost. The program starts again.");
+        std::cerr << "hrt-reach: " << lost.what() << "; connecting again\n";
+        prompt_.speak("The connection to the headset was lost. The program connects again.");
       }
     }
   }
@@ -177,7 +177,7 @@ class Run {
     XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
     std::optional<Simulation> simulation;
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation.emplace(runtime, session);
-    // Null: the user is asked on the terminal; that user may be simulated and feels the plate.
+    // Null: requests are printed and spoken; the mock runtime may still simulate the user, who then feels the plate.
     Simulation* const instructed = simulation && !options_.person ? &*simulation : nullptr;
     if (instructed != nullptr) {
       session.place_plate(session.floor_space(), targets_.plate_pose);
@@ -185,10 +185,10 @@ class Run {
       instructed->seed(options_.seed, static_cast<std::uint32_t>(next_));
     } else {
       prompt_.listen();
-      // Done before a device is opened, which must be serviced from then on.
+      // This may wait for an answer, so it is done before a plate is opened, which must be serviced from then on.
       if (touch_)
         scene_place_ = {session.floor_space(), targets_.plate_pose,
-                        "The plate's position in the touch frame is that of --finger."};
+                        "The position of the plate relative to the touch frame is that of the option --finger."};
       if (!is_registered() && !scene_place_) scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
     }
     const std::unique_ptr<Plate> plate =
@@ -196,39 +196,40 @@ class Run {
     is_simulated_ = instructed != nullptr;
     print_header_once(runtime, *plate);
 
-    Stage stage{.plugin = plugin_,
-                .targets = targets_,
-                .session = session,
-                .simulation = instructed,
-                .plate = *plate,
-                .hands = options_.hands,
-                .time_limit_ns = static_cast<XrDuration>(options_.time_limit_s * 1e9),
-                .on_frame = [this](const TargetPair& pair, const Moment& m) { status_.show(pair, m); },
-                .tell_user = [this](const std::string& what) { prompt_.ask(what); },
-                .hint = [this](const std::string& what) { prompt_.hint(what); },
-                .attend = {},
-                .touch = touch_ ? &*touch_ : nullptr};
-    Attendant attendant(prompt_, stage);
-    stage.attend = [&](XrTime time) { attendant.attend(time); };
+    RunContext context{.plugin = plugin_,
+                       .targets = targets_,
+                       .session = session,
+                       .simulation = instructed,
+                       .plate = *plate,
+                       .hands = options_.hands,
+                       .time_limit_ns = static_cast<XrDuration>(options_.time_limit_s * 1e9),
+                       .on_frame = [this](const TargetPair& pair, const Moment& m) { status_.show(pair, m); },
+                       .tell_user = [this](const std::string& what) { prompt_.ask(what); },
+                       .hint = [this](const std::string& what) { prompt_.hint(what); },
+                       .handle_keys = {},
+                       .touch = touch_ ? &*touch_ : nullptr};
+    KeyHandler keys(prompt_, context);
+    context.handle_keys = [&](XrTime time) { keys.handle(time); };
     if (options_.measure_tracker) {
-      if (instructed != nullptr) throw Failure(ExitCode::usage, "--measure-tracker needs a person (--person)");
+      if (instructed != nullptr)
+        throw Failure(ExitCode::usage, "--measure-tracker needs a person, who touches dimples: add --person");
       session.place_plate(session.steady_space(), world);
-      const std::string text = measure_tracker(stage);
+      const std::string text = measure_tracker(context);
       std::cout << text;
       prompt_.speak(text);
       tracker_is_measured_ = true;
       return session.end();
     }
     if (is_registered())
-      find_plate(stage);
+      find_plate(context);
     else if (instructed == nullptr)
       place_by_scene(session);
     if (simulation) simulation->place_plate(session.plate_space(), targets_.plate_radius_m);
-    attendant.plate_is_placed();
-    if (calibrates()) calibrate(stage);
-    attendant.reaches_begin();
+    keys.plate_is_placed();
+    if (calibrates()) calibrate(context);
+    keys.reaches_begin();
     checked_ = true;  // find_plate() has just checked it
-    while (!is_done()) make_next_reach(stage);
+    while (!is_done()) make_next_reach(context);
     session.end();
   }
 
@@ -240,46 +241,46 @@ class Run {
   }
 
   // Places the plate by touches, of this run or an earlier one, instead of the scene's position.
-  void find_plate(Stage& stage) {
-    if (stage.simulation != nullptr)
+  void find_plate(RunContext& context) {
+    if (context.simulation != nullptr)
       throw Failure(ExitCode::usage,
-                    "a simulated user touches no marks: --register and --registered need --person, or a runtime "
-                    "without one");
-    if (registered_) return void(check_plate(stage, *registered_));
-    registered_ = register_plate(stage, marks_, options_.fingertip);
-    write_registration(options_.register_to, registration_text(*registered_, stage.session));
+                    "--register and --registered need a person, who touches the marks: add --person, or use a runtime "
+                    "that does not simulate its user");
+    if (registered_) return void(check_plate(context, *registered_));
+    registered_ = register_plate(context, marks_, options_.fingertip);
+    write_registration(options_.register_to, registration_text(*registered_, context.session));
   }
 
-  void calibrate(Stage& stage) {
+  void calibrate(RunContext& context) {
     if (!calibration_) {
       hrt_setup_config config = hrt_setup_config_init();
       config.max_slides = options_.max_slides;
       calibration_.emplace(plugin_, targets_.session, HRT_SETUP_CALIBRATION, config);
-      stage.tell_user(
-          format("You will slide one fingertip straight ahead, again and again. Close your eyes, and slide "
-                 "towards what feels straight ahead. It takes 16 to %u slides and ends by itself; before "
-                 "each you may rest your hand for up to %.0f s.",
+      context.tell_user(
+          format("Please slide one fingertip straight ahead many times. Close your eyes during each slide, and move in "
+                 "the direction that feels straight ahead. There are 16 to %u slides. Before each slide, you may rest "
+                 "your hand for up to %.0f seconds.",
                  options_.max_slides, options_.time_limit_s));
     }
-    calibrated_ = calibration_->run(stage, &std::cout);
+    calibrated_ = calibration_->run(context, &std::cout);
     check_output();
   }
 
   // Makes one reach. A reach that does not end is reported, and the run continues.
-  void make_next_reach(Stage& stage) {
+  void make_next_reach(RunContext& context) {
     const TargetPair& pair = pairs_[next_];
     try {
-      if (options_.check_each && registered_ && !std::exchange(checked_, false)) check_plate(stage, *registered_);
-      if (const hrt_plate_report* report = stage.plate.report()) plan_with(plugin_, targets_.session, *report);
-      const ReachResult result = run_reach(stage, pair);
+      if (options_.check_each && registered_ && !std::exchange(checked_, false)) check_plate(context, *registered_);
+      if (const hrt_plate_report* report = context.plate.report()) plan_with(plugin_, targets_.session, *report);
+      const ReachResult result = run_reach(context, pair);
       status_.clear();
       table_.print_row(std::cout, pair, result);
       tally_.add(pair, result);
       unfinished_in_a_row_ = 0;
-      if (stage.simulation == nullptr) prompt_.speak("Done.");
-    } catch (const OtherReach& wish) {
+      if (context.simulation == nullptr) prompt_.speak("Done.");
+    } catch (const OtherReach& request) {
       status_.clear();
-      if (wish.is_previous) {
+      if (request.is_previous) {
         if (next_ > 0) --next_;
         return;
       }
@@ -289,10 +290,12 @@ class Run {
       if (failure.code() != ExitCode::no_hand) throw;
       status_.clear();
       table_.print_row(std::cout, pair, "not made");
-      prompt_.say(std::string("hrt-reach: ") + failure.what());
+      prompt_.say(failure.what());
       ++tally_.unfinished;
       if (++unfinished_in_a_row_ == unfinished_allowed && next_ + 1 < pairs_.size())
-        throw Failure(ExitCode::no_hand, format("%d reaches in a row were not made", unfinished_allowed));
+        throw Failure(ExitCode::no_hand, format("%d reaches in a row did not begin or end in time; see the messages "
+                                                "above, or allow more time (--time-limit)",
+                                                unfinished_allowed));
     }
     check_output();
     ++next_;
@@ -309,7 +312,7 @@ class Run {
     if (!is_simulated_) prompt_.speak(summary.str());
     if (code != ExitCode::success) return code;
     if (tally_.unfinished > 0) return ExitCode::no_hand;
-    return tally_.holdable_reached < tally_.holdable ? ExitCode::target_missed : ExitCode::success;
+    return tally_.feasible_reached < tally_.feasible ? ExitCode::target_missed : ExitCode::success;
   }
 
   ExitCode finish_calibration(ExitCode code) {
@@ -319,7 +322,9 @@ class Run {
     const std::string text = calibration_text(*calibrated_, config);
     std::cout << "\n" << text;
     if (calibrated_->done == 0)
-      throw Failure(ExitCode::calibration, "no calibration: the slides do not determine the user");
+      throw Failure(ExitCode::calibration,
+                    "no profile was written: the slides do not determine the user; calibrate again with slower, even "
+                    "slides");
     save_profile(plugin_, targets_.session, options_.calibrate);
     recording_->finish();
     check_output();
@@ -338,13 +343,15 @@ class Run {
 
   // Source of the printed numbers, in words.
   std::string origin() const {
-    if (!is_simulated_) return "Directions are tracked; perceived directions are predicted by the model.";
+    if (!is_simulated_) return "Perceived directions are estimates of the controller.";
     return "SIMULATION, seed " + std::to_string(options_.seed) + ": no person took part.";
   }
 
   // Throws if standard output fails, for example because the reader closed the pipe.
   static void check_output() {
-    if (!std::cout.flush()) throw Failure(ExitCode::output, "the standard output cannot be written");
+    if (!std::cout.flush())
+      throw Failure(ExitCode::output,
+                    "standard output cannot be written: its reader has closed it, or the disk is full");
   }
 
   void print_header_once(const XrRuntime& runtime, const Plate& plate) {

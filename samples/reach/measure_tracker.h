@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "samples/app/run/stage.h"
+#include "samples/app/run/run_context.h"
 
 namespace hrt::reach {
 
@@ -16,6 +16,6 @@ std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_di
 
 /// Asks the user to touch two dimples in turn, 20 times each, and returns bearing_sd_text(). Throws Failure
 /// (ExitCode::no_hand) if one is not touched within the time limit.
-std::string measure_tracker(Stage& stage);
+std::string measure_tracker(RunContext& context);
 
 }  // namespace hrt::reach

@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::size_t widest_name = 32;
 
-// Directions are shown in tenths of a degree, in which -0.01 would be "-0.0".
+// Replaces values that would be printed as "-0.0".
 double without_minus_zero(double value) { return std::abs(value) < 0.05 ? 0.0 : value; }
 
 std::string line(const char* name, const hrt_interval& interval, const char* unit) {
-  if (interval.known == 0) return format("%-34s not known\n", name);
-  return format("%-34s %8.3f %-3s  95 %% within %.3f to %.3f\n", name, interval.value, unit, interval.lower,
+  if (interval.known == 0) return format("%-34s unknown\n", name);
+  return format("%-34s %8.3f %-3s  95 %% interval %.3f to %.3f\n", name, interval.value, unit, interval.lower,
                 interval.upper);
 }
 
@@ -31,14 +31,14 @@ std::string lack_of_fit_text(std::uint32_t lack_of_fit) {
   std::string text;
   if (lack_of_fit & HRT_LACK_OF_FIT_ANGLE)
     text +=
-        "No illusion curve fits the slides: check the plate's zero and that the user faces straight ahead, "
-        "and repeat.\n";
+        "No illusion curve fits the slides: check the zero of the plate and that the user faces straight ahead, "
+        "then calibrate again.\n";
   if (lack_of_fit & HRT_LACK_OF_FIT_ORDER)
-    text += "The slides changed from first to last: let the user practise or rest, and repeat.\n";
+    text += "The slides changed from the first to the last: let the user practise or rest, then calibrate again.\n";
   if (lack_of_fit & HRT_LACK_OF_FIT_PATH)
     text +=
-        "The shape of the paths does not fit the model: ask for slower, longer and steady slides, and "
-        "repeat.\n";
+        "The shape of the paths does not fit the model: ask for slower, longer and steady slides, then calibrate "
+        "again.\n";
   return text;
 }
 
@@ -91,7 +91,7 @@ Table::Table(const std::vector<TargetPair>& pairs)
 void Table::print_header(std::ostream& out) const {
   out << left("virtual", virtual_width_) << format(" %6s  ", "deg") << left("real", real_width_)
       << format(" %6s  %9s %8s %8s %7s  %5s %7s %7s %7s %5s %6s\n", "deg", "final deg", "peak deg", "miss deg",
-                "miss mm", "touch", "assumed", "holds", "frames", "lost", "bound");
+                "miss mm", "touch", "assumed", "max gap", "frames", "lost", "bound");
 }
 
 std::string Table::names(const TargetPair& pair) const {
@@ -112,10 +112,10 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
                 result.miss_deg, result.miss_m * 1e3,
                 result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-",
                 result.summary.learnt.tactile_weight,
-                result.is_truth ? format("%.1f", result.holdable_gap_deg).c_str() : "-", result.frames, result.dropouts,
+                result.is_truth ? format("%.1f", result.max_gap_deg).c_str() : "-", result.frames, result.dropouts,
                 result.saturated_share * 100.0, is_reached(pair, result) ? "reached" : "missed");
   if (result.changed_hands) out << " (hands changed)";
-  if (!result.can_be_held) out << " (flag: cannot be held)";
+  if (!result.is_feasible) out << " (flag: gap infeasible)";
   if (result.summary.flags & HRT_COMMAND_OFF_TARGET) out << " (flag: off target)";
   if (result.summary.flags & HRT_COMMAND_MISFIT) out << " (flag: model does not fit)";
   if (result.summary.flags & HRT_COMMAND_IMPLAUSIBLE) out << " (flag: check units, axes and clock)";
@@ -123,27 +123,28 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
 }
 
 void Table::print_legend(std::ostream& out) const {
-  out << R"(final: bearing of the finger at the end. peak: largest felt less virtual direction while the finger
-moves. miss: bearing of the fingertip's end, seen from the start, minus the real target's, and the
-distance along the plate between the two. touch: share of touch in what the user feels; assumed: the
-controller's estimate of touch. holds: largest gap, in degrees, that a plate can hold for this user.
-lost: frames without a tracked finger. bound: steps with the plate at a limit. reached: ended inside
-the real target's radius. flag: as the controller reports.
+  out << R"(final: bearing of the end of the reach, seen from the start
+peak: largest difference between perceived and virtual direction while the finger moves
+miss: bearing of the end minus that of the real target; distance of the end from the real target along the plate
+touch: tactile weight w_T of the user; assumed: estimate of the controller
+max gap: largest feasible gap of this user; lost: frames without a tracked finger
+bound: steps with the plate at a limit; reached: the reach ended inside the radius of the real target
+flag: warning of the controller; gap infeasible: the plate cannot sustain this gap for this user
 )";
 }
 
 void Tally::add(const TargetPair& pair, const ReachResult& result) {
   ++reaches;
-  if (!result.can_be_held) return;
-  ++holdable;
-  holdable_reached += is_reached(pair, result) ? 1 : 0;
-  holdable_within_tolerance += is_within_tolerance(result) ? 1 : 0;
+  if (!result.is_feasible) return;
+  ++feasible;
+  feasible_reached += is_reached(pair, result) ? 1 : 0;
+  feasible_within_tolerance += is_within_tolerance(result) ? 1 : 0;
 }
 
 void print_summary(std::ostream& out, const Tally& tally) {
-  out << format("%d of %d targets that can be held were reached; %d of %d reaches ended within %.1f deg",
-                tally.holdable_reached, tally.holdable, tally.holdable_within_tolerance, tally.holdable, tolerance_deg);
-  if (tally.holdable < tally.reaches) out << format("; %d more cannot be held", tally.reaches - tally.holdable);
+  out << format("%d of %d reaches with a feasible gap ended at the target, %d of %d within %.1f degrees of it",
+                tally.feasible_reached, tally.feasible, tally.feasible_within_tolerance, tally.feasible, tolerance_deg);
+  if (tally.feasible < tally.reaches) out << format("; %d more had an infeasible gap", tally.reaches - tally.feasible);
   if (tally.unfinished > 0) out << format("; %d more did not begin or end in time", tally.unfinished);
   if (tally.skipped > 0) out << format("; %d more were skipped", tally.skipped);
   out << ".\n";
@@ -155,15 +156,15 @@ bool is_enough(const hrt_setup_result& result) {
 }
 
 std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config) {
-  return format("%u slides, %u used\n", result.slides, result.slides_used) +
-         line("tactile weight (w_T) at 60 deg", result.tactile_weight, "") +
+  return format("%u slides, of which %u were used\n", result.slides, result.slides_used) +
+         line("tactile weight at 60 deg", result.tactile_weight, "") +
          line("largest feasible gap", result.max_gap_deg, "deg") + line("bias, left positive", result.bias_deg, "deg") +
-         format("%-34s %8.0f deg at most\n", "the plate is turned from the motion", config.person.motion_bound_deg) +
+         format("%-34s %8.0f deg\n", "largest angle of plate and motion", config.person.motion_bound_deg) +
          format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker.noise_m) +
          format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker.correlated_noise_m) +
          lack_of_fit_text(result.lack_of_fit) +
-         (is_enough(result) ? "Enough: the tactile weight is known as precisely as required.\n"
-                            : "The tactile weight is not known as precisely as required.\n");
+         (is_enough(result) ? "The tactile weight is known with the required precision.\n"
+                            : "The tactile weight is not known with the required precision.\n");
 }
 
 }  // namespace hrt::reach

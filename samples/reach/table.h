@@ -12,14 +12,14 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Largest difference between the bearings of the end and of a reached target without a radius, in degrees.
+/// Largest bearing error of a reach that counts as reached if the scene gives no radius, in degrees.
 inline constexpr double tolerance_deg = 1.5;
 bool is_within_tolerance(const ReachResult& result);
 
 /// True if the reach ended inside the real target's radius, or within the tolerance if the scene gives no radius.
 bool is_reached(const TargetPair& pair, const ReachResult& result);
 
-/// Progress of a reach: on a terminal, one line that is rewritten; with `verbose`, a line a frame instead.
+/// Progress of a reach: on a terminal, one line that is rewritten; with `verbose`, a line per frame instead.
 class StatusLine {
  public:
   explicit StatusLine(bool verbose);
@@ -59,11 +59,11 @@ class Table {
 /// Counts over all rows.
 struct Tally {
   int reaches = 0;
-  int holdable = 0;                   ///< of these, the ones whose gap the plate can hold
-  int holdable_reached = 0;           ///< of these, the ones that were reached
-  int holdable_within_tolerance = 0;  ///< of the holdable ones, those with an end within tolerance_deg
-  int unfinished = 0;                 ///< not in `reaches`: they did not begin or end in time
-  int skipped = 0;                    ///< not in `reaches`: the person skipped them
+  int feasible = 0;                   ///< reaches without the flag HRT_COMMAND_UNREACHABLE
+  int feasible_reached = 0;           ///< of these, the ones that ended at the target
+  int feasible_within_tolerance = 0;  ///< of these, the ones with a bearing error of at most tolerance_deg
+  int unfinished = 0;                 ///< reaches that did not begin or end in time; not in `reaches`
+  int skipped = 0;                    ///< reaches that the person skipped; not in `reaches`
 
   void add(const TargetPair& pair, const ReachResult& result);
 };

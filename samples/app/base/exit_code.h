@@ -9,8 +9,8 @@ namespace hrt::app {
 // Name, number, and what --help says.
 // clang-format off
 #define HRT_EXIT_CODES(X)                                                                             \
-  X(success,         0, "the fingertip ended inside every target that can be held")                   \
-  X(target_missed,   1, "it ended outside of one; or a calibration ran out of slides, and was written") \
+  X(success,         0, "every reach with a feasible gap ended at its target")                        \
+  X(target_missed,   1, "a reach missed; or a calibration reached its limit of slides, and was written") \
   X(usage,           2, "the command line is wrong")                                                  \
   X(plugin,          3, "the plugin cannot be opened, or refused a call")                             \
   X(scene,           4, "the scene cannot be loaded, or has no such target")                          \

@@ -23,19 +23,19 @@ Keyboard::Keyboard() {
   keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // ISIG remains set
   keys.c_cc[VMIN] = 0;
   keys.c_cc[VTIME] = 0;
-  is_there_ = tcsetattr(STDIN_FILENO, TCSANOW, &keys) == 0;
-  changed = is_there_;
+  has_terminal_ = tcsetattr(STDIN_FILENO, TCSANOW, &keys) == 0;
+  changed = has_terminal_;
 }
 
 Keyboard::~Keyboard() { restore_terminal(); }
 
 std::optional<char> Keyboard::key() {
-  if (!is_there_) return std::nullopt;
+  if (!has_terminal_) return std::nullopt;
   pollfd input{STDIN_FILENO, POLLIN, 0};
   char key = 0;
   if (poll(&input, 1, 0) <= 0) return std::nullopt;
   if ((input.revents & POLLIN) != 0 && read(STDIN_FILENO, &key, 1) == 1) return key;
-  if ((input.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) is_there_ = false;
+  if ((input.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) has_terminal_ = false;
   return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// Single keys of the terminal on the standard input, without Enter.
+// Keys of the terminal on standard input, each available immediately, without Enter.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ class Keyboard {
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
-  bool is_there() const { return is_there_; }
+  bool has_terminal() const { return has_terminal_; }
   /// Returns the next key that has been pressed, if any, without waiting.
   std::optional<char> key();
 
  private:
-  bool is_there_ = false;
+  bool has_terminal_ = false;
 };
 
 /// Restores the terminal mode that a Keyboard changed, if it has not been restored. Async-signal-safe.

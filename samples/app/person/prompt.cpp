@@ -20,17 +20,22 @@ using namespace std::chrono_literals;
 constexpr auto max_finish = 30s;
 constexpr auto hint_period = 5s;
 
-// Replaces abbreviated units by words: voices spell abbreviations letter by letter.
-std::string spoken(const std::string& text) {
-  static const std::regex unit("(\\d) mm\\b");
-  return std::regex_replace(text, unit, "$1 millimetres");
+// Replaces abbreviated units and the dashes of options by words: voices spell abbreviations letter by letter.
+std::string spoken(std::string text) {
+  static const std::pair<std::regex, const char*> words[] = {
+      {std::regex("(\\d) mm\\b"), "$1 millimetres"}, {std::regex("(\\d) m\\b"), "$1 metres"},
+      {std::regex("(\\d) s\\b"), "$1 seconds"},      {std::regex("\\b1 min\\b"), "one minute"},
+      {std::regex("(\\d) min\\b"), "$1 minutes"},    {std::regex("(\\d) deg\\b"), "$1 degrees"},
+      {std::regex("--(\\w)"), "option $1"}};
+  for (const auto& [abbreviation, word] : words) text = std::regex_replace(text, abbreviation, word);
+  return text;
 }
 
 }  // namespace
 
 const char* const keys_in_words =
-    "Keys: r repeats the instruction, w says where the finger is, n goes to the next target, b back to the "
-    "last one, q stops, h lists the keys.";
+    "Keys: r repeats the instruction, w says where the finger is, n skips to the next target, b goes back to the "
+    "previous target, q quits, h lists the keys.";
 
 Prompt::Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
                std::map<std::string, std::string> texts)
@@ -59,7 +64,8 @@ void Prompt::speak(const std::string& text) {
   const std::optional<std::string> failure = speech_->take_failure();
   if (!failure || std::exchange(failure_reported_, true)) return;
   before_print_(*failure);
-  std::cerr << "hrt-reach: the speech program failed: " << *failure << "; texts are printed only where it fails\n";
+  std::cerr << "warning: the speech program failed (" << *failure
+            << "), so this text was not spoken; check --speak-with\n";
 }
 
 void Prompt::hint(const std::string& text) {
@@ -72,25 +78,25 @@ void Prompt::hint(const std::string& text) {
 void Prompt::listen() {
   if (keyboard_) return;
   keyboard_ = std::make_unique<Keyboard>();
-  if (keyboard_->is_there()) say(keys_in_words);
+  if (keyboard_->has_terminal()) say(keys_in_words);
 }
 
 std::optional<char> Prompt::key() {
   const std::optional<char> key = keyboard_ ? keyboard_->key() : std::nullopt;
-  if (key && speech_) speech_->hush();
+  if (key && speech_) speech_->interrupt();
   return key;
 }
 
 std::optional<double> Prompt::ask_number(const std::string& question, double low, double high) {
   constexpr char erase = 0x7f;
-  if (!keyboard_ || !keyboard_->is_there()) return std::nullopt;
+  if (!keyboard_ || !keyboard_->has_terminal()) return std::nullopt;
   for (;;) {
     ask(question);
     std::string typed;
     for (bool entered = false; !entered;) {
       throw_if_interrupted();
       const std::optional<char> key = keyboard_->key();
-      if (!key && !keyboard_->is_there()) return std::nullopt;
+      if (!key && !keyboard_->has_terminal()) return std::nullopt;
       if (!key) {
         std::this_thread::sleep_for(10ms);
       } else if (*key == '\n' || *key == '\r') {
@@ -105,7 +111,7 @@ std::optional<double> Prompt::ask_number(const std::string& question, double low
     }
     std::cerr << "\n";
     if (const std::optional<double> number = number_in(typed, low, high)) return number;
-    say(format("That is not a number from %g to %g.", low, high));
+    say(format("Please type a number from %g to %g.", low, high));
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double prior_threshold_deg = 14.0;
 constexpr double prior_sd_log2 = 1.0;
-constexpr int threshold_steps = 61;  // over four standard deviations to either side, as far as it matters
+constexpr int threshold_steps = 61;  // over +-4 SDs of the prior
 
 double entropy(double share) {
   const double other = 1.0 - share;
@@ -45,10 +45,10 @@ QuestPlus::QuestPlus(const Grid& grid)
     for (const double slope : grid.slopes)
       for (const double lapse : grid.lapses) {
         people_.push_back({grid.thresholds[i], slope, lapse});
-        belief_.push_back(grid.prior[i]);
+        posterior_.push_back(grid.prior[i]);
       }
-  const double sum = std::accumulate(belief_.begin(), belief_.end(), 0.0);
-  for (double& belief : belief_) belief /= sum;
+  const double sum = std::accumulate(posterior_.begin(), posterior_.end(), 0.0);
+  for (double& probability : posterior_) probability /= sum;
   for (const double gap : gaps_)
     for (const Person& person : people_) {
       right_.push_back(right_share(gap, person.threshold, person.slope, person.lapse, guess_));
@@ -63,8 +63,8 @@ double QuestPlus::next_gap_deg(double max_gap_deg) const {
   for (std::size_t g = 0; g < gaps_.size() && gaps_[g] <= max_gap_deg; ++g) {
     double right = 0.0, left_unknown = 0.0;
     for (std::size_t p = 0; p < people_.size(); ++p) {
-      right += belief_[p] * right_[g * people_.size() + p];
-      left_unknown += belief_[p] * uncertainty_[g * people_.size() + p];
+      right += posterior_[p] * right_[g * people_.size() + p];
+      left_unknown += posterior_[p] * uncertainty_[g * people_.size() + p];
     }
     const double learnt = entropy(right) - left_unknown;
     if (learnt <= best) continue;
@@ -79,25 +79,25 @@ void QuestPlus::update(double gap_deg, bool is_right) {
   double sum = 0.0;
   for (std::size_t p = 0; p < people_.size(); ++p) {
     const double right = right_share(gap_deg, people_[p].threshold, people_[p].slope, people_[p].lapse, guess_);
-    belief_[p] *= is_right ? right : 1.0 - right;
-    sum += belief_[p];
+    posterior_[p] *= is_right ? right : 1.0 - right;
+    sum += posterior_[p];
   }
-  for (double& belief : belief_) belief /= sum;
+  for (double& probability : posterior_) probability /= sum;
 }
 
 QuestPlus::Threshold QuestPlus::threshold() const {
   double mean_log = 0.0;
-  for (std::size_t p = 0; p < people_.size(); ++p) mean_log += belief_[p] * std::log(people_[p].threshold);
+  for (std::size_t p = 0; p < people_.size(); ++p) mean_log += posterior_[p] * std::log(people_[p].threshold);
   const std::size_t each = people_.size() / threshold_count_;
   const double step = std::log(people_[each].threshold / people_.front().threshold);
   const auto quantile = [&](double share) {
     double below = 0.0;
     for (std::size_t p = 0; p < people_.size(); p += each) {
-      const auto first = belief_.begin() + static_cast<std::ptrdiff_t>(p);
+      const auto first = posterior_.begin() + static_cast<std::ptrdiff_t>(p);
       const double here = std::accumulate(first, first + static_cast<std::ptrdiff_t>(each), 0.0);
       below += here;
       if (below < share) continue;
-      // Between the grid's values, as if each were spread over its cell.
+      // Interpolates: the probability of each value of the grid is spread evenly over its cell.
       return people_[p].threshold * std::exp(step * (0.5 - (below - share) / here));
     }
     return people_.back().threshold;

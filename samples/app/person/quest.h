@@ -1,5 +1,5 @@
-// QUEST+ (Watson 2017): chooses the gap whose answer is expected to reduce the uncertainty of threshold, slope and
-// lapses the most. Our own code, from the published equations.
+// QUEST+ (Watson 2017): selects the gap whose answer is expected to reduce the entropy of the posterior over threshold,
+// slope and lapse rate the most. Implemented from the published equations.
 #pragma once
 
 #include <cstddef>
@@ -21,9 +21,9 @@ class QuestPlus {
     double guess = 0.5;
   };
   explicit QuestPlus(const Grid& grid);
-  /// Gaps of 1 dB steps of their logarithm between the two. The prior of the threshold is normal in its
-  /// logarithm about 14 (touch, Keyson 1995), wide enough for 4.5 (vision): a factor of 2 is a standard
-  /// deviation.
+  /// Gaps from `min_gap_deg` to `max_gap_deg` in steps of about 1 dB (20 log10). The prior of the threshold is
+  /// log-normal: median 14 degrees (touch, Keyson 1995), SD a factor of 2, so that 4.5 degrees (vision) is 1.6 SDs
+  /// below.
   QuestPlus(double min_gap_deg, double max_gap_deg, double guess = 0.5);
 
   /// Returns the most informative gap of those up to `max_gap_deg`; the smallest gap if all are larger.
@@ -53,7 +53,7 @@ class QuestPlus {
   std::vector<double> gaps_;
   std::size_t threshold_count_;
   std::vector<Person> people_;       // points of the grid, by threshold
-  std::vector<double> belief_;       // posterior of each person
+  std::vector<double> posterior_;    // posterior of each person
   std::vector<double> right_;        // probability of a correct answer for each gap and person
   std::vector<double> uncertainty_;  // entropy of that answer, in nats
 };

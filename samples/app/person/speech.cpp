@@ -86,8 +86,8 @@ int spawn(std::vector<std::string> words, const std::string& line, pid_t& child)
 Speech::Speech(const std::string& command) : words_(words_of(command)) {
   if (words_.empty() || !is_program(words_[0]))
     throw Failure(ExitCode::usage, "\"" + (words_.empty() ? command : words_[0]) +
-                                       "\", which is to speak, is not a program that can be run here; install "
-                                       "espeak-ng, or name another one with --speak-with");
+                                       "\" is not a program that can be run: install espeak-ng (--speak), or name "
+                                       "another speech program (--speak-with)");
   thread_ = std::jthread([this](const std::stop_token& ending) { speak(ending); });
 }
 
@@ -100,11 +100,11 @@ void Speech::say(const std::string& text) {
   changed_.notify_all();
 }
 
-void Speech::hush() {
+void Speech::interrupt() {
   {
     const std::lock_guard lock(mutex_);
     waiting_.clear();
-    hushed_ = speaking_;
+    interrupted_ = speaking_;
   }
   changed_.notify_all();
 }
@@ -130,7 +130,7 @@ void Speech::speak(const std::stop_token& ending) {
     const std::string text = waiting_.front();
     waiting_.pop_front();
     speaking_ = true;
-    hushed_ = false;
+    interrupted_ = false;
     lock.unlock();
     std::optional<std::string> failure = speak(text, ending);
     lock.lock();
@@ -149,12 +149,12 @@ std::optional<std::string> Speech::speak(const std::string& text, const std::sto
   while (waitpid(child, &status, WNOHANG) == 0) {
     std::unique_lock lock(mutex_);
     const bool ended =
-        changed_.wait_for(lock, ending, look_period, [this] { return hushed_; }) || ending.stop_requested();
+        changed_.wait_for(lock, ending, look_period, [this] { return interrupted_; }) || ending.stop_requested();
     if (!ended && Clock::now() < give_up) continue;
     kill(-child, SIGKILL);
     lock.unlock();
     waitpid(child, &status, 0);
-    return ended ? std::nullopt : std::optional<std::string>("it took too long");
+    return ended ? std::nullopt : std::optional<std::string>("it did not end within 30 s");
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
   return WIFEXITED(status) ? "exit code " + std::to_string(WEXITSTATUS(status))

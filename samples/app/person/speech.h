@@ -23,7 +23,7 @@ class Speech {
   /// Queues `text`. If more than five texts wait, the oldest are dropped.
   void say(const std::string& text);
   /// Interrupts the current text and drops the queued ones.
-  void hush();
+  void interrupt();
   bool is_speaking();
   /// Waits until all texts are spoken, at most `limit`.
   void finish(std::chrono::milliseconds limit);
@@ -40,7 +40,7 @@ class Speech {
   std::condition_variable_any changed_;
   std::deque<std::string> waiting_;
   bool speaking_ = false;
-  bool hushed_ = false;
+  bool interrupted_ = false;
   std::optional<std::string> failure_;
   std::jthread thread_;
 };

@@ -31,8 +31,8 @@ class RuntimePlate : public Plate {
   Simulation& simulation_;
 };
 
-// Plate outside the runtime that the simulated user feels: forwards to `plate` and copies its orientation to the
-// simulation in every frame.
+// A plate outside the runtime: copies its orientation to the simulation in every frame, so that the simulated user
+// feels it.
 class FollowedPlate : public Plate {
  public:
   FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)
@@ -54,7 +54,7 @@ class FollowedPlate : public Plate {
   Simulation& simulation_;
 };
 
-// A device turns in real time: a runtime with a faster clock, such as the manual clock of the mock runtime, would not
+// A device turns in real time. A runtime with a faster clock, such as the manual clock of the mock runtime, does not
 // wait for it.
 void require_real_time(XrHeadlessSession& session, const std::string& runtime_name) {
   constexpr int frames = 10;
@@ -65,9 +65,10 @@ void require_real_time(XrHeadlessSession& session, const std::string& runtime_na
   const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   const double frames_s = static_cast<double>(last - first) * 1e-9;
   if (frames_s <= 2.0 * passed_s + 0.02) return;
-  throw Failure(ExitCode::plate, "a plate on a line needs real time, but the clock of the OpenXR runtime " +
-                                     runtime_name + format(" went %.3f s in %.3f s", frames_s, passed_s) +
-                                     "; the mock runtime takes the script {\"clock\": \"real-time\"}");
+  throw Failure(ExitCode::plate, "a plate on a serial line turns in real time, but the clock of the OpenXR runtime " +
+                                     runtime_name + format(" advanced by %.3f s in %.3f s", frames_s, passed_s) +
+                                     "; use a runtime with a real-time clock (mock runtime: hrtx-run --script FILE "
+                                     "with {\"clock\": \"real-time\"})");
 }
 
 std::unique_ptr<Plate> make_chosen(const PlateChoice& choice, Simulation* simulation, XrHeadlessSession& session,
@@ -82,8 +83,8 @@ std::unique_ptr<Plate> make_chosen(const PlateChoice& choice, Simulation* simula
       break;
   }
   if (simulation == nullptr)
-    throw Failure(ExitCode::plate,
-                  "the OpenXR runtime " + runtime_name + " has no plate to turn; --plate names another one");
+    throw Failure(ExitCode::plate, "the OpenXR runtime " + runtime_name +
+                                       " does not simulate a plate; select another plate (--plate servo, or a device)");
   return std::make_unique<RuntimePlate>(*simulation);
 }
 

@@ -19,11 +19,12 @@ struct PlateChoice {
   std::string name = "runtime";  ///< or a device as in hrt_plate_open()
 };
 
-/// Parses "runtime", "servo", "servo:SPEED" or a device, whose name hrt_plate_open() checks. Returns nothing for any
-/// other text.
+/// Parses "runtime", "servo", "servo:SPEED" or the name of a device, which hrt_plate_open() checks later. Returns
+/// nullopt for any other text.
 std::optional<PlateChoice> parse_plate(const std::string& text);
 
-/// Path of the plugin: ../lib of the program, as in the build, or the name of the system's library.
+/// Path of the plugin: libhaptic_retargeting.so in ../lib beside the program's folder, if it exists there, else the
+/// name of the installed library.
 std::filesystem::path default_plugin();
 
 struct Options {
@@ -42,9 +43,9 @@ struct Options {
   double motor_variance_deg2 = 0.5;
   std::filesystem::path register_to;   ///< registers the plate and writes this file; empty: no registration
   std::filesystem::path registered;    ///< reads the plate's pose from this file; empty: from the scene
-  bool fingertip = false;              ///< registration finds the offset from joint to skin
-  bool measure_tracker = false;        ///< touches of two dimples measure the tracker, instead of reaches
-  bool check_each = false;             ///< a touch checks the plate's pose before every reach
+  bool fingertip = false;              ///< the registration also measures the offset from joint to skin
+  bool measure_tracker = false;        ///< measure the tracker by touches of two dimples, instead of reaches
+  bool check_each = false;             ///< check the plate's pose by a touch before every reach
   std::filesystem::path marks;         ///< marks of the registration; empty: the scene's start and rim
   std::filesystem::path record;        ///< file of the recording; empty: no recording
   std::filesystem::path profile;       ///< profile of the user; empty: an unknown user
@@ -52,7 +53,7 @@ struct Options {
   std::uint32_t max_slides = 40;       ///< limit of a calibration
   std::optional<double> eye_height_m;  ///< height above the floor, for a runtime without a floor space
   std::string speak_with;              ///< program and arguments; empty: no speech
-  bool person = false;
+  bool person = false;                 ///< the user is a person, even if the runtime simulates one
   bool verbose = false;
 };
 

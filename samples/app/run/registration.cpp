@@ -19,22 +19,25 @@ namespace {
 
 constexpr double millimetres = 1000.0;
 
-hrt_setup_result touch(Stage& stage, std::uint32_t what, std::span<const Mark> marks) {
-  return SetUp(stage.plugin, stage.targets.session, what, config_of(marks), names_of(marks)).run(stage);
+hrt_setup_result touch(RunContext& context, std::uint32_t what, std::span<const Mark> marks) {
+  return SetUp(context.plugin, context.targets.session, what, config_of(marks), names_of(marks)).run(context);
 }
 
 using Json = nlohmann::ordered_json;
 
-// Accuracy for the target that is most sensitive to the registration, in words.
-std::string worth_of(const Stage& stage) {
+// Returns a sentence with the accuracy of reaches to the target that is most sensitive to the registration.
+std::string accuracy_text(const RunContext& context) {
   hrt_gap worst = hrt_gap_init();
-  for (const TargetPair& pair : stage.targets.pairs) {
+  for (const TargetPair& pair : context.targets.pairs) {
     hrt_gap gap = hrt_gap_init();
-    stage.plugin.check(stage.plugin.hrt_gap_query(stage.targets.session, pair.real_target, pair.virtual_target, &gap));
+    context.plugin.check(
+        context.plugin.hrt_gap_query(context.targets.session, pair.real_target, pair.virtual_target, &gap));
     if (gap.bearing_sd_deg >= worst.bearing_sd_deg) worst = gap;
   }
-  return format("Because of this, reaches end %.2f degrees (SD) from the target, and %.1f of 100 miss it.",
-                worst.bearing_sd_deg, 100.0 * worst.miss_share) +
+  return format(
+             "Errors of the registration displace the ends of reaches by %.2f degrees, standard deviation, "
+             "so that %.1f of 100 reaches miss the target.",
+             worst.bearing_sd_deg, 100.0 * worst.miss_share) +
          (worst.miss_share > 0.05 ? " Register the plate again for a better result." : "");
 }
 
@@ -69,14 +72,13 @@ void take_numbers(const std::vector<Numbers>& all, const Json& json) {
 }
 
 RegisteredPlate plate_of(const Json& json) {
-  if (json.at("version") != version)
-    throw std::invalid_argument("version must be 2: register the plate again (--register)");
+  if (json.at("version") != version) throw std::invalid_argument("version must be 2");
   const std::string space = json.at("space");
   if (space != "STAGE" && space != "LOCAL") throw std::invalid_argument("space must be STAGE or LOCAL");
   RegisteredPlate plate{};
   plate.space = space == "STAGE" ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
   plate.check.name = json.at("check");
-  if (!is_printable(plate.check.name)) throw std::invalid_argument("check has a control character");
+  if (!is_printable(plate.check.name)) throw std::invalid_argument("check must have no control characters");
   if (json.contains("hand")) {
     const auto hand = std::find(std::begin(hand_names), std::end(hand_names), json["hand"]);
     if (hand == std::end(hand_names)) throw std::invalid_argument("hand must be left or right");
@@ -96,9 +98,9 @@ hrt_setup_config config_of(std::span<const Mark> marks) {
   return config;
 }
 
-void place_plate(Stage& stage, const RegisteredPlate& plate) {
-  stage.session.place_plate(plate.space, to_xr(plate.found.plate.position_m, plate.found.plate.rotation));
-  std::copy_n(plate.found.fingertip_offset_m, 3, stage.skin_m.begin());
+void place_plate(RunContext& context, const RegisteredPlate& plate) {
+  context.session.place_plate(plate.space, to_xr(plate.found.plate.position_m, plate.found.plate.rotation));
+  std::copy_n(plate.found.fingertip_offset_m, 3, context.skin_m.begin());
 }
 
 void put_registration(const RegisteredPlate& plate, hrt_session_config& config) {
@@ -109,43 +111,45 @@ void put_registration(const RegisteredPlate& plate, hrt_session_config& config) 
   config.flags |= HRT_SESSION_REGISTERED;
 }
 
-RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertip) {
-  const XrReferenceSpaceType space = stage.session.steady_space();
-  stage.session.place_plate(space, world);
-  const hrt_setup_result found = touch(stage, HRT_SETUP_REGISTRATION | (fingertip ? HRT_SETUP_FINGERTIP : 0), marks);
-  RegisteredPlate plate{space, marks.front(), config_of(stage)};
+RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks, bool fingertip) {
+  const XrReferenceSpaceType space = context.session.steady_space();
+  context.session.place_plate(space, world);
+  const hrt_setup_result found = touch(context, HRT_SETUP_REGISTRATION | (fingertip ? HRT_SETUP_FINGERTIP : 0), marks);
+  RegisteredPlate plate{space, marks.front(), config_of(context)};
   if (fingertip) {
     const double(&o)[3] = plate.found.fingertip_offset_m;
-    plate.hand = stage.hands.front();
-    stage.tell_user(format("The skin is %.1f mm from the joint, ", millimetres * std::hypot(o[0], o[1], o[2])) +
-                    format("with an SD of %.1f mm.", millimetres * found.fingertip_sd_m));
+    plate.hand = context.hands.front();
+    context.tell_user(format("The skin is %.1f mm from the joint, ", millimetres * std::hypot(o[0], o[1], o[2])) +
+                      format("with a standard deviation of %.1f mm.", millimetres * found.fingertip_sd_m));
   }
-  stage.tell_user(format("The plate is registered: residual %.1f mm, rotation with an SD of %.2f degrees.",
-                         millimetres * found.registration_residual_m, found.registration_turn_sd_deg));
-  place_plate(stage, plate);
-  stage.tell_user(worth_of(stage));
+  context.tell_user(
+      format("The plate is registered: residual %.1f mm, standard deviation of its rotation %.2f degrees.",
+             millimetres * found.registration_residual_m, found.registration_turn_sd_deg));
+  place_plate(context, plate);
+  context.tell_user(accuracy_text(context));
   return plate;
 }
 
-double check_plate(Stage& stage, const RegisteredPlate& plate) {
-  if (plate.hand && stage.hands != std::vector{*plate.hand})
+double check_plate(RunContext& context, const RegisteredPlate& plate) {
+  if (plate.hand && context.hands != std::vector{*plate.hand})
     throw Failure(ExitCode::registration,
-                  "the plate was registered by the skin of one hand (--fingertip): choose that hand, or "
-                  "register the plate again (--register)");
-  hrt_session_config config = config_of(stage);
+                  "the plate was registered with --fingertip, which is valid for one hand only: select that hand "
+                  "(--hand), or register the plate again (--register)");
+  hrt_session_config config = config_of(context);
   put_registration(plate, config);
-  stage.plugin.check(stage.plugin.hrt_session_set(stage.targets.session, &config));
-  stage.session.place_plate(plate.space, world);
+  context.plugin.check(context.plugin.hrt_session_set(context.targets.session, &config));
+  context.session.place_plate(plate.space, world);
   const std::array<Mark, 3> marks{plate.check, plate.check, plate.check};  // only one mark is touched
-  const hrt_setup_result found = touch(stage, HRT_SETUP_CHECK, marks);
+  const hrt_setup_result found = touch(context, HRT_SETUP_CHECK, marks);
   if (found.done == 0)
     throw Failure(
         ExitCode::registration,
         "the mark \"" + plate.check.name +
             format("\" was touched %.0f mm from where it was registered: register the plate again (--register)",
                    millimetres * found.check_distance_m));
-  stage.tell_user(format("The plate has not moved: the touch was %.0f mm off.", millimetres * found.check_distance_m));
-  place_plate(stage, plate);
+  context.tell_user(
+      format("The plate has not moved: you touched %.0f mm from the mark.", millimetres * found.check_distance_m));
+  place_plate(context, plate);
   return found.check_distance_m;
 }
 
@@ -165,20 +169,24 @@ std::string registration_text(const RegisteredPlate& plate, const XrHeadlessSess
 
 void write_registration(const std::filesystem::path& file, const std::string& text) {
   if (const int error = write_whole_file(file, text); error != 0)
-    throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
+    throw Failure(ExitCode::output,
+                  file.string() + " cannot be written: " + std::strerror(error) + "; select another file (--register)");
 }
 
 RegisteredPlate parse_registration(const std::string& text, const std::string& name) {
   try {
     return plate_of(Json::parse(text));
   } catch (const std::exception& error) {
-    throw Failure(ExitCode::registration, name + " is not a registration file: " + error.what());
+    throw Failure(ExitCode::registration,
+                  name + " is not a registration file (" + error.what() + "); register the plate again (--register)");
   }
 }
 
 RegisteredPlate read_registration(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) throw Failure(ExitCode::registration, file.string() + " cannot be read");
+  if (!stream)
+    throw Failure(ExitCode::registration,
+                  file.string() + " cannot be read; give the file that --register wrote (--registered)");
   return parse_registration({std::istreambuf_iterator<char>(stream), {}}, file.string());
 }
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "samples/app/run/stage.h"
+#include "samples/app/run/run_context.h"
 
 namespace hrt::app {
 
@@ -24,17 +24,17 @@ struct RegisteredPlate {
 hrt_setup_config config_of(std::span<const Mark> marks);
 
 /// Locates fingertips relative to this plate from now on, with the skin offset that was found.
-void place_plate(Stage& stage, const RegisteredPlate& plate);
+void place_plate(RunContext& context, const RegisteredPlate& plate);
 
-/// Asks for a touch of each mark, in the session's steady space, until the touches fit, and places the session's plate
-/// space accordingly. With `fingertip`, first asks for touches of the first mark in different attitudes and then
-/// locates the skin. Throws as SetUp::run().
-RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertip);
+/// Asks for touches of all marks until they fit, and places the session's plate space accordingly, in its steady space.
+/// With `fingertip`, first asks for touches of the first mark with different attitudes of the finger, and locates the
+/// skin from then on. Throws as SetUp::run().
+RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks, bool fingertip);
 
 /// Places the session's plate space where the plate was registered, locates the skin of its hand, and asks for a touch
 /// that checks the pose. Returns the distance of the touch from the mark, in metres. Throws as SetUp::run(); Failure
 /// (ExitCode::registration) if the plate has moved or the runtime lacks its space.
-double check_plate(Stage& stage, const RegisteredPlate& plate);
+double check_plate(RunContext& context, const RegisteredPlate& plate);
 
 /// Writes the registration into a session's configuration, whose numbers the plugin checks.
 void put_registration(const RegisteredPlate& plate, hrt_session_config& config);

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "samples/app/run/sighting.h"
-#include "samples/app/run/stage.h"
+#include "samples/app/run/finger_record.h"
+#include "samples/app/run/run_context.h"
 
 namespace hrt::app {
 
-/// True if `step` requests something else than `asked` did. A finger that begins to hold still changes no request.
+/// True if `step` requests something else than `asked`. HRT_STEP_HOLD_STILL continues the previous request.
 bool is_new_instruction(const hrt_setup_step& asked, const hrt_setup_step& step);
 
 /// Request in words. `mark_names`: the marks' names for the user.
 std::string request_of(const hrt_setup_step& step, const std::vector<std::string>& mark_names);
 
-/// One set-up, across as many sessions of the runtime as it makes necessary.
+/// One set-up. It continues in a new session of the runtime after a session was lost.
 class SetUp {
  public:
   /// `what`: HRT_SETUP_*. `mark_names`: the marks' names for the user; empty: the set-up has no marks. Throws Failure:
@@ -29,17 +29,17 @@ class SetUp {
   SetUp(const SetUp&) = delete;
   SetUp& operator=(const SetUp&) = delete;
 
-  /// Runs until the result is complete or cannot be found; prints one line a slide on `slides`. Throws as run_reach(),
-  /// and may then be called again; Failure: no_hand if nothing happens in time or six slides in a row do not count,
-  /// registration if touches are rejected three times, plate if the plate does not turn.
-  hrt_setup_result run(Stage& stage, std::ostream* slides = nullptr);
+  /// Runs until the result is complete, and prints a line per slide to `slides`. Throws as run_reach(); after XrLost it
+  /// may be called again. Throws Failure: no_hand if the user does not respond in time or six slides in a row are
+  /// rejected; registration if touches are rejected three times; plate if the plate does not turn.
+  hrt_setup_result run(RunContext& context, std::ostream* slides = nullptr);
 
   std::uint32_t done() const { return asked_.done; }
 
  private:
-  void lead(Stage& stage, XrTime* now, std::ostream* slides);
-  hrt_setup_step update(Stage& stage, XrTime time);
-  void ask(Stage& stage, const hrt_setup_step& step);
+  void run_until_finish(RunContext& context, XrTime* now, std::ostream* slides);
+  hrt_setup_step update(RunContext& context, XrTime time);
+  void ask(RunContext& context, const hrt_setup_step& step);
   void check_dropped() const;
 
   const Plugin& plugin_;
@@ -49,7 +49,7 @@ class SetUp {
   hrt_setup_step asked_{};
   std::string request_;
   XrTime asked_at_ = 0;
-  std::optional<Sightings> sightings_;  // since the last request
+  std::optional<FingerRecord> fingers_;  // since the last request
   std::optional<double> commanded_deg_;
   XrTime later_by_ = 0;  // set-up time minus runtime time, whose clock may restart with a session
   XrTime last_ = 0;      // time of the set-up's latest frame

@@ -135,7 +135,7 @@ Json parse_json(std::string_view text, const std::string& name) {
     return Json::parse(text, see);
   } catch (const Refusal& refusal) {
     throw Refusal(name + ": " + refusal.what());
-  } catch (const Json::exception& error) {  // also a number that a double cannot hold
+  } catch (const Json::exception& error) {  // also for a number that a double cannot represent
     throw Refusal(name + ": this is not JSON: " + error.what());
   }
 }

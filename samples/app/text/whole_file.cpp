@@ -13,9 +13,9 @@ namespace hrt {
 namespace {
 
 #if defined(_WIN32)
-constexpr int writes_anew = O_WRONLY | O_CREAT | O_TRUNC | O_BINARY | O_NOINHERIT;
+constexpr int write_flags = O_WRONLY | O_CREAT | O_TRUNC | O_BINARY | O_NOINHERIT;
 #else
-constexpr int writes_anew = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
+constexpr int write_flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
 #endif
 
 constexpr std::size_t max_write = 1U << 30U;
@@ -49,7 +49,7 @@ std::string why_not_writable(const std::filesystem::path& path) {
   if (is_special(target)) return "this is not a regular file";
   // Missing permissions, read-only or full file systems and too long names show only in an attempt.
   const std::filesystem::path temporary = temporary_beside(target);
-  const int file = open(temporary.string().c_str(), writes_anew, 0666);
+  const int file = open(temporary.string().c_str(), write_flags, 0666);
   if (file < 0) return std::strerror(errno);
   close(file);
   std::filesystem::remove(temporary, error);
@@ -62,7 +62,7 @@ int write_whole_file(const std::filesystem::path& given, std::string_view conten
   const std::filesystem::path& path = unknown ? given : target;
   if (is_special(path)) return EINVAL;
   const std::filesystem::path temporary = temporary_beside(path);
-  const int file = open(temporary.string().c_str(), writes_anew, 0666);
+  const int file = open(temporary.string().c_str(), write_flags, 0666);
   if (file < 0) return errno;
   int error = write_all(file, content);
   if (close(file) != 0 && error == 0) error = errno;

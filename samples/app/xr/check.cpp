@@ -55,7 +55,8 @@ class Watchdog {
       const bool in_call = !call_.empty();
       if (in_call && now - call_began_ > limit)
         end_process(ExitCode::runtime_blocked, "the OpenXR runtime has not returned from " + std::string(call_) +
-                                                   format(" within %g s", static_cast<double>(limit.count()) * 1e-3));
+                                                   format(" within %g s (--runtime-limit); restart the runtime",
+                                                          static_cast<double>(limit.count()) * 1e-3));
       if (!is_interrupted()) continue;
       if (!interrupted_at) interrupted_at = now;
       if (in_call && now - *interrupted_at > call_after_signal)

@@ -1,6 +1,6 @@
-// Every OpenXR call goes through CHECK_XR, which names the call and its place if it fails, and is watched, since any
-// may block forever. The watchdog ends the process: a blocked thread cannot be interrupted. A plate on a line stops by
-// its own timeout when it receives no more commands, and a recording keeps what was written until then.
+// CHECK_XR wraps every OpenXR call. If the call fails, the error names the call and its source line. If the call
+// blocks, a watchdog ends the process, as a blocked thread cannot be interrupted. A plate on a serial line then stops
+// by its own timeout, because it receives no more commands, and a recording keeps the rows that were written.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -12,9 +12,9 @@
 
 namespace hrt::app {
 
-/// Starts the watchdog's thread, which ends the process
+/// Starts the watchdog, a thread that ends the process
 /// - with ExitCode::runtime_blocked, if a call lasts longer than `limit`;
-/// - with ExitCode::interrupted, if a signal arrived and a call lasts 0.5 s longer, or the program 5 s longer.
+/// - with ExitCode::interrupted, if the program is in a call 0.5 s after a signal, or has not ended 5 s after it.
 void watch_runtime(std::chrono::milliseconds limit);
 
 /// Marks a call into the runtime for the watchdog while it exists. One at a time; `name` must outlive it.

@@ -23,8 +23,7 @@ bool means_no_runtime(XrResult result) {
   if (means_no_start(result))
     throw Failure(ExitCode::no_runtime,
                   "the OpenXR runtime does not start (" + to_string(result) +
-                      "): it may have said why above; else see that its service runs and its device is "
-                      "connected");
+                      "): read its own messages above, and check that its service runs and its device is connected");
   throw Failure(ExitCode::no_runtime,
                 "no OpenXR runtime could be loaded (" + to_string(result) +
                     "): install one, or name its manifest in the environment variable XR_RUNTIME_JSON");
@@ -64,8 +63,8 @@ void XrRuntime::create_instance(const std::vector<std::string>& optional_extensi
   const std::vector<std::string> available = available_extensions();
   for (const char* needed : {XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME}) {
     if (!contains(available, needed))
-      throw Failure(ExitCode::runtime_lacks,
-                    std::string("the OpenXR runtime has no ") + needed + ", which hrt-reach needs");
+      throw Failure(ExitCode::runtime_lacks, std::string("the OpenXR runtime does not support ") + needed +
+                                                 ", which is required: use another runtime");
     enabled_.emplace_back(needed);
   }
   std::vector<std::string> wanted = optional_extensions;
@@ -96,16 +95,18 @@ void XrRuntime::find_system() {
   const XrSystemGetInfo get_info{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
   const XrResult result = CALL_XR(xrGetSystem(instance_, &get_info, &system_));
   if (result == XR_ERROR_FORM_FACTOR_UNAVAILABLE || result == XR_ERROR_FORM_FACTOR_UNSUPPORTED)
-    throw Failure(
-        ExitCode::runtime_lacks,
-        "the OpenXR runtime " + name_ + " has no head-mounted display to track hands with (" + to_string(result) + ")");
+    throw Failure(ExitCode::runtime_lacks, "the OpenXR runtime " + name_ + " has no head-mounted display (" +
+                                               to_string(result) + "): connect it");
   CHECK_XR_RESULT("xrGetSystem", result);
 
   XrSystemHandTrackingPropertiesEXT hand_tracking{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
   XrSystemProperties system_properties{XR_TYPE_SYSTEM_PROPERTIES, &hand_tracking};
   CHECK_XR(xrGetSystemProperties(instance_, system_, &system_properties));
   if (hand_tracking.supportsHandTracking != XR_TRUE)
-    throw Failure(ExitCode::runtime_lacks, "the OpenXR runtime " + name_ + " has no hand tracking on this system");
+    throw Failure(ExitCode::runtime_lacks,
+                  "the OpenXR runtime " + name_ +
+                      " has no hand tracking on this system: enable it in the runtime, or connect "
+                      "a device that tracks hands");
 }
 
 }  // namespace hrt::app

@@ -149,9 +149,9 @@ bool XrHeadlessSession::has_space(XrReferenceSpaceType space) const {
 
 void XrHeadlessSession::place_plate(XrReferenceSpaceType space, const XrPosef& pose) {
   if (space != XR_REFERENCE_SPACE_TYPE_LOCAL && !has_space(space))
-    throw Failure(ExitCode::registration, "the OpenXR runtime " + runtime_.name() +
-                                              " does not have the space in which the plate was registered; "
-                                              "register it again (--register)");
+    throw Failure(ExitCode::registration, "the OpenXR runtime " + runtime_.name() + " has no " + name_of(space) +
+                                              " space, in which the plate was registered; register the plate again "
+                                              "(--register)");
   plate_base_ = space;
   plate_pose_ = pose;
   make_plate_space();
@@ -172,10 +172,11 @@ void XrHeadlessSession::follow_spaces(XrTime time) {
   const SpaceMotion::Change change = motion_.advance(plate_base_, time);
   if (change == SpaceMotion::Change::none) return;
   if (change == SpaceMotion::Change::unknown)
-    throw Failure(ExitCode::registration,
-                  std::string("the OpenXR runtime moved its ") + name_of(plate_base_) +
-                      " space, as when its user recentres the view, and did not report where to: where the plate is "
-                      "is no longer known; start again, and register it (--register FILE)");
+    throw Failure(
+        ExitCode::registration,
+        std::string("the OpenXR runtime moved its ") + name_of(plate_base_) +
+            " space, for instance because the view was recentred, and did not report by how much, so the pose "
+            "of the plate is unknown; start again and register the plate (--register FILE)");
   make_plate_space();
   ++recentrings_;
 }
@@ -183,10 +184,11 @@ void XrHeadlessSession::follow_spaces(XrTime time) {
 // Handles of a lost session or instance are destroyed too; the results of those calls are ignored.
 XrHeadlessSession::~XrHeadlessSession() {
   if (left_out_.untimed + left_out_.stepped + left_out_.refused + left_out_.impossible > 0)
-    say(format(
-        "The OpenXR runtime gave %d frames without a time, %d frames whose time steps by more than 5 s, %d times at "
-        "which it refused to locate a hand, and %d impossible poses of a fingertip: these were left out.\n",
-        left_out_.untimed, left_out_.stepped, left_out_.refused, left_out_.impossible));
+    say(
+        format("Skipped faults of the OpenXR runtime: %d frames without a time, %d frames whose time steps by more "
+               "than 5 s, %d "
+               "times at which it refused to locate a hand, %d impossible poses of a fingertip.\n",
+               left_out_.untimed, left_out_.stepped, left_out_.refused, left_out_.impossible));
   for (const XrHandTrackerEXT tracker : trackers_)
     if (tracker != XR_NULL_HANDLE) CALL_XR_NAMED("xrDestroyHandTrackerEXT", destroy_hand_tracker_(tracker));
   if (plate_space_ != XR_NULL_HANDLE) CALL_XR(xrDestroySpace(plate_space_));
@@ -204,7 +206,7 @@ XrTime XrHeadlessSession::next_frame() {
       follow_spaces(*time);
       return last_frame_ = *time;
     }
-    if (Clock::now() > give_up) fail("the OpenXR runtime's time does not advance");
+    if (Clock::now() > give_up) fail("the time of the OpenXR runtime does not advance: restart the runtime");
     if (!time) std::this_thread::sleep_for(poll_period);
   }
 }
@@ -254,7 +256,9 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
 
 XrTime XrHeadlessSession::time_now() const {
   if (convert_timespec_ == nullptr)
-    fail("the OpenXR runtime gives its frames no time and has no XR_KHR_convert_timespec_time to ask for it");
+    fail(
+        "the OpenXR runtime gives its frames no time and does not support XR_KHR_convert_timespec_time: use another "
+        "runtime");
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   XrTime time = 0;
@@ -265,7 +269,9 @@ XrTime XrHeadlessSession::time_now() const {
 void XrHeadlessSession::wait_until_running() {
   const auto give_up = Clock::now() + limit_;
   while (!running_) {
-    if (Clock::now() > give_up) fail("the OpenXR runtime did not let the session run " + within(limit_));
+    if (Clock::now() > give_up)
+      fail("the OpenXR runtime did not start the session " + within(limit_) +
+           ": check that its device is worn and connected, or allow more time (--runtime-limit)");
     std::this_thread::sleep_for(poll_period);
     poll_events();
   }
@@ -274,7 +280,8 @@ void XrHeadlessSession::wait_until_running() {
 void XrHeadlessSession::poll_events() {
   for (const auto give_up = Clock::now() + limit_;;) {
     throw_if_interrupted();
-    if (Clock::now() > give_up) fail("the OpenXR runtime's events do not end " + within(limit_));
+    if (Clock::now() > give_up)
+      fail("the OpenXR runtime sends events without end " + within(limit_) + ": restart the runtime");
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
     if (CHECK_XR(xrPollEvent(runtime_.instance(), &event)) == XR_EVENT_UNAVAILABLE) return;
     if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
@@ -309,7 +316,7 @@ void XrHeadlessSession::change_state(XrSessionState state) {
     case XR_SESSION_STATE_LOSS_PENDING:
       throw XrLost(XR_SESSION_LOSS_PENDING, "the runtime announced the loss of the session");
     case XR_SESSION_STATE_EXITING:
-      if (!ending_) fail("the OpenXR runtime ended the session");
+      if (!ending_) fail("the OpenXR runtime ended the session: restart the runtime and this program");
       break;
     default:
       break;
@@ -357,7 +364,7 @@ void XrHeadlessSession::end() {
   while (running_) {
     poll_events();
     if (!running_) return;
-    if (Clock::now() > give_up) fail("the OpenXR runtime did not stop the session when asked to");
+    if (Clock::now() > give_up) fail("the OpenXR runtime did not stop the session " + within(limit_) + ": restart it");
     frame_of_runtime();
   }
 }

@@ -20,18 +20,18 @@ inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000
 /// "STAGE", "LOCAL" or "LOCAL_FLOOR".
 const char* name_of(XrReferenceSpaceType space);
 
-/// The tip joint of an index finger, or where it touches a frame. If not `tracked`, position and rotation are
-/// meaningless.
+/// The tip joint of an index finger, or the contact of a fingertip with a touch frame. If not `tracked`, position and
+/// rotation are undefined.
 struct Fingertip {
   bool tracked = false;
   std::array<double, 3> position_m{};  ///< in plate coordinates
   /// Rotation from the joint's axes to the plate's, x, y, z, w; unset if the runtime does not report it.
   std::optional<std::array<double, 4>> rotation;
-  bool lifted = false;  ///< not tracked because it touches nothing; otherwise a dropout
+  bool lifted = false;  ///< not tracked because the finger is above the plate; false: a dropout
 };
 
 /// Motion of the runtime's reference spaces when the user recentres the view (XrEventDataReferenceSpaceChangePending):
-/// objects at rest in the room then have other coordinates. Kept for one run, across its sessions. For use by one
+/// objects at rest in the room then have other coordinates. One object serves all sessions of a run. For use by one
 /// thread.
 class SpaceMotion {
  public:
@@ -61,10 +61,10 @@ class XrHeadlessSession {
   XrHeadlessSession(const XrHeadlessSession&) = delete;
   XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
 
-  /// Waits for the next frame and returns its time, later than any before. Skips a frame without a time, or whose time
-  /// steps by more than 5 s. Throws XrLost if the session must be created again, also after a second of
-  /// such steps; Failure (ExitCode::runtime_failed) if the runtime ended it or a wait exceeded its
-  /// limit; Failure (ExitCode::registration) if the runtime moved the plate's space by an unknown amount;
+  /// Waits for the next frame and returns its time, which is later than that of the previous frame. Skips frames
+  /// without a time, and frames whose time steps by more than 5 s. Throws XrLost if the session must be created again,
+  /// also after a second of such steps; Failure (ExitCode::runtime_failed) if the runtime ended the session or a wait
+  /// exceeded its limit; Failure (ExitCode::registration) if the runtime moved the plate's space by an unknown amount;
   /// Interrupted.
   XrTime next_frame();
 

@@ -29,10 +29,10 @@ class Simulation {
   struct Truth {
     double finger_direction_deg;     ///< P, present direction of motion
     double perceived_direction_deg;  ///< present perceived direction
-    double peak_felt_error_deg;      ///< largest difference between perceived and goal direction so far
+    double peak_felt_error_deg;      ///< largest perceived-direction error so far, while the finger moved
     double leftmost_direction_deg;   ///< this and the next field: range of feasible directions
     double rightmost_direction_deg;
-    double tactile_weight;        ///< w_T, share of touch in the perceived direction
+    double tactile_weight;        ///< w_T, fraction of touch in the perceived direction
     std::array<double, 3> tip_m;  ///< in plate coordinates, without the tracker's errors
     bool done;                    ///< the motion has ended
   };

@@ -31,7 +31,9 @@ void sync_folder(const fs::path& folder) {
 
 void Disk::check(bool done, const std::string& what, const fs::path& file) const {
   const int error = errno;
-  if (!done) throw Refusal(file.string() + ": cannot be " + what + ": " + std::strerror(error));
+  if (!done)
+    throw Refusal(file.string() + ": cannot be " + what + ": " + std::strerror(error) +
+                  "; free space, or use another folder (--data)");
 }
 
 int Disk::sync(int file) const { return syncs_ ? fdatasync(file) : 0; }
@@ -90,7 +92,7 @@ void Disk::make_folder(const fs::path& folder) const {
 
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Refusal(file.string() + ": cannot be read");
+  if (!stream) throw Refusal(file.string() + ": cannot be read: check the path and its permissions");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

@@ -8,8 +8,8 @@
 
 namespace hrt::experiment {
 
-/// Called before and after each write, sync, link and change of state, with the name of the step. Tests end the
-/// process here.
+/// Called before and after each write, sync, link and change of state, with the name of the step, so that tests can end
+/// the process there.
 using Step = std::function<void(const char*)>;
 
 /// File operations of a session. On failure they throw Refusal with the file and the reason of the system.

@@ -85,10 +85,13 @@ std::vector<Event> read_journal(const std::string& text, const std::string& name
       continue;
     }
     if (damaged != 0 && event->name != "opened" && event->name != "closed")
-      throw Refusal(name + format(": line %zu is damaged, and not by an interrupted write", damaged));
+      throw Refusal(name +
+                    format(": line %zu is damaged, which an interrupted write does not explain; restore the file "
+                           "from a copy",
+                           damaged));
     damaged = 0;
     if (event->number != events.size() + 1)
-      throw Refusal(name + format(": line %zu has number %llu, not %zu", number + 1,
+      throw Refusal(name + format(": line %zu has number %llu, not %zu; restore the file from a copy", number + 1,
                                   static_cast<unsigned long long>(event->number), events.size() + 1));
     events.push_back(std::move(*event));
   }
@@ -102,7 +105,8 @@ Journal::Journal(std::filesystem::path file, const Disk& disk, std::function<Now
       file_(open(name_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
   if (file_ < 0) throw Refusal(name_.string() + ": cannot be opened: " + std::strerror(errno));
   try {
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw Refusal(name_.string() + ": another process has locked it");
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0)
+      throw Refusal(name_.string() + ": another process runs this session; wait for its end");
     const std::string text = content_of(name_);
     events_ = read_journal(text, name_.string());
     is_cut_ = !text.empty() && text.back() != '\n';

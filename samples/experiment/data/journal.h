@@ -39,7 +39,7 @@ std::string utc_text(std::int64_t utc_ms);
 /// before an event "opened", where a process was interrupted.
 std::vector<Event> read_journal(const std::string& text, const std::string& name);
 
-/// Writer of a journal; a lock admits one at a time.
+/// Writes a journal. The file is locked, so that only one process can write it.
 class Journal {
  public:
   /// Creates the file or appends to it. Throws Refusal if it cannot be written, is damaged, or another process has

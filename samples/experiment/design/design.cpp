@@ -23,7 +23,7 @@ unsigned index_of(const std::vector<Condition>& conditions, const std::string& w
   std::vector<std::string> names;
   for (const Condition& condition : conditions) names.push_back(condition.name);
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) refuse(where, "must be a condition: " + quoted_list(names));
+  if (found == names.end()) refuse(where, "must be the name of a condition: " + quoted_list(names));
   return static_cast<unsigned>(found - names.begin());
 }
 
@@ -35,13 +35,15 @@ void read_conditions(const Json& file, const std::string& name, Design& design) 
   for (const Json& c : file["conditions"]) {
     for (const Condition& other : design.conditions)
       if (other.name == c["name"].get<std::string>())
-        refuse(name + format(".conditions[%zu].name", design.conditions.size()), "is the name of another condition");
+        refuse(name + format(".conditions[%zu].name", design.conditions.size()),
+               "is the name of another condition; each condition needs a different name");
     Condition condition{c["name"], meaning(c["controller"], controllers), c["plate_deg"], c["gap_share"], {}};
     const std::string where = name + format(".conditions[%zu].config", design.conditions.size());
     for (const Json& each : c["config"]) {
       condition.config.emplace_back(each["field"].get<std::string>(), each["value"].get<double>());
       if (condition.config.back().first.starts_with("person.") && file["set_up"] != "none")
-        refuse(where, "needs set_up none: the set-up sets " + condition.config.back().first + ", too");
+        refuse(where, "has " + condition.config.back().first +
+                          ", which the set-up overwrites: remove this field, or use set_up \"none\"");
     }
     hrt_session_config config{};
     try {
@@ -61,10 +63,11 @@ void read_pairs(const Json& file, const std::string& name, Design& design) {
     const std::string where = name + format(".pairs[%zu]", design.pairs.size());
     const Pair pair{p["name"], p["virtual_deg"], p["real_deg"], 1e-3 * p["distance_mm"].get<double>(),
                     1e-3 * p["radius_mm"].get<double>()};
-    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // limit 90, minus the largest bias
-      refuse(where + ".real_deg", "must be within 75 of virtual_deg");
+    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // the plugin's limit of 90, minus the largest bias
+      refuse(where + ".real_deg", "must be at most 75 degrees from virtual_deg");
     for (const Pair& other : design.pairs)
-      if (other.name == pair.name) refuse(where + ".name", "is the name of another pair");
+      if (other.name == pair.name)
+        refuse(where + ".name", "is the name of another pair; each pair needs a different name");
     design.pairs.push_back(pair);
   }
 }
@@ -74,14 +77,14 @@ void read_order(const Json& file, const std::string& name, Design& design) {
       {"williams", Order::williams}, {"random_in_blocks", Order::random_in_blocks}, {"listed", Order::listed}};
   design.order = meaning(file["order"], orders);
   if (file.contains("listed_orders") != (design.order == Order::listed))
-    refuse(name + ".listed_orders", "is required if order is \"listed\", and not allowed otherwise");
+    refuse(name + ".listed_orders", "is required with order \"listed\", and not allowed with another order");
   for (const Json& list : file.value("listed_orders", Json::array())) {
     const std::string where = name + format(".listed_orders[%zu]", design.listed.size());
     std::vector<unsigned> indices;
     for (const Json& condition : list) indices.push_back(index_of(design.conditions, where, condition));
     if (std::set<unsigned>(indices.begin(), indices.end()).size() != design.conditions.size() ||
         indices.size() != design.conditions.size())
-      refuse(where, "must have each condition once");
+      refuse(where, "must have each condition exactly once");
     design.listed.push_back(indices);
   }
 }
@@ -150,26 +153,30 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
   if ((design.measure == "d_prime" || design.measure == "criterion") &&
       (design.question.empty() || design.catch_share <= 0.0))
     refuse(where + ".measure",
-           "requires question and catch_share: " + design.measure + " compares reaches with catch trials");
+           "requires question and catch_share: " + design.measure + " compares answers in reaches and in catch trials");
   const bool is_of_trials = design.measure.ends_with("miss_deg") || design.measure == "miss_mm";
   if (design.test == "mixed_model" && !is_of_trials)
-    refuse(where + ".test", "must be t or sign_flip with " + design.measure + ": a single trial has none");
-  if (design.test != "t" && design.hypothesis != "difference")
-    refuse(where + ".test", "must be t: equivalence and below_margin use two one-sided t tests");
-  if (design.measure == "percent_within" && (design.test != "sign_flip" || design.hypothesis != "difference"))
     refuse(where + ".test",
-           "must be sign_flip, with hypothesis difference, for percent_within: a t test is invalid where most have 0 "
-           "or 100 %");
+           "must be t or sign_flip with the measure " + design.measure + ", which single trials do not have");
+  if (design.test != "t" && design.hypothesis != "difference")
+    refuse(where + ".test",
+           "must be t with the hypothesis " + design.hypothesis + ", which uses two one-sided t tests");
+  if (design.measure == "percent_within" && (design.test != "sign_flip" || design.hypothesis != "difference"))
+    refuse(
+        where + ".test",
+        "must be sign_flip, with hypothesis difference, for percent_within: a t test is invalid if most participants "
+        "have 0 or 100 %");
   const bool has_direction = design.direction != "two-sided";
   if (has_direction && design.hypothesis != "difference")
     refuse(where + ".direction", "must be two-sided with the hypothesis " + design.hypothesis);
-  // The smallest p of a sign flip is 1 / 2^n, or twice that if two-sided; Holm's first step needs alpha / comparisons.
+  // The smallest p of a sign flip test is 1 / 2^n, or 2 / 2^n if two-sided. Holm's first step requires alpha /
+  // comparisons.
   const double level = design.alpha / std::max(1.0, static_cast<double>(design.conditions.size()) - 1.0);
   const double flips = (has_direction ? 0.0 : 1.0) - std::log2(level);
   const unsigned needed = design.test == "sign_flip" ? static_cast<unsigned>(std::ceil(flips)) : 2U;
   if (design.conditions.size() > 1 && design.participants < needed)
-    refuse(where + ".test",
-           format("needs %u participants or more: %u cannot be significant", needed, design.participants));
+    refuse(where + ".test", format("needs at least %u participants: with %u, no result can be significant", needed,
+                                   design.participants));
 }
 
 // Requirements on several fields together.
@@ -180,10 +187,10 @@ void check_whole(const std::string& name, const Design& design) {
   if (conditions == 1) rows = 1;
   const unsigned set = rows * std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   if (design.participants % set != 0)
-    refuse(name + ".participants", format("must be a multiple of %u: orders%s would not be balanced", set,
-                                          design.levels.empty() ? "" : " times levels"));
+    refuse(name + ".participants", format("must be a multiple of %u, the number of orders%s, for balance", set,
+                                          design.levels.empty() ? "" : " times the number of levels"));
   if (design.pairs.size() == 1 && design.order != Order::random_in_blocks && design.repeats > design.max_run)
-    refuse(name + ".max_run", "must be at least repeats, as there is only one pair");
+    refuse(name + ".max_run", "must be at least repeats if there is only one pair");
 }
 
 }  // namespace
@@ -217,7 +224,8 @@ Design parse_design(const std::string& text, const std::string& name) {
 
 Design read_design(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(file)) throw Refusal(file.string() + ": cannot be read");
+  if (!stream || !std::filesystem::is_regular_file(file))
+    throw Refusal(file.string() + ": cannot be read: check the path and its permissions");
   return parse_design({std::istreambuf_iterator<char>(stream), {}}, file.filename().string());
 }
 
@@ -232,7 +240,8 @@ hrt_session_config config_of(const Condition& condition) {
   }
   for (const auto& [name, value] : condition.config) {
     const auto field = config_fields.find(name);
-    if (field == config_fields.end()) throw Refusal("\"" + name + "\" is not a number of hrt_session_config");
+    if (field == config_fields.end())
+      throw Refusal("has the field \"" + name + "\", which hrt_session_config (session.h) does not have as a number");
     std::memcpy(reinterpret_cast<char*>(&config) + field->second, &value, sizeof value);
   }
   return config;

@@ -107,7 +107,7 @@ struct Design {
   double alpha;
   double margin;  ///< equivalence margin, in the measure's unit
   SimulatedTraits simulated;
-  std::string text;    ///< content of the file
+  std::string text;    ///< content of study.json
   std::string sha256;  ///< hash of `text`
 };
 
@@ -126,8 +126,8 @@ const Json& design_schema();
 std::string letter_of(const Design& design, unsigned participant, unsigned condition);
 
 /// Returns the text of a registered report in Markdown: hypotheses, power, every field of the design with its meaning,
-/// blinding, stopping and analysis; what its authors must add is in brackets. `power`: output of
-/// samples/experiment/power; empty: none. Throws Refusal if it is of another design.
+/// blinding, stopping and analysis. Brackets mark text that the authors must write. `power`: output of
+/// samples/experiment/power; empty: none. Throws Refusal if `power` was computed for another design.
 std::string preregistration_text(const Design& design, const std::string& power = "");
 
 /// Returns PROTOCOL.md with the numbers of the design filled in.

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-// A value as text, without quotes; a list as comma-separated words.
+// Returns a value as text without quotes, and a list as values separated by commas.
 std::string in_words(const json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
@@ -25,7 +25,7 @@ std::string fields_text(const json& schema, const json& given, const std::string
     const bool is_given = given.contains(name);
     text += indent + "- `" + name + "` (" + field["description"].get<std::string>() + ")";
     if (field.contains("properties")) {
-      text += is_given ? "\n" : ": not given; then\n";
+      text += is_given ? "\n" : ": not given, so these values apply:\n";
       text += fields_text(field, is_given ? given[name] : json::object(), indent + "  ");
     } else if (is_given && field.contains("items") && field["items"].contains("properties")) {
       text += "\n";
@@ -35,8 +35,8 @@ std::string fields_text(const json& schema, const json& given, const std::string
     } else {
       text += ": " +
               (is_given                    ? in_words(given[name])
-               : field.contains("default") ? in_words(field["default"]) + ", by default"
-                                           : "none") +
+               : field.contains("default") ? in_words(field["default"]) + " (default)"
+                                           : "not given") +
               "\n";
     }
   }
@@ -69,7 +69,7 @@ std::string power_text(const Design& design, const std::string& power) {
     return "\n\n[Power: `samples/experiment/power study.json >power.txt`, then `hrt-experiment preregister study.json "
            "--power power.txt`.]\n\n";
   if (power.find(design.sha256) == std::string::npos)
-    throw Refusal("--power: the table is of another design: it does not contain the SHA-256 of this one, " +
+    throw Refusal("--power: this table was computed for another design: it does not contain the SHA-256 of this one, " +
                   design.sha256 + "; run samples/experiment/power with this design again");
   return "\n\nPower, by simulation:\n\n```\n" + power + "```\n\n";
 }
@@ -78,8 +78,8 @@ std::string power_text(const Design& design, const std::string& power) {
 
 std::string preregistration_text(const Design& design, const std::string& power) {
   return "# " + design.title + "\n\nSHA-256 of study.json: `" + design.sha256 +
-         "`. hrt-experiment rejects another design from the first participant on.\n"
-         "Text in brackets is for the authors to replace; delete this line.\n\n"
+         "`. After the first participant, hrt-experiment rejects any other design.\n"
+         "The authors replace the texts in brackets and delete this line.\n\n"
          "## Hypotheses\n\n" +
          hypothesis_text(design) +
          " [Why, and which size matters.]\n\n"
@@ -89,13 +89,17 @@ std::string preregistration_text(const Design& design, const std::string& power)
          format(" + %u, with the same level and order. ", design.participants) + "[Who may take part.]" +
          power_text(design, power) + "## Design and procedure\n\n" +
          fields_text(design_schema(), json::parse(design.text), "") + "\n```\n" + design_text(design) +
-         "```\n\n## Blinding\n\nThe experimenter sees letters, drawn for each participant; practice and noticeability "
-         "have none. The journal records when the experimenter is unblinded. The design, the motion of the plate and "
-         "the page of `--live look` can reveal a condition. [Who knows the conditions.]\n\n"
-         "## Exclusions and stopping\n\nA reach counts as `validity` says, by the program. The experimenter, who may "
-         "see the plate, can refuse a reach while it lasts; the report has the number of them by condition. The "
-         "analysis leaves out the participants whom `exclusions` names. A session stops after " +
-         format("%u reaches in a row that do not count, or %g minutes after consent. ", design.max_invalid_in_a_row,
+         "```\n\n## Blinding\n\nThe experimenter sees letters instead of conditions, assigned at random for each "
+         "participant; practice and noticeability have no letter. The journal records when the experimenter is "
+         "unblinded. "
+         "The design, the motion of the plate and the page of `--live look` can reveal a condition. [Who knows the "
+         "conditions.]\n\n"
+         "## Exclusions and stopping\n\nThe program decides by the rules of `validity` whether a reach is valid. The "
+         "experimenter, who may see the plate, can mark a reach as invalid while it lasts; the report has the number "
+         "of "
+         "invalid reaches by condition and reason. The analysis excludes participants by the rules of `exclusions`. A "
+         "session stops after " +
+         format("%u invalid reaches in a row, or %g minutes after consent. ", design.max_invalid_in_a_row,
                 design.max_minutes) +
          "The number of participants does not depend on the data. [Other exclusions.]\n\n"
          "## Analysis\n\n`samples/experiment/analyse`, after `hrt-experiment export --unblind`: " +

@@ -174,7 +174,7 @@ std::string plan_text(const Design& design, const Schedule& schedule) {
       if (paper.when == when || (paper.when == "both" && when != "block"))
         add("questionnaire " + paper.name, item_min * static_cast<double>(paper.items.size()));
   };
-  add("information, consent, hand and finger, questions", consent_min);
+  add("information, consent, choice of hand and finger, questions", consent_min);
   if (design.calibrates) add("set-up, 16 to 40 slides straight ahead", calibration_min);
   add_questionnaires("before");
   bool is_first = true;
@@ -188,7 +188,7 @@ std::string plan_text(const Design& design, const Schedule& schedule) {
     if (block.kind == BlockKind::reaches) add_questionnaires("block");
   }
   add_questionnaires("after");
-  add("debriefing, without the conditions' names", 0.0);
+  add("debriefing, without the names of the conditions", 0.0);
   return text;
 }
 
@@ -213,9 +213,11 @@ std::string design_text(const Design& design) {
   for (unsigned p = 1; p <= design.participants; ++p) {
     const Schedule schedule = schedule_of(design, p);
     text += format("sub-%02u  ", p) + (design.levels.empty() ? "" : design.levels[schedule.level] + "  ") +
-            (schedule.order.empty() ? "all in each block" : letters_of(design, p, schedule.order)) + "\n";
+            (schedule.order.empty() ? "all conditions in each block" : letters_of(design, p, schedule.order)) + "\n";
   }
-  return text + "\nConditions are letters until they are unblinded. All uses so far were simulations.\n";
+  return text +
+         "\nConditions are shown as letters before unblinding. hrt-experiment has been run with simulated participants "
+         "only.\n";
 }
 
 }  // namespace hrt::experiment

@@ -24,7 +24,8 @@ constexpr int refused = 403, not_found = 404, not_now = 409, too_many = 503;
 
 std::string random_token() {
   unsigned char bytes[16];
-  if (getrandom(bytes, sizeof bytes, 0) != sizeof bytes) throw Refusal("--live: no random numbers");
+  if (getrandom(bytes, sizeof bytes, 0) != sizeof bytes)
+    throw Refusal("--live: the system returned no random numbers for a token; run without --live");
   std::string text;
   for (const unsigned char byte : bytes) text += format("%02x", unsigned{byte});
   return text;
@@ -48,7 +49,7 @@ Live::Live(bool takes_keys)
   server_->set_payload_max_length(1000);
   route();
   port_ = server_->bind_to_any_port("127.0.0.1");
-  if (port_ < 0) throw Refusal("--live: cannot open a port on 127.0.0.1; run without it");
+  if (port_ < 0) throw Refusal("--live: no port could be opened on 127.0.0.1; run without --live");
   thread_ = std::thread([this] { server_->listen_after_bind(); });
 }
 
@@ -128,55 +129,58 @@ std::optional<char> Live::key() {
   return key;
 }
 
-void Live::frame(app::Stage& stage, XrTime time, std::optional<Clock::time_point> registered) {
+void Live::frame(app::RunContext& context, XrTime time, std::optional<Clock::time_point> registered) {
   const double passed_s = 1e-9 * static_cast<double>(time - std::exchange(last_frame_, time));
   period_s_ += share_of_new * (std::min(passed_s, 1.0) - period_s_);
   if (Clock::now() - shown_at_ < show_period) return;
   shown_at_ = Clock::now();
-  const std::optional<double> at_deg = stage.plate.orientation_deg(time);
+  const std::optional<double> at_deg = context.plate.orientation_deg(time);
   facts["plate"] = nlohmann::json::array();
   facts["plate"].push_back(at_deg ? format("orientation %.1f°", *at_deg) : "orientation unknown");
-  if (const hrt_plate_report* report = stage.plate.report())
+  if (const hrt_plate_report* report = context.plate.report())
     for (const std::string& text : {format("command %.1f°", report->command_deg),
                                     format("latency %.1f ms", 1e-6 * static_cast<double>(report->latency_ns)),
-                                    format("at most %.0f°/s", report->max_speed_deg_s),
-                                    format("heard %.0f ms ago", 1e-6 * static_cast<double>(report->age_ns)),
-                                    format("%.0f messages refused", static_cast<double>(report->refused_messages)),
+                                    format("maximum speed %.0f°/s", report->max_speed_deg_s),
+                                    format("last message %.0f ms ago", 1e-6 * static_cast<double>(report->age_ns)),
+                                    format("%.0f rejected messages", static_cast<double>(report->refused_messages)),
                                     std::string(report->description)})
       facts["plate"].push_back(text);
-  check(stage, registered);
+  check(context, registered);
   show();
 }
 
-void Live::check(app::Stage& stage, std::optional<Clock::time_point> registered) {
+void Live::check(app::RunContext& context, std::optional<Clock::time_point> registered) {
   facts["checks"] = nlohmann::json::array();
   const auto add = [&](bool is_good, const std::string& text) {
     facts["checks"].push_back((is_good ? "✓ " : "! ") + text);
   };
-  const hrt_plate_report* report = stage.plate.report();
+  const hrt_plate_report* report = context.plate.report();
   if (report == nullptr || report->state == 0)
     add(true, "Plate: simulated");
   else if ((report->flags & HRT_PLATE_REPORT_COMMISSIONED) == 0)
     add(false, "Plate: not commissioned (hrt-plate commission)");
+  else if ((report->flags & HRT_PLATE_REPORT_DEVIATES) != 0)
+    add(false, "Plate: its rotation differs from its file; commission it again (hrt-plate commission)");
   else
-    add((report->flags & HRT_PLATE_REPORT_DEVIATES) == 0, "Plate: commissioned, and turns as its file says");
-  if (stage.simulation != nullptr)
+    add(true, "Plate: commissioned, and its rotation agrees with its file");
+  if (context.simulation != nullptr)
     add(true, "Registration: simulated");
   else if (!registered)
-    add(false, "Registration: none");
+    add(false, "Registration: the plate is not registered");
   else
     add(Clock::now() - *registered < fresh,
-        format("Registration: a touch checked it %lld min ago",
+        format("Registration: checked by a touch %lld min ago",
                static_cast<long long>((Clock::now() - *registered) / std::chrono::minutes(1))));
   const double noise_mm = facts.value("noise_mm", 0.0);
   add(noise_mm > 0.0 && noise_mm <= max_noise_mm, noise_mm > 0.0 ? format("Tracker: noise of %.2f mm", noise_mm)
-                                                                 : "Tracker: noise unknown until a set-up or a reach");
-  add(period_s_ <= max_period_s, format("Frames: %.0f a second", 1.0 / period_s_));
+                                                                 : "Tracker: noise unknown before a set-up or a reach");
+  add(period_s_ <= max_period_s, format("Frames: %.0f per second", 1.0 / period_s_));
 }
 
-void Live::moment(const app::Stage& stage, const app::TargetPair& pair, const app::Moment& moment, bool is_first) {
+void Live::moment(const app::RunContext& context, const app::TargetPair& pair, const app::Moment& moment,
+                  bool is_first) {
   const auto point_of = [&](const app::Point& at) {
-    const app::Point& start = stage.targets.start_m;
+    const app::Point& start = context.targets.start_m;
     return format("%.1f,%.1f ", 1e3 * (at[0] - start[0]), 1e3 * (at[2] - start[2]));
   };
   if (is_first) {

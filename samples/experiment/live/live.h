@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "samples/app/run/stage.h"
+#include "samples/app/run/run_context.h"
 
 namespace httplib {
 class Server;
@@ -37,15 +37,15 @@ class Live {
   /// Publishes a copy to the readers without blocking.
   void show() { shown_.store(std::make_shared<const nlohmann::json>(facts)); }
   /// Call in every frame. `registered`: time of the last check of the plate's pose by a touch.
-  void frame(app::Stage& stage, XrTime time, std::optional<Clock::time_point> registered);
+  void frame(app::RunContext& context, XrTime time, std::optional<Clock::time_point> registered);
   /// Call in every frame of a reach.
-  void moment(const app::Stage& stage, const app::TargetPair& pair, const app::Moment& moment, bool is_first);
+  void moment(const app::RunContext& context, const app::TargetPair& pair, const app::Moment& moment, bool is_first);
   /// Returns the next key that was pressed on a page, if any.
   std::optional<char> key();
 
  private:
   void route();
-  void check(app::Stage& stage, std::optional<Clock::time_point> registered);
+  void check(app::RunContext& context, std::optional<Clock::time_point> registered);
 
   std::atomic<std::shared_ptr<const nlohmann::json>> shown_ =
       std::make_shared<const nlohmann::json>(nlohmann::json::object());

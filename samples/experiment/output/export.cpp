@@ -25,11 +25,11 @@ struct Column {
   const char* what;
 };
 
-// First columns of each table: the session of a row.
-const Column whose[] = {
+// First columns of each table: the session to which a row belongs.
+const Column session_columns[] = {
     {"participant", "integer", "", "number, from 1"},
     {"session", "integer", "", "number, from 1"},
-    {"subject", "text", "", "who took part; begins with `simulated` in a simulation"},
+    {"subject", "text", "", "a person or a simulated participant (then it begins with `simulated`), and the tracker"},
     {"level", "text", "", "level of the between-participants factor"},
 };
 
@@ -43,19 +43,20 @@ struct Table {
 const std::vector<Column> reach_columns{
     {"virtual_deg", "number", "deg", "direction of the virtual target from the start, left positive"},
     {"real_deg", "number", "deg", "direction of the real target"},
-    {"miss_deg", "number", "deg", "bearing of the end of the fingertip from the start, minus the real target's"},
+    {"miss_deg", "number", "deg", "bearing of the end of the reach, minus that of the real target"},
     {"abs_miss_deg", "number", "deg", "absolute value of miss_deg"},
     {"miss_mm", "number", "mm", "distance of the end from the real target"},
     {"peak_felt_error_deg", "number", "deg",
-     "largest perceived minus intended direction. Simulation: ground truth. Person: estimate by the controller under "
-     "test, so not an outcome"},
+     "largest perceived-direction error. Simulation: ground truth. Person: estimate by the controller under test, so "
+     "it "
+     "cannot be an outcome"},
     {"is_truth", "boolean", "", "true: peak_felt_error_deg is ground truth"},
     {"duration_s", "number", "s", "duration of the motion"},
     {"samples", "integer", "", "number of samples of the finger"},
     {"dropped", "integer", "", "number of samples without a finger"},
     {"tactile_weight", "number", "", "estimate of the controller at the end of the reach"},
     {"tracker_noise_m", "number", "m", "SD of the tracker's noise, as estimated by the plugin"},
-    {"misfit", "number", "", "misfit of the plugin's model (hrt_command); the model fits below 4.5"},
+    {"misfit", "number", "", "misfit of the plugin's model (hrt_command); limit 4.5"},
     {"flags", "integer", "", "bits HRT_SUMMARY_* of the plugin"},
 };
 
@@ -75,7 +76,7 @@ const std::vector<Column> trial_columns{
      "blinded: a letter, at random for each participant; unblinded: the name; `practice` in practice"},
     {"is_catch", "integer", "", "1: no gap; the plate is at rest, but in noticeability it moves"},
     {"pair", "text", "", "name of the pair of targets; empty for noticeability"},
-    {"reason", "text", "", "why the attempt is invalid"},
+    {"reason", "text", "", "reason for which the attempt is invalid; empty: valid"},
     {"attempt", "integer", "", "number of the attempt, interrupted ones included"},
     {"gap_deg", "number", "deg", "noticeability: gap of the retargeted reach; 0 in catch trials"},
     {"bent", "integer", "", "noticeability: 1 or 2, the reach that was retargeted"},
@@ -265,7 +266,7 @@ std::string dictionary_of(const Design& design) {
   for (const Table& table : tables) {
     text += std::string("\n## ") + table.file + "\n\n" + table.what +
             ".\n\n| column | type | unit | |\n|---|---|---|---|\n";
-    for (const Column& column : joined({std::begin(whose), std::end(whose)}, table.columns, {}))
+    for (const Column& column : joined({std::begin(session_columns), std::end(session_columns)}, table.columns, {}))
       text +=
           std::string("| `") + column.name + "` | " + column.type + " | " + column.unit + " | " + column.what + " |\n";
   }
@@ -276,11 +277,11 @@ std::string dictionary_of(const Design& design) {
 
 Tables export_study(const Design& design, const std::filesystem::path& study, bool unblinds) {
   Tables found{.files = {{"dictionary.md", dictionary_of(design)}}};
-  json whose_row;
+  json session_row;
   const auto add_line = [&](const Table& table, json row, bool is_header) {
     std::string line;
-    row.update(whose_row);
-    for (const Column& column : joined({std::begin(whose), std::end(whose)}, table.columns, {}))
+    row.update(session_row);
+    for (const Column& column : joined({std::begin(session_columns), std::end(session_columns)}, table.columns, {}))
       line += (line.empty() ? "" : ",") + csv_field(is_header ? column.name : text_of(row[column.name]));
     found.files[table.file] += line + "\n";
   };
@@ -288,7 +289,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
     for (const Table& table : tables)
       if (file == table.file) add_line(table, row, false);
   };
-  whose_row = json::object();
+  session_row = json::object();
   for (const Table& table : tables) add_line(table, json::object(), true);
   constexpr unsigned max_sessions = 99;
   for (unsigned participant = 1; participant <= 2 * design.participants; ++participant)
@@ -298,21 +299,23 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
       const std::vector<Event> events = read_journal(content_of(file), file.string());
       if (events.empty()) continue;
       if (events.front().data.at("sha256") != design.sha256)
-        throw Refusal(file.string() + ": was recorded with another design (SHA-256)");
+        throw Refusal(file.string() +
+                      ": this session has another design than study.json (by SHA-256); restore the study's study.json");
       const Schedule schedule = schedule_of(design, participant);
       const State state = state_of(design, schedule, participant, events);
       ++found.sessions;
-      whose_row = {{"participant", participant},
-                   {"session", session},
-                   {"subject", events.front().data.at("subject")},
-                   {"level", design.levels.empty() ? "" : design.levels[schedule.level]}};
+      session_row = {{"participant", participant},
+                     {"session", session},
+                     {"subject", events.front().data.at("subject")},
+                     {"level", design.levels.empty() ? "" : design.levels[schedule.level]}};
       add("people.csv", person_row(design, state, events));
       add_events(design, state, events, unblinds, add);
       for (unsigned block = 0; block < state.trials.size(); ++block)
         for (std::size_t trial = 0; trial < state.trials[block].size(); ++trial)
           add("trials.csv", trial_row(design, state, block, trial, unblinds));
     }
-  if (found.sessions == 0) throw Refusal(study.string() + ": has no session; hrt-experiment run records one");
+  if (found.sessions == 0)
+    throw Refusal(study.string() + ": this folder has no session; run hrt-experiment run or simulate with this --data");
   return found;
 }
 

@@ -85,7 +85,8 @@ std::string LibrarySession::profile() const {
 }
 
 void LibrarySession::record(const std::filesystem::path& file) const {
-  if (std::filesystem::exists(file)) throw Refusal(file.string() + ": exists and is not overwritten");
+  if (std::filesystem::exists(file))
+    throw Refusal(file.string() + ": the recording exists already and is not overwritten; move it away and run again");
   check(hrt_recording_start(session_, file.c_str()));
 }
 
@@ -94,7 +95,7 @@ void LibrarySession::finish_recording(const std::filesystem::path& file) const {
   check(hrt_recording_stop(session_, &status));
   if (status.system_error != 0 || status.rows_lost != 0)
     throw Refusal(file.string() + format(": %llu rows were lost: ", static_cast<unsigned long long>(status.rows_lost)) +
-                  std::strerror(status.system_error));
+                  std::strerror(status.system_error) + "; free space on the disk and run again");
 }
 
 }  // namespace hrt::experiment

@@ -55,15 +55,15 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
 // Bearing of the end from the start of the motion.
 double end_deg(const json& part) { return part.at("real_deg").get<double>() + part.at("miss_deg").get<double>(); }
 
-// Returns why the reach is invalid; empty: valid.
-std::string judged(const Validity& rules, const ReachOutcome& outcome) {
+// Returns the reason for which the reach is invalid; empty: valid.
+std::string invalid_reason(const Validity& rules, const ReachOutcome& outcome) {
   if (!outcome.problem.empty()) return outcome.problem;
-  if (!outcome.has_ended) return "did not end";
+  if (!outcome.has_ended) return "the reach did not end";
   const auto samples = static_cast<double>(std::max<std::int64_t>(1, outcome.summary.counts.samples));
   if (static_cast<double>(outcome.summary.counts.dropped_samples) > rules.max_dropped_share * samples)
-    return "finger lost";
-  if (outcome.duration_s < rules.min_s) return "too fast";
-  return outcome.duration_s > rules.max_s ? "too slow" : "";
+    return "the finger was not tracked";
+  if (outcome.duration_s < rules.min_s) return "the reach was too fast";
+  return outcome.duration_s > rules.max_s ? "the reach was too slow" : "";
 }
 
 class SessionRun {
@@ -83,8 +83,8 @@ class SessionRun {
   // Runs the session and returns how it ended. The journal then has "closed" or "end" with a reason; a crash has none.
   std::string run() {
     try {
-      const std::string how = lead();
-      if (state_.end.empty()) log("closed", {{"reason", "left by the experimenter"}});
+      const std::string how = run_tasks();
+      if (state_.end.empty()) log("closed", {{"reason", "the experimenter quit"}});
       return how;
     } catch (const std::exception& error) {
       close(error.what());
@@ -101,22 +101,22 @@ class SessionRun {
     }
   }
 
-  std::string lead() {
+  std::string run_tasks() {
     open();
     while (state_.end.empty()) try {
-        if (obey()) return "left";
+        if (handle_keys()) return "left";
         const Task task = state_.next();
         if (task.kind == Task::Kind::end) {
           log("end", {{"how", "done"}, {"reason", ""}});
           break;
         }
         stop_if_due();
-        subject_.show(standing(task));
+        subject_.show(status_of(task));
         if (state_.end.empty()) perform(task);
       } catch (const Ended&) {
         // Interrupted: the loop processes the experimenter's key and starts the task again.
       }
-    subject_.say(state_.end == "done" ? "The session is done. Thank you." : "The session is stopped.");
+    subject_.say(state_.end == "done" ? "The session is complete. Thank you." : "The session was stopped.");
     return state_.end;
   }
 
@@ -126,25 +126,26 @@ class SessionRun {
     disk_.step("after state");
   }
 
-  // Restarts the block after an interruption that was long, or of unknown length.
+  // Starts or resumes the session. Restarts the block after an interruption that was long, or of unknown length.
   void open() {
     const std::vector<Event>& events = journal_.events();
     bool is_long = false;
     if (!events.empty()) {
       const json& first = events.front().data;
       if (first.at("sha256") != design_.sha256)
-        throw Refusal(folder_.string() + ": was started with a design of SHA-256 " +
-                      first.at("sha256").get<std::string>());
+        throw Refusal(folder_.string() + ": this session was started with another design, of SHA-256 " +
+                      first.at("sha256").get<std::string>() + "; use that design, or another folder (--data)");
       if (first.at("subject") != subject_.description())
-        throw Refusal(folder_.string() + ": began with " + first.at("subject").get<std::string>() + ", not with " +
-                      subject_.description());
+        throw Refusal(folder_.string() + ": this session was started by " + first.at("subject").get<std::string>() +
+                      ", not by " + subject_.description() +
+                      "; use the same participant and tracker, or another session (--session)");
       if (!state_.end.empty()) return;
       subject_.continue_after(*state_.last);
       is_long = is_long_pause();
     }
     if (!events.empty() && events.front().data.at("library") != library_version())
-      subject_.say("The session began with version " + events.front().data.at("library").get<std::string>() +
-                   " of the library; this one has " + library_version() + ". The journal records both.");
+      subject_.say("The session was started with version " + events.front().data.at("library").get<std::string>() +
+                   " of the library. This program has version " + library_version() + ". The journal records both.");
     is_open_ = true;
     log("opened", {{"study", design_.title},
                    {"sha256", design_.sha256},
@@ -154,9 +155,9 @@ class SessionRun {
                    {"library", library_version()},
                    {"registers", subject_.marks().has_value()},
                    {"boot", subject_.boot()}});
-    if (!place_.plate.empty()) keep("plate", place_.plate);
+    if (!place_.plate.empty()) store("plate", place_.plate);
     const std::string& given = place_.registration;
-    if (!given.empty() && !state_.registrations.contains(given)) keep_registration(given, {{"touched", false}});
+    if (!given.empty() && !state_.registrations.contains(given)) store_registration(given, {{"touched", false}});
     const auto& records =
         state_.block < state_.trials.size() ? state_.trials[state_.block] : std::vector<TrialRecord>{};
     const bool is_in_block =
@@ -170,7 +171,7 @@ class SessionRun {
   }
 
   // Returns true if the experimenter quits.
-  bool obey() {
+  bool handle_keys() {
     for (Key key = subject_.key(); key != Key::none; key = subject_.key()) {
       if (key == Key::leave) return true;
       if (key == Key::unblind) log("unblinded", json::object());
@@ -185,7 +186,7 @@ class SessionRun {
     const std::int64_t passed_ns = state_.passed_ns + state_.since_last_ns(subject_.now(), state_.boot);
     const double minutes = static_cast<double>(passed_ns) / static_cast<double>(ns_per_minute);
     if (state_.refused_in_a_row >= design_.max_invalid_in_a_row)
-      log("end", {{"how", "stopped"}, {"reason", "too many reaches in a row did not count"}});
+      log("end", {{"how", "stopped"}, {"reason", "too many invalid reaches in a row"}});
     else if (state_.has_consent && minutes > design_.max_minutes)
       log("end", {{"how", "stopped"}, {"reason", "the session took too long"}});
   }
@@ -222,14 +223,14 @@ class SessionRun {
     const LibrarySession session({"", Controller::none, 0.0}, "", subject_);
     const std::optional<hrt_setup_config> marks = subject_.marks();
     const hrt_setup_result found =
-        guide(session, HRT_SETUP_REGISTRATION, marks ? &*marks : nullptr, "touch", state_.touches);
-    keep_registration(subject_.registered(session.config()), {{"touched", true},
-                                                              {"residual_mm", 1e3 * found.registration_residual_m},
-                                                              {"turn_sd_deg", found.registration_turn_sd_deg}});
+        run_set_up(session, HRT_SETUP_REGISTRATION, marks ? &*marks : nullptr, "touch", state_.touches);
+    store_registration(subject_.registered(session.config()), {{"touched", true},
+                                                               {"residual_mm", 1e3 * found.registration_residual_m},
+                                                               {"turn_sd_deg", found.registration_turn_sd_deg}});
   }
 
-  void keep_registration(const std::string& registration, json about) {
-    keep("registration", registration);
+  void store_registration(const std::string& registration, json about) {
+    store("registration", registration);
     about["registration"] = registration;
     log("registered", std::move(about));
   }
@@ -241,8 +242,8 @@ class SessionRun {
     log("checked", std::move(found));
   }
 
-  // Uses the first name that does not exist with other content.
-  void keep(const std::string& name, const std::string& content) const {
+  // Writes NAME.json. If it exists with other content, writes NAME-2.json, and so on.
+  void store(const std::string& name, const std::string& content) const {
     for (unsigned number = 1;; ++number) {
       const std::filesystem::path file = folder_ / (name + (number == 1 ? "" : format("-%u", number)) + ".json");
       if (disk_.create(file, content) || content_of(file) == content) return;
@@ -251,12 +252,12 @@ class SessionRun {
 
   void set_up() {
     const LibrarySession session({"", Controller::people, 0.0}, "", subject_);
-    keep_set_up(session, guide(session, HRT_SETUP_CALIBRATION, nullptr, "slide", state_.slides));
+    store_set_up(session, run_set_up(session, HRT_SETUP_CALIBRATION, nullptr, "slide", state_.slides));
   }
 
   // Passes the slides or touches of the journal to the plugin again, then records the missing ones.
-  hrt_setup_result guide(const LibrarySession& session, std::uint32_t what, const hrt_setup_config* config,
-                         const char* event, const std::vector<json>& made) {
+  hrt_setup_result run_set_up(const LibrarySession& session, std::uint32_t what, const hrt_setup_config* config,
+                              const char* event, const std::vector<json>& made) {
     check(hrt_setup_begin(session.handle(), what, config));
     hrt_setup_step step = hrt_setup_step_init();
     step.part = what;
@@ -290,9 +291,9 @@ class SessionRun {
     }
   }
 
-  void keep_set_up(const LibrarySession& session, const hrt_setup_result& result) {
+  void store_set_up(const LibrarySession& session, const hrt_setup_result& result) {
     const std::string profile = session.profile();
-    keep("profile", profile);
+    store("profile", profile);
     show_noise(session.config().tracker.noise_m);
     log("set_up", {{"is_known", result.done != 0},
                    {"slides", result.slides},
@@ -344,8 +345,8 @@ class SessionRun {
     return parts;
   }
 
-  // State of the session for display, with conditions by their letters.
-  json standing(const Task& task) const {
+  // Describes the task of the session for the live page, with letters for conditions.
+  json status_of(const Task& task) const {
     constexpr const char* tasks[] = {"consent", "registration", "check",  "set-up", "questionnaire",
                                      "break",   "reach",        "answer", "end"};
     std::string text = format("Participant %u: ", state_.participant) + tasks[static_cast<int>(task.kind)];
@@ -363,7 +364,7 @@ class SessionRun {
 
   const TrialRecord& record(const Task& task) const { return state_.trials[task.block][task.trial]; }
 
-  // Returns an unused file name; a crash may have left a file.
+  // Returns a file name that does not exist yet: a crash may have left the file of an attempt.
   std::string new_stem(const Task& task, unsigned* number) const {
     const PlannedTrial& planned = schedule_.blocks[task.block].trials[task.trial];
     for (*number = record(task).attempts + 1;; ++*number) {
@@ -383,7 +384,8 @@ class SessionRun {
                {"condition", blinded(task)},
                {"is_catch", planned.is_catch}};
     const std::vector<Part> parts = parts_of(task, about);
-    if (!design_.block_text.empty() && std::exchange(told_, task.block) != task.block) subject_.say(design_.block_text);
+    if (!design_.block_text.empty() && std::exchange(instructed_block_, task.block) != task.block)
+      subject_.say(design_.block_text);
     unsigned number = 0;
     const std::string stem = new_stem(task, &number);
     about["attempt"] = number;
@@ -393,7 +395,7 @@ class SessionRun {
     json reach{{"parts", json::array()}, {"counts", true}, {"reason", ""}};
     for (std::size_t i = 0; i < parts.size() && reach["counts"]; ++i) {
       const std::string file = stem + (parts.size() > 1 ? format("_part-%zu", i + 1) : "") + ".csv";
-      make(parts[i], planned.condition, static_cast<unsigned>(i), folder_ / "recordings" / file, reach);
+      run_reach(parts[i], planned.condition, static_cast<unsigned>(i), folder_ / "recordings" / file, reach);
     }
     if (about.contains("bent") && reach["counts"]) {
       const json &bent = reach["parts"][about["bent"].get<std::size_t>()],
@@ -420,8 +422,8 @@ class SessionRun {
     disk_.create(folder_ / "recordings" / (stem + ".json"), about.dump(1) + "\n");
   }
 
-  void make(const Part& part, unsigned condition, unsigned index, const std::filesystem::path& file, json& reach) {
-    const std::string& learnt = state_.beliefs[part.index];
+  void run_reach(const Part& part, unsigned condition, unsigned index, const std::filesystem::path& file, json& reach) {
+    const std::string& learnt = state_.profiles[part.index];
     const std::string first = state_.set_up ? state_.set_up->at("profile").get<std::string>() : "";
     const LibrarySession session(part.condition, learnt.empty() ? first : learnt, subject_);
     const auto [real, seen] = session.add_targets(part.real_deg, part.virtual_deg, part.distance_m, part.radius_m);
@@ -433,17 +435,17 @@ class SessionRun {
     disk_.sync(file);
     json& found = reach["parts"].emplace_back(outcome_of(part, outcome, session.config().start_position_m));
     found["ended_ns"] = ended_ns;
-    reach["reason"] = judged(design_.validity, outcome);
+    reach["reason"] = invalid_reason(design_.validity, outcome);
     reach["counts"] = reach["reason"] == "";
     show_noise(outcome.summary.learnt.tracker_noise_m);
-    const std::string counts = reach["counts"] ? "counts" : "does not count: " + reach["reason"].get<std::string>();
-    if (!reach["counts"]) subject_.say("The reach " + counts + ".");
+    const std::string validity = reach["counts"] ? "valid" : "invalid: " + reach["reason"].get<std::string>();
+    if (!reach["counts"]) subject_.say("This reach is not counted: " + reach["reason"].get<std::string>() + ".");
     subject_.show({{"measured",
-                    {format("missed by %.1f mm", found["miss_mm"].get<double>()),
-                     format("largest felt error %.1f°", outcome.peak_felt_error_deg),
-                     format("misfit %.1f: the model fits below 4.5", outcome.summary.misfit), counts}}});
+                    {format("miss %.1f mm", found["miss_mm"].get<double>()),
+                     format("largest perceived-direction error %.1f°", outcome.peak_felt_error_deg),
+                     format("misfit %.1f (limit 4.5)", outcome.summary.misfit), validity}}});
     if (part.condition.controller == Controller::people && part.index == condition && reach["counts"])
-      reach["belief"] = session.profile();
+      reach["profile"] = session.profile();
   }
 
   void ask(const Task& task) {
@@ -468,7 +470,7 @@ class SessionRun {
   Journal journal_;
   State state_;
   bool is_open_ = false;
-  std::optional<unsigned> told_;  // last block whose instruction was given
+  std::optional<unsigned> instructed_block_;  // last block whose instruction was given
 };
 
 }  // namespace
@@ -483,15 +485,15 @@ void freeze(const Design& design, const std::filesystem::path& study, const Disk
   if (disk.create(frozen, design.text)) return;
   const std::string before = sha256_of(content_of(frozen));
   if (before != design.sha256)
-    throw Refusal(frozen.string() + ": the design was frozen with SHA-256 " + before +
-                  " at the first participant; this one has " + design.sha256);
+    throw Refusal(frozen.string() + ": this study has a design of SHA-256 " + before + ", not of " + design.sha256 +
+                  "; use its design, or another folder (--data)");
 }
 
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk) {
   if (place.participant < 1 || place.participant > 2 * design.participants)
     throw Refusal(format(
-        "--participant: %u is not from 1 to %u, the design's number, or up to %u, the replacement of participant "
-        "N - %u",
+        "--participant: %u is not allowed; allowed are 1 to %u, the participants of the design, and up to %u, the "
+        "replacements of participants N - %u",
         place.participant, design.participants, 2 * design.participants, design.participants));
   freeze(design, place.study, disk);
   return SessionRun(design, place, subject, disk).run();

@@ -1,4 +1,5 @@
-// A session, from consent to its end. It can be interrupted and resumed by another process.
+// A session of a study: one visit of a participant, from consent to its end. After an interruption, another process
+// resumes it from the journal.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +25,8 @@ std::filesystem::path folder_of(const SessionPlace& place);
 /// design.
 void freeze(const Design& design, const std::filesystem::path& study, const Disk& disk);
 
-/// Runs or resumes the session; does nothing if it has ended. Returns "done", "stopped", or "left" (can be
-/// resumed). Throws Refusal.
+/// Runs or resumes the session; has no effect if it has ended. Returns "done", "stopped", or "left" (the experimenter
+/// quit, and can resume it). Throws Refusal.
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk);
 
 }  // namespace hrt::experiment

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t frame_ns = 11'111'111, settle_ns = 300'000'000, limit_ns = 30'000'000'000;
 constexpr double max_speed_deg_s = 400.0;
 constexpr std::int64_t latency_ns = 30'000'000;
-constexpr double notice_slope = 2.0;
+constexpr double notice_slope = 2.0;  // slope of the psychometric function of an answer
 
 // Simulated person of core/simulation at reach number `number`.
 class Person {
@@ -159,8 +159,9 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
   return outcome;
 }
 
-// The probability of noticing is a psychometric function of the perceived-direction error. If noticed, the answer is
-// the reach with the larger error, or the first answer to the question.
+// The probability that the participant notices the bend is a psychometric function of the perceived-direction error.
+// The answer is then the reach with the larger error, or the first answer to the question; else it is a guess, or the
+// last answer.
 unsigned SimulatedSubject::answer(const std::string&, const std::vector<std::string>& answers,
                                   const std::vector<double>& felt_deg, unsigned number) {
   Stream draw(Use::answers, place(number));

@@ -14,7 +14,7 @@ State::State(const Design& of_design, const Schedule& of_schedule, unsigned of_p
       schedule(of_schedule),
       participant(of_participant),
       passes(of_schedule.blocks.size(), 1),
-      beliefs(of_design.conditions.size()),
+      profiles(of_design.conditions.size()),
       quest(of_design.noticeability ? of_design.noticeability->min_gap_deg : 1.0,
             of_design.noticeability ? of_design.noticeability->max_gap_deg : 2.0),
       quest_runs(of_design.noticeability ? of_design.noticeability->runs : 0, quest) {
@@ -47,8 +47,8 @@ void State::apply_reach(const Event& event) {
   record.reach = event.data;
   is_open = false;
   reaches += static_cast<unsigned>(event.data.at("parts").size());
-  const std::string belief = event.data.value("belief", "");
-  if (!belief.empty()) beliefs[schedule.blocks[block].trials[pending.front()].condition] = belief;
+  const std::string profile = event.data.value("profile", "");
+  if (!profile.empty()) profiles[schedule.blocks[block].trials[pending.front()].condition] = profile;
   if (event.data.at("counts").get<bool>()) {
     refused_in_a_row = 0;
     awaits_answer = schedule.blocks[block].kind == BlockKind::noticeability || !design.question.empty();

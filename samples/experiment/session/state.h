@@ -29,7 +29,7 @@ struct Task {
   enum class Kind { consent, registration, check, set_up, questionnaire, rest, trial, answer, end } kind;
   unsigned block = 0;
   unsigned trial = 0;     ///< index in the block; questionnaire: index in the design
-  std::string when = {};  ///< of a questionnaire: before, after, or "block 2"
+  std::string when = {};  ///< time of a questionnaire: before, after, or "block 2"
 };
 
 struct State {
@@ -48,7 +48,7 @@ struct State {
 
   bool has_consent = false;
   bool registers = false;
-  bool is_placed = false;                        ///< touches have checked the plate since the last start
+  bool is_placed = false;                        ///< a touch has checked the registration since the last start
   std::string registration;                      ///< current registration; empty: not registered
   std::set<std::string> registrations;           ///< all registrations of the session
   std::vector<nlohmann::json> touches;           ///< touches of an unfinished registration
@@ -60,15 +60,15 @@ struct State {
   unsigned block = 0;
   std::vector<unsigned> pending;  ///< indices of the remaining trials of the block, next one first
   bool rest_due = false;
-  bool is_open = false;  ///< an attempt is in progress
+  bool is_open = false;  ///< an attempt has begun and its reach has not ended
   bool awaits_answer = false;
   unsigned reaches = 0;  ///< number of ended reaches, valid or not
   unsigned presented = 0;
   unsigned refused_in_a_row = 0;
-  std::vector<std::string> beliefs;  ///< profile of each condition after its last reach; empty: that of the set-up
-  app::QuestPlus quest;              ///< posterior of all answers, for the threshold
+  std::vector<std::string> profiles;  ///< profile of each condition after its last reach; empty: that of the set-up
+  app::QuestPlus quest;               ///< posterior of all answers, for the threshold
   std::vector<app::QuestPlus> quest_runs;  ///< interleaved runs, which select the gaps
-  std::string end;                         ///< "done" or "stopped"; empty: neither
+  std::string end;                         ///< "done" or "stopped"; empty: the session has not ended
   std::int64_t passed_ns = 0;  ///< time from consent to the last event, including time while the computer was off
   std::string boot;            ///< identifier of the computer's boot at the last start
   std::optional<Now> last;     ///< time of the last event

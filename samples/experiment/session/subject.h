@@ -32,11 +32,11 @@ struct ReachOrder {
 
 struct ReachOutcome {
   bool has_ended = false;
-  std::string problem;      ///< why it is invalid, other than by the rules of validity; empty: valid
-  double end_m[3]{};        ///< final position of the fingertip, in plate coordinates
-  double duration_s = 0.0;  ///< duration of the motion
-  double peak_felt_error_deg = 0.0;
-  bool is_truth = false;  ///< true: ground truth of a simulation; false: estimates of the plugin
+  std::string problem;               ///< why it is invalid, other than by the rules of validity; empty: valid
+  double end_m[3]{};                 ///< final position of the fingertip, in plate coordinates
+  double duration_s = 0.0;           ///< duration of the motion
+  double peak_felt_error_deg = 0.0;  ///< largest perceived-direction error
+  bool is_truth = false;             ///< peak_felt_error_deg is ground truth; false: the plugin's estimate
   hrt_reach_summary summary{};
 };
 
@@ -53,7 +53,7 @@ class Subject {
   virtual ~Subject() = default;
 
   virtual Now now() = 0;
-  /// Advances a simulated clock past the last time of the journal.
+  /// Sets a simulated clock to the last time of the journal.
   virtual void continue_after(const Now&) {}
   /// Identifies the boot of the computer; monotonic times of the same boot are comparable.
   virtual std::string boot() const = 0;

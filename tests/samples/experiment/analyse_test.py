@@ -1,5 +1,5 @@
-"""The registered tests on simulated studies: by hand, without an effect, with one. HRT_EXPERIMENT_STUDIES has more of them.
-Then a study of two simulated people, from its design to the report.
+"""Tests the registered tests by hand and on simulated studies with and without an effect (HRT_EXPERIMENT_STUDIES sets their number), then complete
+studies of simulated people, from the design to the report.
 
     analyse_test.py samples/experiment PROGRAM
 """
@@ -31,7 +31,7 @@ EFFECT = -2.0
 
 
 def study(seed, effect, people, trials=10):
-    """Skewed people who learn, tire and drift; two conditions in alternating order."""
+    """Returns trials of people with skewed misses, learning, fatigue and drift, under two conditions in alternating order."""
     draw = numpy.random.default_rng(seed)
     rows = []
     for person in range(people):
@@ -49,14 +49,14 @@ def test_by_hand():
     assert analysis.sign_flip([1.0, 2.0, 3.0], 0) == 0.25
     assert analysis.sign_flip([1.0, -1.0], 0) == 1.0
     assert analysis.holm({"a": 0.01, "b": 0.04, "c": 0.03}) == {"a": 0.03, "c": 0.06, "b": 0.06}
-    assert str(analysis.holm({"a": float("nan"), "b": 0.01, "c": 0.03})) == "{'b': 0.03, 'c': 0.06, 'a': nan}"  # it still counts among three
-    _, low, high = analysis.student([1, 2, 3])  # t of 2 degrees of freedom: 4.303; deviation 1
+    assert str(analysis.holm({"a": float("nan"), "b": 0.01, "c": 0.03})) == "{'b': 0.03, 'c': 0.06, 'a': nan}"  # nan still counts as a third test
+    _, low, high = analysis.student([1, 2, 3])  # t with 2 degrees of freedom: 4.303; SD 1
     assert abs(high - 2 - 4.303 / 3**0.5) < 1e-3 and abs(high + low - 4) < 1e-9
-    # One-sided: t = 3.464, of 2 degrees of freedom 2.920 at 5 %; of the 8 choices of signs only + + + is as high.
+    # One-sided: t = 3.464; t with 2 degrees of freedom at 5 %: 2.920. Of the 8 choices of signs, only + + + is as high.
     p, low, high = analysis.student([1, 2, 3], direction="greater")
     assert abs(p - 0.0371) < 1e-3 and abs(low - 2 + 2.920 / 3**0.5) < 1e-3 and high == numpy.inf
     assert analysis.sign_flip([1.0, 2.0, 3.0], 0, direction="greater") == 0.125 and analysis.sign_flip([1.0, 2.0, 3.0], 0, direction="less") == 1
-    # Three people of five have the same value: Student's t is not determined; of two of four it is.
+    # If three people of five have the same value, Student's t is not determined; if two of four do, it is.
     assert numpy.isnan(analysis.student([1, 1, 1, 0, 2])).all() and analysis.student([1, 1, 0, 2])[0] > 0
 
 
@@ -79,7 +79,7 @@ def test_level_and_coverage():
 
 
 def test_outcomes():
-    """By hand: percent within, variable error about each pair's mean, d' and criterion by the log-linear rule; equivalence and a margin."""
+    """By hand: percent within, variable error about the mean of each pair, d' and criterion by the log-linear rule; equivalence and a margin."""
     rows = [(1, "a", "l", 0, 1.0, "yes"), (1, "a", "l", 0, 3.0, "no"), (1, "a", "r", 0, -1.0, "yes"), (1, "a", "r", 0, -1.0, "yes"),
             (1, "a", "l", 1, 0.0, "no"), (1, "a", "l", 1, 0.0, "no")]
     trials = pandas.DataFrame(rows, columns=["participant", "condition", "pair", "is_catch", "miss_deg", "answer"]).assign(kind="reaches", end="counted")
@@ -102,7 +102,7 @@ def test_outcomes():
 
 
 def test_participants():
-    """By hand: whom the rules exclude, and Welch's test of two levels, which scipy has too."""
+    """By hand: excluded participants. Welch's test of two levels agrees with scipy's."""
     study = {"conditions": [{"name": "a"}, {"name": "none"}], "question": "Bent?", "exclusions": {"max_missing_share": 0.25, "max_false_alarms": 0.5}}
     row = lambda person, is_catch, end, answer: {"participant": person, "kind": "reaches", "is_catch": is_catch, "end": end, "answer": answer}
     trials = pandas.DataFrame([row(1, 0, "counted", "no")] * 3 + [row(1, 0, "missing", None), row(1, 1, "counted", "no")]
@@ -118,7 +118,7 @@ def test_participants():
 
 
 def test_threshold():
-    """By hand: ends 4° and 8° from the virtual target, so the bend in use is 6°; a threshold of 12° is twice that."""
+    """By hand: ends 4° and 8° from the virtual target, so the delivered bend is 6°; a threshold of 12° is twice that."""
     trials = pandas.DataFrame({"participant": 1, "condition": ["a", "a", "b"], "real_deg": 0, "virtual_deg": [6, -6, 6], "miss_deg": [2.0, 2.0, 9.0],
                                "kind": "reaches", "is_catch": 0, "end": "counted"})
     people = pandas.DataFrame({"participant": [1, 2], "threshold_deg": [12.0, 5.0]})
@@ -127,18 +127,18 @@ def test_threshold():
 
 
 def test_psychometric():
-    """Answers of an observer whose threshold is 8 and slope 2, which the fit finds; those of one who never finds anything do not fit."""
+    """The fit recovers a threshold of 8 and a slope of 2; answers that do not depend on the bend determine no threshold."""
     draw = numpy.random.default_rng(1)
     bends = draw.uniform(1, 20, 4000)
     answers = lambda right: pandas.DataFrame({"bend_deg": bends, "is_right": (draw.uniform(size=4000) < right).astype(float)})
     (threshold, slope), fit, _, _ = analysis.psychometric(answers(0.5 + 0.48 * (1 - numpy.exp(-((bends / 8) ** 2)))))
     assert abs(threshold - 8) < 0.5 and abs(slope - 2) < 0.3 and fit > 0.01, (threshold, slope, fit)
     assert analysis.psychometric(answers(0.5 + 0.4 * (numpy.abs(bends - 10) < 3)))[1] < 1e-6
-    assert numpy.isnan(analysis.psychometric(answers(numpy.full(4000, 0.55)))[0]).all()  # of no bend that was delivered
+    assert numpy.isnan(analysis.psychometric(answers(numpy.full(4000, 0.55)))[0]).all()  # no threshold within the delivered bends
 
 
 def few_trials(every):
-    """8 people, 3 conditions of different scatter, 2 pairs, 3 repeats; without each trial whose number is divisible by `every`."""
+    """Returns trials of 8 people, 3 conditions with different scatter, 2 pairs, 3 repeats, without each `every`-th trial (0: all trials)."""
     draw = numpy.random.RandomState(5)
     own = draw.normal(0, [1.0, 0.8, 0.6], (8, 3)).cumsum(axis=1)
     rows = [(i, "cab"[c], "lr"[k % 2], 2 * c + own[i, c] + draw.normal(0, 0.4 + 0.4 * c) + 0.5 * (k % 2))
@@ -148,7 +148,7 @@ def few_trials(every):
 
 
 def test_mixed_model():
-    """Numbers of another fit of the same model, by nlme 3.1: lme with pdBlocked(pdSymm, pdIdent ...) and varIdent by condition."""
+    """Compares with a fit of the same model by nlme 3.1: lme with pdBlocked(pdSymm, pdIdent ...) and varIdent by condition."""
     fit = analysis.mixed_models([few_trials(7)], "abs_miss_deg", "c")[0]
     nlme = {"a": (2.018984, 0.310147), "b": (4.097882, 0.397902)}
     for condition, (estimate, error) in nlme.items():
@@ -157,13 +157,13 @@ def test_mixed_model():
     assert numpy.allclose(fit.df, [6.9666, 6.9724], rtol=1e-2) and numpy.allclose(fit.p, [3.39e-4, 1.8e-5], rtol=2e-2), fit
     one_sided = analysis.mixed_models([few_trials(7)], "abs_miss_deg", "c", "greater")[0]  # both estimates are above 0
     assert numpy.allclose(2 * one_sided.p, fit.p), one_sided
-    # With balanced data it is the paired t test of people's means.
+    # With balanced data, it equals the paired t test of people's means.
     balanced = few_trials(0)
     fit, means = analysis.mixed_models([balanced], "abs_miss_deg", "c")[0], analysis.means_of(balanced, "abs_miss_deg")
     for condition in "ab":
         t = scipy.stats.ttest_rel(means[condition], means.c)
         assert abs(fit.p[condition] / t.pvalue - 1) < 0.02 and abs(fit.df[condition] - 7) < 0.02, (fit, t)
-    # One trial of each cell cannot distinguish correlated slopes from residuals: the model is reduced, and says so. Of constants no fit exists.
+    # One trial per cell cannot distinguish correlated slopes from residuals, so the model is reduced. Constants cannot be fitted.
     single = balanced.groupby(["participant", "condition"]).head(1)
     constant = balanced.assign(abs_miss_deg=1.0)
     reduced, none = analysis.mixed_models([single, constant], "abs_miss_deg", "c")
@@ -174,8 +174,8 @@ def test_mixed_model():
 
 
 def test_own_data():
-    """Studies of people who are drawn from simulated ones: misses of one condition scatter ten times as much as the other's. Each outcome and
-    hypothesis that can be registered has its level, and its intervals have the effect."""
+    """Studies drawn from simulated people; the misses of one condition have ten times the SD of the other's. Tests the false positive rate and the
+    coverage of each outcome and hypothesis that can be registered."""
     reach = {"virtual_deg": 6, "real_deg": 0}
     design = {"title": "own data", "participants": 12, "question": "Bent?", "catch_share": 0.5, "practice_trials": 0, "repeats": 4, "set_up": "none",
               "pairs": [{"name": "left", **reach}, {"name": "right", **reach, "virtual_deg": -6}],
@@ -213,7 +213,7 @@ def test_own_data():
         assert found < 6.5 and (len(ends) < STUDIES or covered > 93), (within, found, covered)
 
 
-# Distributions with mean 0 and standard deviation 1.
+# Distributions with mean 0 and SD 1.
 KINDS = {
     "uniform": lambda draw: draw.uniform(-(3**0.5), 3**0.5, 12),
     "normal": lambda draw: draw.normal(0, 1, 12),
@@ -223,7 +223,7 @@ KINDS = {
 
 
 def test_population():
-    """Weights of people who are known by 16 to 40 slides: intervals have the true mean, and the mean variance of people is the true one."""
+    """Tactile weights with the errors of 16 to 40 slides: coverage of the mean, and the mean variance of people."""
     studies = 5 * STUDIES
     for kind, people in KINDS.items():
         covered = variances = 0
@@ -239,9 +239,9 @@ def test_population():
 
 
 def test_whole_studies():
-    """Studies of twelve simulated people, through set-up, reaches and export: intervals of their effect and of their mean weight.
+    """Studies of twelve simulated people with set-up, reaches and export: coverage of the effect and of the mean tactile weight.
 
-    HRT_EXPERIMENT_SET_UPS has more than one study of each kind of people. The true effect is that of all of them."""
+    HRT_EXPERIMENT_SET_UPS: number of studies for each distribution of weights [1]. The true effect is the mean over all studies."""
     studies = int(os.environ.get("HRT_EXPERIMENT_SET_UPS", "1"))
     reach = {"virtual_deg": 6, "real_deg": 0}
     study = {"title": "recovery", "participants": 12, "practice_trials": 0, "repeats": 2, "pairs": [{"name": "left", **reach}],
@@ -263,7 +263,7 @@ def test_whole_studies():
 
 
 def paired(people, sd):
-    """Trials of people whose differences are normal: equally spaced quantiles."""
+    """Returns trials of people whose differences are equally spaced quantiles of a normal distribution."""
     differences = sd * scipy.stats.norm.ppf((numpy.arange(people) + 0.5) / people)
     return pandas.DataFrame([(i, condition, value) for i, d in enumerate(differences) for condition, value in (("a", d), ("none", 0.0))],
                             columns=["participant", "condition", "abs_miss_deg"])
@@ -273,8 +273,8 @@ def test_power():
     plan = {"measure": "abs_miss_deg", "reference": "none", "test": "sign_flip", "alpha": 0.05, "margin": 1}
     found = lambda effect, people, test="sign_flip", way="two-sided": power.share_found(
         paired(2000, 2.0), {**plan, "test": test, "direction": way}, "a", effect, people, 2000, 1)
-    assert found(-9, 5) == 0  # of 32 choices of signs two are as far from 0: p is 0.0625 at the least
-    # With normal differences the t test is as strong: its noncentral distribution, effect and deviation 1 and 2.
+    assert found(-9, 5) == 0  # 2 of 32 choices of signs are as far from 0, so p is at least 0.0625
+    # Compares with the noncentral t distribution, for normal differences with an SD of 2.
     for effect, people in ((0, 12), (-1, 12), (-1, 32), (-2, 12)):
         t, shift = scipy.stats.t.ppf(0.975, people - 1), effect / 2 * people**0.5
         exact = 100 * (scipy.stats.nct.cdf(-t, people - 1, shift) + (scipy.stats.nct.sf(t, people - 1, shift) if shift else 0.025))
@@ -282,10 +282,10 @@ def test_power():
             assert abs(found(effect, people, test) - exact) < 3, (effect, people, test, found(effect, people, test), exact)
             one_sided = 100 * scipy.stats.nct.cdf(scipy.stats.t.ppf(0.05, people - 1), people - 1, shift) if shift else 5
             assert abs(found(effect, people, test, "less") - one_sided) < 3, (effect, people, test, one_sided)
-    # Shares keep their bounds, whatever their mean is to be.
+    # Percentages keep their bounds for any mean.
     shares = power.drawn([100.0] * 9 + [50.0], 19.0, 12, 4000, 1, is_share=True)
     assert abs(shares.mean() - 19) < 1.5 and set(abs(shares.ravel())) == {50, 100}, shares.mean()
-    # Two one-sided t tests at their margin have their level; within it, of so many people, one of them rarely fails.
+    # Two one-sided t tests: compares the power at and within the margin with the noncentral t distribution.
     values = paired(2000, 1.0).query("condition == 'a'").abs_miss_deg
     share = lambda mean, people: 100 * numpy.mean(analysis.equivalence(power.drawn(values, mean, people, 4000, 1), 1.0) < 0.05)
     for mean, people in ((1, 12), (-1, 40), (0, 12), (0.5, 40)):
@@ -298,12 +298,12 @@ def test_power():
 def power_of_a_design(design):
     printed = subprocess.run([sys.argv[1] + "/power", design, "--program", sys.argv[2], "--pool", "6", "--people", "6,12", "--studies", "200",
                               "--effect", "0,4"], check=True, capture_output=True, text=True).stdout
-    assert printed.startswith("SIMULATION: no person took part. 6 simulated people; t of abs_miss_deg, 2 at 0.05 / 2"), printed
-    assert printed.count(" less none: mean ") == 2 and len(printed.splitlines()) == 1 + 2 * (5 + 6) + 8 + 2, printed
+    assert printed.startswith("SIMULATION: no person took part. 6 simulated people; t of abs_miss_deg, 2 tests at alpha 0.05 / 2"), printed
+    assert printed.count(" minus none: mean ") == 2 and len(printed.splitlines()) == 1 + 2 * (5 + 6) + 8 + 2, printed
     assert printed.endswith(hashlib.sha256(design.read_bytes()).hexdigest() + "\n"), printed
     rows = [line.split() for line in printed.splitlines()]
     levels = [float(share) for row in rows if row and row[0] == "1" and row[-1] == "%" for share in row[3:-1]]
-    assert len(levels) == 2 * 3 and max(levels) < 5 + 6, printed  # of equivalence and of thresholds: 6 is three deviations and skew
+    assert len(levels) == 2 * 3 and max(levels) < 5 + 6, printed  # false positive rates of equivalence and thresholds: 6 is three SDs and skew
 
 
 def test_report():
@@ -330,8 +330,8 @@ def test_report():
 
 
 def test_a_whole_study():
-    """Three conditions, two levels, eight participants, from the design to the report, in a locale without UTF-8: names that are not ASCII or look
-    like something else, a byte order mark and CRLF. The results are those of scipy and of lme4, called here on the exported table."""
+    """A study with three conditions, two levels and eight participants, from the design to the report, in a locale without UTF-8. Names are not
+    ASCII or look like numbers or missing values; the design has a byte order mark and CRLF. Results agree with scipy and lme4 on the exported table."""
     names = ["NA", "papier 論文 😀", "0"]
     study = {"title": "Führung \u2028 <b>", "participants": 8, "practice_trials": 2, "repeats": 4, "max_run": 9, "set_up": "none", "order": "random_in_blocks", "rounds": 2,
              "conditions": [{"name": name, "controller": kind} for name, kind in zip(names, ("people", "paper", "none"))],
@@ -347,7 +347,7 @@ def test_a_whole_study():
                                             env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0"}).stdout
         assert "abs_miss_deg` of each condition differs from that of 0, in either direction." in run(sys.argv[2], "preregister", design)
         for words in ([sys.argv[2], "simulate", design, "--data", data], [sys.argv[2], "simulate", design, "--data", f"{folder}/one", "--threads", "1"],
-                      ["diff", "-r", data, f"{folder}/one"],  # the same bytes for any number of threads
+                      ["diff", "-r", data, f"{folder}/one"],  # the same bytes for any number of processes
                       [sys.argv[2], "export", "--data", data, "--unblind"], [sys.argv[1] + "/analyse", data], [sys.argv[1] + "/bids", data]):
             run(*words)
         report = (data / "export/report.html").read_text(encoding="utf-8")
@@ -356,7 +356,7 @@ def test_a_whole_study():
         assert all(f"\t{name}\t" in events for name in names), events
         answers = pandas.read_csv(data / "export/questionnaires.csv")
         assert len(answers) == 8 * (2 + 2) and set(answers.when) == {"before", "block 1", "block 2"} and "By Hand" in report, answers
-        # Without a gap the plate moves at least as far.
+        # The plate rotates at least as much without a gap.
         still, bent = (float(re.search(f"{name} a gap (\\d+)°", report)[1]) for name in ("without", "with"))
         assert still >= bent > 20 and f" under {names[1]}: their ratio is " in report, (still, bent)
         every = analysis.read_table(data / "export/trials.csv")
@@ -378,7 +378,7 @@ def test_a_whole_study():
             p = scipy.stats.ttest_rel(means[name], means[names[2]]).pvalue
             assert abs(found.t[name] / p - 1) < 1e-3 and f"<td>{found.estimate[name]:.3g}</td>" in report, (found, p)
             assert abs(mixed.estimate[name] / fitted[i][0] - 1) < 1e-3 and abs(mixed.mixed_model[name] - fitted[i][2]) < max(2e-2 * fitted[i][2], 1e-4), (mixed, fitted)
-        if os.environ.get("HRT_EXPERIMENT_REPORT"):  # to look at
+        if os.environ.get("HRT_EXPERIMENT_REPORT"):  # for inspection
             shutil.copy(data / "export/report.html", os.environ["HRT_EXPERIMENT_REPORT"])
         (data / "export/people.csv").write_text("nothing\n")
         broken = subprocess.run([sys.argv[1] + "/analyse", data], capture_output=True, text=True, check=False)
@@ -386,7 +386,7 @@ def test_a_whole_study():
 
 
 def bids_validator():
-    """The command of npm's bids-validator, from the registry, once: its package is one script. None without npm or registry."""
+    """Returns the script of npm's bids-validator, which is downloaded once; None without npm or its registry."""
     cache = pathlib.Path.home() / ".cache/haptic_retargeting/bids-validator"
     program = cache / "package/bin/bids-validator"
     if not program.exists() and shutil.which("npm"):
@@ -396,7 +396,7 @@ def bids_validator():
 
 
 def test_bids(data, conditions):
-    """By the rules of BIDS 1.9 for motion, and by its validator where npm can fetch it."""
+    """Checks rules of BIDS 1.9 for motion, and runs bids-validator if npm can install it."""
     subprocess.run([sys.argv[1] + "/bids", data], check=True, capture_output=True)
     bids, trials = data / "export/bids", pandas.read_csv(data / "export/trials.csv")
     table = lambda name, header=0: pandas.read_csv(f"{bids}/sub-02/ses-01/motion/sub-02_ses-01_task-reach_{name}.tsv", sep="\t", header=header)
@@ -404,7 +404,7 @@ def test_bids(data, conditions):
     assert list(channels.columns[:5]) == ["name", "component", "type", "tracked_point", "units"] and len(channels) == len(motion.columns)
     time = motion[list(channels.type).index("LATENCY")]
     assert time[0] == 0 and (time.diff()[1:] > 0).all() and list(events.columns[:3]) == ["onset", "duration", "trial_type"]
-    # Every sample is of one reach, and every trial is there.
+    # Every sample belongs to one reach, and every trial has a reach.
     assert (sum(time.between(row.onset - 1e-6, row.onset + row.duration + 1e-6).astype(int) for row in events.itertuples()) == 1).all()
     assert len(events.dropna(subset="block").groupby(["block", "trial"])) == sum(trials.participant == 2)
     assert set(events.trial_type[events.block.notna()]) == conditions, events.trial_type
@@ -418,7 +418,7 @@ def test_bids(data, conditions):
     if validator := bids_validator():
         found = json.loads(subprocess.run(["node", validator, "--json", bids], capture_output=True, check=False).stdout)
         assert not found["issues"]["errors"], found["issues"]["errors"]
-    print("BIDS by bids-validator" if validator else "BIDS by its written rules: npm has no bids-validator here")
+    print("BIDS checked by bids-validator" if validator else "BIDS checked without bids-validator, which npm could not install")
 
 
 test_by_hand()

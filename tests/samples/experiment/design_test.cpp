@@ -12,29 +12,27 @@ namespace {
 
 using nlohmann::json;
 
-// FIPS 180-4's examples, and a message of a whole block.
-// By libmd.
-TEST(ExperimentDesign, Sha256IsTheStandards) {
+// The example of FIPS 180-4.
+TEST(ExperimentDesign, Sha256OfTheExampleOfTheStandard) {
   EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-// Given values, defaults, what is not given, objects and lists of them; and no field of the design is left
-// out.
+// Given values, defaults, missing values, objects and lists of objects; every field of the schema is present.
 TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
   const Design design = small_design(3);
   const std::string text = preregistration_text(design);
   for (const std::string& line : std::vector<std::string>{
-           "- `repeats` (Trials of each pair in a block): 3\n",
-           "- `rounds` (Blocks per condition; of random_in_blocks: blocks): 1, by default\n",
-           "  - `max_s` (Longest duration, seconds): 8, by default\n",
-           "- `listed_orders` (Orders of the conditions, by name, assigned to the participants in turn): none\n",
+           "- `repeats` (Number of trials of each pair in a block): 3\n",
+           "- `rounds` (Number of blocks per condition; with random_in_blocks: number of blocks): 1 (default)\n",
+           "  - `max_s` (Maximum duration, seconds): 8 (default)\n",
+           "- `listed_orders` (Orders of the conditions, by name, assigned to the participants in turn): not given\n",
            "  - number 2\n    - `config` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
     EXPECT_TRUE(has(text, line));
   for (const auto& [name, field] : design_schema()["properties"].items())
     EXPECT_TRUE(has(text, "- `" + name + "` (")) << name;
 }
 
-// Direction, margin, stopping and the power of this design, and of no other one.
+// Direction, margin, stopping rules, and the power table of this design; the table of another design is rejected.
 TEST(ExperimentDesign, ThePreregistrationStatesHypothesisAndPower) {
   const auto text_of = [](const json& analysis) {
     return preregistration_text(small_design(3, [&](json& study) { study["analysis"] = analysis; }));
@@ -49,13 +47,11 @@ TEST(ExperimentDesign, ThePreregistrationStatesHypothesisAndPower) {
   const Design design = small_design(3);
   const std::string table = "a table, SHA-256 " + design.sha256 + "\n";
   EXPECT_TRUE(has(preregistration_text(design, table), "```\n" + table + "```"));
-  EXPECT_TRUE(
-      has(preregistration_text(design), "after 10 reaches in a row that do not count, or 120 minutes after consent"));
+  EXPECT_TRUE(has(preregistration_text(design), "after 10 invalid reaches in a row, or 120 minutes after consent"));
   EXPECT_NE(refusal_of([&] { preregistration_text(small_design(4), table); }), "");
 }
 
-// Each ordered pair of conditions is neighbours equally often, and each condition is in each place equally
-// often.
+// Each condition directly follows each other one equally often, and is in each position equally often.
 TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
   for (unsigned count = 1; count <= 12; ++count) {
     const auto orders = williams_orders(count);
@@ -75,8 +71,8 @@ TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
   }
 }
 
-// Each block has every pair of each condition as often as planned, no pair three times in a row, catch trials
-// apart.
+// Each block has every pair of each condition as often as planned, no pair three times in a row, and no two catch
+// trials in a row.
 void expect_legal(const Design& design, const Block& block, std::size_t conditions) {
   std::map<std::pair<unsigned, unsigned>, unsigned> cells;
   std::size_t catches = 0;
@@ -108,8 +104,8 @@ TEST(ExperimentDesign, TenThousandSeedsHaveLegalSequences) {
   }
 }
 
-// Each level has each order equally often, and no level is earlier than the other. A replacement has both of whom it
-// replaces.
+// Each level has each order equally often, and levels alternate in time. A replacement has the level and the order of
+// the replaced participant.
 TEST(ExperimentDesign, LevelsAreCrossedWithOrders) {
   const Design design = small_design(2, [](json& study) {
     study["participants"] = 8;
@@ -130,61 +126,62 @@ TEST(ExperimentDesign, LevelsAreCrossedWithOrders) {
 }
 
 struct Wrong {
-  const char* place;  // in the refusal
+  const char* place;  // place that the error names
   std::function<void(json&)> change;
 };
 
-TEST(ExperimentDesign, RefusalsNameThePlace) {
-  const Wrong wrongs[] = {
-      {".title is missing", [](json& s) { s.erase("title"); }},
-      {".titel is not known; known are \"analysis\", \"answers\"", [](json& s) { s["titel"] = "x"; }},
-      {".repeats must be a whole number from 1 to 100", [](json& s) { s["repeats"] = 0; }},
-      {".repeats must be a whole", [](json& s) { s["repeats"] = 2.5; }},
-      {".participants must be a multiple of 2", [](json& s) { s["participants"] = 3; }},
-      {".conditions[1].controller must be one of \"people\", \"paper\"",
-       [](json& s) { s["conditions"][1]["controller"] = "mpc"; }},
-      {".conditions[1].name is", [](json& s) { s["conditions"][1]["name"] = "secret people"; }},
-      {".pairs[0].virtual_deg must be a number from -60 to 60", [](json& s) { s["pairs"][0]["virtual_deg"] = 61; }},
-      {".pairs[0].name must be a text", [](json& s) { s["pairs"][0]["name"] = "a\nb"; }},
-      {".pairs[1] must be an object", [](json& s) { s["pairs"][1] = 4; }},
-      {".listed_orders is required", [](json& s) { s["order"] = "listed"; }},
-      {".listed_orders[0] must have each",
-       [](json& s) {
-         s["order"] = "listed";
-         s["listed_orders"] = json::parse(R"([["secret people", "secret people"]])");
-       }},
-      {".validity.max_s must be above min_s", [](json& s) { s["validity"] = {{"min_s", 2}, {"max_s", 1}}; }},
-      {".noticeability.condition must be a condition: \"secret people\", \"hidden none\"",
-       [](json& s) { s["noticeability"] = {{"condition", "x"}}; }},
-      {".noticeability.condition must be", [](json& s) { s["noticeability"] = {{"condition", "hidden none"}}; }},
-      {".pairs[0].real_deg must be within 75",
-       [](json& s) { s["pairs"][0].update({{"virtual_deg", 40}, {"real_deg", -40}}); }},
-      {".questionnaires[0].items is missing", [](json& s) { s["questionnaires"] = {{{"name", "SSQ"}}}; }},
-      {".analysis.test needs 6 participants", [](json& s) { s["analysis"] = {{"test", "sign_flip"}}; }},
-      {".analysis.test must be t or sign_flip with d_prime",
-       [](json& s) {
-         s["catch_share"] = 0.2;
-         s["analysis"] = {{"test", "mixed_model"}, {"measure", "d_prime"}};
-       }},
-      {".analysis.test must be sign_flip", [](json& s) { s["analysis"] = {{"measure", "percent_within"}}; }},
-      {".analysis.direction must be two-sided",
-       [](json& s) { s["analysis"] = {{"hypothesis", "equivalence"}, {"direction", "less"}}; }},
-      {".noticeability.control must be a condition",
-       [](json& s) { s["noticeability"] = {{"condition", "secret people"}, {"control", "x"}}; }},
-      {".analysis.test must be t: equivalence",
-       [](json& s) { s["analysis"] = {{"test", "sign_flip"}, {"hypothesis", "equivalence"}}; }},
-      {".analysis.measure requires question", [](json& s) { s["analysis"] = {{"measure", "criterion"}}; }},
-      {".conditions[0].config \"person.weight\" is not",
-       [](json& s) { s["conditions"][0]["config"] = {{{"field", "person.weight"}, {"value", 0.3}}}; }},
-      {".conditions[0].config hrt_session_create",
-       [](json& s) { s["conditions"][0]["config"] = {{{"field", "person.tactile_weight"}, {"value", 3}}}; }},
-      {".conditions[0].config needs set_up none",
-       [](json& s) {
-         s["set_up"] = "calibration";
-         s["conditions"][0]["config"] = {{{"field", "person.tactile_weight"}, {"value", 0.3}}};
-       }},
-      {".analysis.measure must be one of", [](json& s) { s["analysis"] = {{"measure", "peak_felt_error_deg"}}; }},
-      {".analysis.reference must be a condition", [](json& s) { s["analysis"] = {{"reference", "x"}}; }}};
+const Wrong wrongs[] = {
+    {".title is missing", [](json& s) { s.erase("title"); }},
+    {".titel is not known; known are \"analysis\", \"answers\"", [](json& s) { s["titel"] = "x"; }},
+    {".repeats must be a whole number from 1 to 100", [](json& s) { s["repeats"] = 0; }},
+    {".repeats must be a whole", [](json& s) { s["repeats"] = 2.5; }},
+    {".participants must be a multiple of 2", [](json& s) { s["participants"] = 3; }},
+    {".conditions[1].controller must be one of \"people\", \"paper\"",
+     [](json& s) { s["conditions"][1]["controller"] = "mpc"; }},
+    {".conditions[1].name is", [](json& s) { s["conditions"][1]["name"] = "secret people"; }},
+    {".pairs[0].virtual_deg must be a number from -60 to 60", [](json& s) { s["pairs"][0]["virtual_deg"] = 61; }},
+    {".pairs[0].name must be a text", [](json& s) { s["pairs"][0]["name"] = "a\nb"; }},
+    {".pairs[1] must be an object", [](json& s) { s["pairs"][1] = 4; }},
+    {".listed_orders is required", [](json& s) { s["order"] = "listed"; }},
+    {".listed_orders[0] must have each",
+     [](json& s) {
+       s["order"] = "listed";
+       s["listed_orders"] = json::parse(R"([["secret people", "secret people"]])");
+     }},
+    {".validity.max_s must be above min_s", [](json& s) { s["validity"] = {{"min_s", 2}, {"max_s", 1}}; }},
+    {".noticeability.condition must be the name of a condition: \"secret people\", \"hidden none\"",
+     [](json& s) { s["noticeability"] = {{"condition", "x"}}; }},
+    {".noticeability.condition must be", [](json& s) { s["noticeability"] = {{"condition", "hidden none"}}; }},
+    {".pairs[0].real_deg must be at most 75",
+     [](json& s) { s["pairs"][0].update({{"virtual_deg", 40}, {"real_deg", -40}}); }},
+    {".questionnaires[0].items is missing", [](json& s) { s["questionnaires"] = {{{"name", "SSQ"}}}; }},
+    {".analysis.test needs at least 6", [](json& s) { s["analysis"] = {{"test", "sign_flip"}}; }},
+    {".analysis.test must be t or sign_flip with the measure d_prime",
+     [](json& s) {
+       s["catch_share"] = 0.2;
+       s["analysis"] = {{"test", "mixed_model"}, {"measure", "d_prime"}};
+     }},
+    {".analysis.test must be sign_flip", [](json& s) { s["analysis"] = {{"measure", "percent_within"}}; }},
+    {".analysis.direction must be two-sided",
+     [](json& s) { s["analysis"] = {{"hypothesis", "equivalence"}, {"direction", "less"}}; }},
+    {".noticeability.control must be the name",
+     [](json& s) { s["noticeability"] = {{"condition", "secret people"}, {"control", "x"}}; }},
+    {".analysis.test must be t with the hypothesis equivalence",
+     [](json& s) { s["analysis"] = {{"test", "sign_flip"}, {"hypothesis", "equivalence"}}; }},
+    {".analysis.measure requires question", [](json& s) { s["analysis"] = {{"measure", "criterion"}}; }},
+    {".conditions[0].config has the field \"person.weight\"",
+     [](json& s) { s["conditions"][0]["config"] = {{{"field", "person.weight"}, {"value", 0.3}}}; }},
+    {".conditions[0].config hrt_session_create",
+     [](json& s) { s["conditions"][0]["config"] = {{{"field", "person.tactile_weight"}, {"value", 3}}}; }},
+    {".conditions[0].config has person.tactile_weight",
+     [](json& s) {
+       s["set_up"] = "calibration";
+       s["conditions"][0]["config"] = {{{"field", "person.tactile_weight"}, {"value", 0.3}}};
+     }},
+    {".analysis.measure must be one of", [](json& s) { s["analysis"] = {{"measure", "peak_felt_error_deg"}}; }},
+    {".analysis.reference must be the name", [](json& s) { s["analysis"] = {{"reference", "x"}}; }}};
+
+TEST(ExperimentDesign, ErrorsNameTheField) {
   for (const Wrong& wrong : wrongs) {
     const std::string why = refusal_of([&] { small_design(2, wrong.change); });
     EXPECT_TRUE(why.starts_with("study.json.") && why.find(wrong.place) != std::string::npos)
@@ -200,11 +197,11 @@ TEST(ExperimentDesign, TheProtocolHasTheTimePlan) {
   const std::string text = protocol_text(read_design(HRT_EXPERIMENT_SOURCE "/example.json"));
   EXPECT_EQ(text.find_first_of("{}"), std::string::npos) << text;
   for (const char* part : {"| 5 | set-up", "| 11 | questionnaire SSQ", "| 12 | block 0: practice, 3 trials",
-                           "| 14 | block 1: reaches, 13 trials", "last of 12 participants", "15 minutes the block"})
+                           "| 14 | block 1: reaches, 13 trials", "last of 12 participants", "15 minutes, the block"})
     EXPECT_TRUE(has(text, part));
 }
 
-TEST(ExperimentDesign, TextHasNoConditionsName) {
+TEST(ExperimentDesign, TextNamesNoCondition) {
   const std::string text = design_text(small_design(2));
   EXPECT_FALSE(has(text, "secret"));
   EXPECT_FALSE(has(text, "hidden"));

@@ -1,4 +1,4 @@
-"""The live page in headless Chromium, at a session of a simulated person in real time: what it shows, and its keys.
+"""Tests the live page in headless Chromium, during a session of a simulated participant in real time: its display and its keys.
 
     live_test.py PROGRAM MANIFEST_OF_THE_MOCK_RUNTIME SCENE PICTURE
 """
@@ -21,12 +21,12 @@ STUDY = {"title": "live", "participants": 2, "set_up": "none", "practice_trials"
 
 
 class Browser:
-    """Chromium, by its DevTools protocol through a pipe."""
+    """Controls Chromium through a pipe, by the DevTools protocol."""
 
     def __init__(self, folder):
         ask, self.asks = os.pipe()
         self.answers, answer = os.pipe()
-        # Drawn by no graphics card; root needs --no-sandbox.
+        # No graphics card is used; root needs --no-sandbox.
         self.process = subprocess.Popen(
             ["bash", "-c", 'exec chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --remote-debugging-pipe '
              f'--window-size=1280,900 --user-data-dir={folder}/chromium 3<&{ask} 4>&{answer}'], pass_fds=(ask, answer), stderr=subprocess.DEVNULL)
@@ -72,7 +72,7 @@ def test_addresses(look, keys):
     assert status(look) == 200 and status(look, host="example.org") == 403
     other = look[:-33] + "0" * 32 + "/"
     assert [status(other + name) for name in ("", "../", "events")] == [404] * 3 and status(other + "keys", b"s") == 404
-    assert status(look + "keys", b"s") == 403 and status(keys + "keys", b"sad") == 409  # no text is awaited
+    assert status(look + "keys", b"s") == 403 and status(keys + "keys", b"sad") == 409  # no text is expected
 
 
 def test_page(browser, session, addresses, journal):
@@ -88,11 +88,11 @@ def test_page(browser, session, addresses, journal):
     assert browser.see(look, "document.querySelectorAll('button').length") == 0
     assert not any("secret" in browser.see(page, "document.documentElement.outerHTML") for page in (look, keys))
     pathlib.Path(PICTURE).write_bytes(base64.b64decode(browser.call("Page.captureScreenshot", keys)["data"]))
-    press("Does not count")
-    has("refused by the experimenter")
-    press("Unblind")
+    press("Mark as invalid")
+    has("the experimenter marked it as invalid")
+    press("Record unblinding")
     shows(look, "says.textContent", "Press u again")
-    press("Unblind")
+    press("Record unblinding")
     has('"event":"unblinded"')
     press("Note")
     shows(keys, "document.querySelectorAll('input').length", "1")
@@ -102,11 +102,11 @@ def test_page(browser, session, addresses, journal):
     has('"asked":true')
     press("Stop the plate")
     shows(look, "says.textContent", "The plate is stopped")
-    press("Leave")
+    press("Quit")
     shows(look, "says.textContent", "Press q again")
-    press("Leave")
+    press("Quit")
     assert session.communicate(timeout=60)[0].startswith("sub-1: left")
-    shows(look, "says.textContent", "No news")
+    shows(look, "says.textContent", "No data from the session")
 
 
 with tempfile.TemporaryDirectory() as folder:
@@ -114,7 +114,7 @@ with tempfile.TemporaryDirectory() as folder:
     study.write_text(json.dumps(STUDY))
     script.write_text('{"clock": "real-time"}')
     browser = Browser(folder)
-    browser.open("about:blank")  # has begun
+    browser.open("about:blank")  # waits until Chromium has started
     with open(said, "w") as file:
         session = subprocess.Popen([PROGRAM, "run", study, "--participant", "1", "--simulated", "3", "--scene", SCENE, "--data", data, "--live", "keys"],
                                    stderr=file, stdout=subprocess.PIPE, text=True, env={**os.environ, "XR_RUNTIME_JSON": MANIFEST, "HRT_MOCK_SCRIPT": script})

@@ -1,4 +1,4 @@
-// hrt-experiment as a program: its command line, the mock runtime, a plate at a line, keys of a terminal.
+// hrt-experiment as a program: its command line, the mock runtime, a plate on a serial line, keys of a terminal.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -39,7 +39,7 @@ std::string written(const TemporaryFolder& folder, const char* name, const std::
   return folder / name;
 }
 
-// A session by the stage of hrt-reach, twice: with the set-up, both kinds of blocks, and no condition's name.
+// A session on the mock runtime, twice: set-up, both kinds of blocks, no name of a condition in the output.
 TEST(ExperimentProgram, ThroughTheMockRuntime) {
   const TemporaryFolder folder;
   const Design design = small_design(1, [](nlohmann::json& study) {
@@ -62,7 +62,7 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
   EXPECT_EQ(occurrences(tables.files.at("trials.csv"), ",counted,"), 1U + 4 + 5);
 }
 
-TEST(ExperimentProgram, RefusesInOneLine) {
+TEST(ExperimentProgram, ErrorsAreOneLine) {
   const TemporaryFolder folder;
   const std::string bad = written(folder, "study.json", R"({"title": "x"})");
   const std::string good = written(folder, "good.json", small_design(1).text);
@@ -73,14 +73,14 @@ TEST(ExperimentProgram, RefusesInOneLine) {
   };
   for (const auto& [arguments, exit_code, named] :
        {Case{{"design", bad}, 1, "study.json.participants is missing"},
-        Case{{"run", good, "--participant", "1"}, 1, "--scene: is missing"},
+        Case{{"run", good, "--participant", "1"}, 1, "--scene is missing"},
         Case{{"run", good, "--participant", "5", "--simulated", "1", "--data", folder / "data"},
              1,
-             "--participant: 5 is not from 1 to 2"},
+             "--participant: 5 is not allowed"},
         Case{
             {"run", good, "--participant", "1", "--simulated", "1", "--plate", "servo"}, 2, "--plate requires --scene"},
         Case{{"export", "--data", folder / "data"}, 1, "study.json: cannot be read"},
-        Case{{"run", good, "--participant", "1", "--scene", scene}, 1, "needs an experimenter at a terminal"}}) {
+        Case{{"run", good, "--participant", "1", "--scene", scene}, 1, "standard input is not a terminal"}}) {
     const Outcome outcome = expect_exit(exit_code, Program(arguments).wait());
     EXPECT_TRUE(outcome.err.starts_with("hrt-experiment: "));
     EXPECT_EQ(occurrences(outcome.err, "\n"), 1U);
@@ -88,7 +88,7 @@ TEST(ExperimentProgram, RefusesInOneLine) {
   }
 }
 
-// Until it turns.
+// Waits until the plate turns. Returns its orientation.
 double await_turning(plate::PtyPlate& device) {
   double before = device.orientation_deg();
   plate::eventually([&] {
@@ -98,7 +98,7 @@ double await_turning(plate::PtyPlate& device) {
   return before;
 }
 
-// Within 100 ms of the key, by its own clock, it follows no command, and rests.
+// Within 100 ms of the key, by the clock of the plate, it rests and rejects commands.
 void expect_stopped(plate::PtyPlate& device, const std::function<void()>& press) {
   struct Seen {
     plate::HobbyPlate::Time time;
@@ -127,7 +127,7 @@ void expect_stopped(plate::PtyPlate& device, const std::function<void()>& press)
 
 std::string journal_of(const TemporaryFolder& folder) { return read_file(folder / "data/sub-01/ses-01/journal.jsonl"); }
 
-// A session in real time, at an emulated plate.
+// A session in real time with an emulated plate.
 struct AtPlate {
   void start(std::vector<std::string> more, const std::string& script, int err = -1) {
     more.insert(more.begin(), {"run", folder / "study.json", "--participant", "1", "--scene", scene, "--plate",
@@ -135,10 +135,10 @@ struct AtPlate {
     program.emplace(more, written(folder, "script.json", script), terminal.descriptor(), err);
   }
   // Waits until the journal has `count` events of this name.
-  bool has_come(const std::string& event, std::size_t count) const {
+  bool await_event(const std::string& event, std::size_t count) const {
     return plate::eventually([&] { return occurrences(journal_of(folder), "\"event\":\"" + event) >= count; });
   }
-  void leave() {
+  void quit() {
     terminal.type("qq");
     const Outcome outcome = program->wait();
     EXPECT_TRUE(has(outcome.out, "left")) << outcome.err;
@@ -150,8 +150,8 @@ struct AtPlate {
   std::optional<Program> program;
 };
 
-// While the plate turns: from slide to slide of a set-up, in a reach, and home after it; and when a reach has just
-// ended. Then the session continues.
+// While the plate turns: between slides of a set-up, in a reach, and on its return to 0; and just after a reach. Then
+// the session continues.
 TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   struct State {
     std::string name, set_up, event;
@@ -161,40 +161,41 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   const State states[] = {{"set-up", "calibration", "opened", 0, 1},
                           {"practice", "none", "attempt", 1, 1},
                           {"reach", "none", "attempt", 0, 1},
-                          {"judge", "none", "reach", 0, 1},
-                          {"home", "none", "attempt", 0, 2}};
+                          {"ended", "none", "reach", 0, 1},
+                          {"return", "none", "attempt", 0, 2}};
   for (const State& state : states) {
     SCOPED_TRACE(state.name);
-    AtPlate led;
+    AtPlate session;
     const auto change = [&](nlohmann::json& study) {
       study["set_up"] = state.set_up;
       study["practice_trials"] = state.practice;
       study["conditions"][1]["controller"] = "people";
     };
-    written(led.folder, "study.json", small_design(2, change).text);
-    led.start({"--simulated", "3"}, R"({"clock": "real-time"})");
-    ASSERT_TRUE(led.has_come(state.event, state.count)) << led.program->err();
-    if (state.name != "judge") await_turning(led.device);
-    expect_stopped(led.device, [&] { led.terminal.type("s"); });
-    EXPECT_TRUE(led.has_come("plate_stopped", 1));
-    led.terminal.type(" ");
-    EXPECT_TRUE(plate::eventually([&] { return led.device.is_following(); }));
-    led.leave();
+    written(session.folder, "study.json", small_design(2, change).text);
+    session.start({"--simulated", "3"}, R"({"clock": "real-time"})");
+    ASSERT_TRUE(session.await_event(state.event, state.count)) << session.program->err();
+    if (state.name != "ended") await_turning(session.device);
+    expect_stopped(session.device, [&] { session.terminal.type("s"); });
+    EXPECT_TRUE(session.await_event("plate_stopped", 1));
+    session.terminal.type(" ");
+    EXPECT_TRUE(plate::eventually([&] { return session.device.is_following(); }));
+    session.quit();
     if (state.name == "set-up") continue;
-    // The state was met: home is before the recorded reach begins.
-    const std::string journal = journal_of(led.folder), name = "\"recording\":\"";
+    // Checks that the key arrived in this state: the plate returns to 0 before the recording of a reach begins.
+    const std::string journal = journal_of(session.folder), name = "\"recording\":\"";
     std::size_t at = 0;
     for (std::size_t i = 0; i < state.count; ++i) at = journal.find(name, at) + name.size();
     const std::string stem = "data/sub-01/ses-01/recordings/" + journal.substr(at, journal.find('"', at) - at);
-    EXPECT_EQ(read_file(led.folder / (stem + ".csv")).find("\nbegin,") == std::string::npos, state.name == "home");
+    EXPECT_EQ(read_file(session.folder / (stem + ".csv")).find("\nbegin,") == std::string::npos,
+              state.name == "return");
   }
 }
 
-// A person whose hand follows a path, steered by these keys until the journal has `until` events of a name.
-Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::string& event, std::size_t until,
-             const std::string& more = "") {
+// A session of a person whose hand follows a path. Quits when the journal has `until` events of a name.
+Outcome run_person(const TemporaryFolder& folder, const reach::Path& path, const std::string& event, std::size_t until,
+                   const std::string& more = "") {
   const plate::Pty terminal(80);
-  terminal.type("y");  // to the first question
+  terminal.type("y");  // consent
   const Program program({"run", folder / "study.json", "--participant", "1", "--scene", scene, "--plate", "servo",
                          "--data", folder / "data"},
                         written(folder, "script.json", path.script(more)), terminal.descriptor());
@@ -204,8 +205,8 @@ Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::
   return program.wait();
 }
 
-// Touches find the plate, across processes; what they found reaches the plugin, which learns from contacts. A
-// touch checks it at each start, and if the plate was moved it is registered again.
+// Touches register the plate, over two processes; the plugin receives the registration and updates it by contacts. A
+// touch checks it at each start, and a plate that was moved is registered again.
 TEST(ExperimentProgram, ASessionRegistersThePlate) {
   using reach::marks, reach::Path;
   const TemporaryFolder folder;
@@ -216,11 +217,11 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
     s.erase("question");
   };
   written(folder, "study.json", small_design(2, study).text);
-  // A hand that stays in the air would touch a fourth mark there.
+  // Without this, the hand that rests in the air would touch a fourth mark there.
   const char* const lost = R"("events": [{"time_ms": 6200, "do": "lose_tracking", "hand": "right"}], )";
-  const Outcome begun = lead(folder, Path().touch({marks[0], marks[1], marks[2]}), "touch", 3, lost);
+  const Outcome begun = run_person(folder, Path().touch({marks[0], marks[1], marks[2]}), "touch", 3, lost);
   EXPECT_TRUE(has(begun.err, "Mark 3 is \"rim near right\" (3 of 6)")) << begun.err;
-  const Outcome resumed = lead(folder, Path().touch({marks[3], marks[4], marks[5]}).reach().lift(), "reach", 1);
+  const Outcome resumed = run_person(folder, Path().touch({marks[3], marks[4], marks[5]}).reach().lift(), "reach", 1);
   EXPECT_FALSE(has(resumed.err, "Mark 3 is")) << resumed.err;
   const std::string journal = journal_of(folder);
   EXPECT_EQ(occurrences(journal, "\"event\":\"touch"), 6U);
@@ -237,15 +238,15 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
   reach::PlatePose elsewhere;
   elsewhere.x_m += 0.03;
   const Outcome moved =
-      lead(folder, Path(elsewhere).hold(marks[0]).lift().touch({marks[0]}).touch(marks), "registered", 2);
+      run_person(folder, Path(elsewhere).hold(marks[0]).lift().touch({marks[0]}).touch(marks), "registered", 2);
   EXPECT_TRUE(has(moved.err, "touched 30 mm from where it was registered")) << moved.err;
   EXPECT_NE(read_file(session / "registration-2.json"), "");
-  const Outcome last = lead(folder, Path(elsewhere).hold(marks[0]).reach(), "end", 1);
+  const Outcome last = run_person(folder, Path(elsewhere).hold(marks[0]).reach(), "end", 1);
   EXPECT_EQ(last.out, "sub-1: done\n") << last.err;
   EXPECT_TRUE(has(journal_of(folder), "\"is_there\":true"));
 }
 
-// A program that writes what it is to speak into a file.
+// A speech program that writes the texts into a file.
 std::string voice_of(const TemporaryFolder& folder) {
   written(folder, "heard", "");
   const std::string voice = written(folder, "voice", "#!/bin/sh\ncat >> " + (folder / "heard") + "\n");
@@ -253,13 +254,13 @@ std::string voice_of(const TemporaryFolder& folder) {
   return voice;
 }
 
-// A person, led at a terminal of 80 x 24 and by a voice.
+// A session of a person, with a terminal of 80 x 24 and speech.
 struct Person : AtPlate {
-  void come(const reach::Path& path) {
+  void begin(const reach::Path& path) {
     start({"--speak-with", voice, "--registered", folder / "plate.json"}, path.script(R"("clock": "real-time", )"),
           terminal.descriptor());
   }
-  // It is spoken and on the screen since the last key; nothing on the screen is wider or higher.
+  // Since the last key, the text was spoken and printed; the output fits the screen.
   void expect_asked(const std::string& text) {
     EXPECT_TRUE(plate::eventually([&] {
       screen += terminal.take();
@@ -279,12 +280,12 @@ struct Person : AtPlate {
     screen.clear();
     terminal.type(keys);
   }
-  // In the state that asks for `text`, and then again, or for something else.
+  // Stops the plate in the state that asks for `text`. After the stop, it asks again, or for `then`.
   void stop(const std::string& text, const std::string& key = "s", const std::string& then = "") {
     SCOPED_TRACE(text);
     expect_asked(text);
     expect_stopped(device, [&] { type(key); });
-    expect_asked("The plate is stopped. Space continues, q leaves.");
+    expect_asked("The plate is stopped. Press space to continue, or q twice to quit.");
     type(" ");
     expect_asked(then.empty() ? text : then);
   }
@@ -293,53 +294,52 @@ struct Person : AtPlate {
   std::size_t heard = 0;
 };
 
-// Each state in which a person is waited for asks by terminal and voice, and stops the plate; no condition is named.
+// Each state that waits for a person asks by terminal and speech, and can stop the plate; no text names a condition.
 TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
   using reach::marks, reach::Path;
   const auto study = [](nlohmann::json& s) {
     s["conditions"] = {{{"name", "secret people"}, {"controller", "people"}},
-                       {{"name", "hidden paper"}, {"controller", "paper"}}};
+                       {{"name", "secret paper"}, {"controller", "paper"}}};
     s["pairs"] = {{{"name", "left"}, {"virtual_deg", 6}, {"real_deg", 0}, {"radius_mm", 5}}};
     s["practice_trials"] = 0;
-    s["texts"] = {{{"text", "Bent? 1 yes, 2 no."}, {"instead", "Umgelenkt? 1 ja, 2 nein."}}};
+    s["texts"] = {{{"text", "Bent? Press 1 for yes, 2 for no."}, {"instead", "Umgelenkt? 1 ja, 2 nein."}}};
     s["instructions"] = {{"block", "Greifen Sie nach dem Ziel."}};
     s["breaks"] = {{"minutes", 0}};
     s["questionnaires"] = {{{"name", "SSQ"}, {"when", "before"}, {"low", 0}, {"high", 3}, {"items", {"Nausea"}}}};
   };
   Person person;
   written(person.folder, "study.json", small_design(1, study).text);
-  lead(person.folder, Path().touch(marks), "registered", 1);
+  run_person(person.folder, Path().touch(marks), "registered", 1);
   fs::copy(person.folder / "data/sub-01/ses-01/registration.json", person.folder / "plate.json");
   fs::remove_all(person.folder / "data");
-  person.come(Path());
-  person.stop("given consent? y or n");
+  person.begin(Path());
+  person.stop("given consent? Press y for yes, n for no.");
   person.type("y");
   person.stop("Touch");
-  person.leave();
-  person.come(Path().hold(marks[0], 3000).lift());
-  person.stop("SSQ: Nausea (0 to 3, and Enter)");
+  person.quit();
+  person.begin(Path().hold(marks[0], 3000).lift());
+  person.stop("SSQ: Nausea (type a number from 0 to 3, then press Enter)");
   person.type("2\n");
   person.stop("Put your index finger on the start.");
-  person.leave();
-  person.come(Path().hold(marks[0]).reach());
+  person.quit();
+  person.begin(Path().hold(marks[0]).reach());
   person.stop("Umgelenkt? 1 ja, 2 nein.");
   person.type("2");
-  person.stop("A break of 0 minutes. Space continues after it.");
-  // All keys but Escape are of the note, at once; what was typed is kept.
+  person.stop("Please take a break. Press space to continue.");
+  // All keys except Escape belong to the note; a stop stores the text typed so far.
   person.type("nser cougheä" + std::string(2, '\x7f') + "d, unb s q");
-  person.stop("A note, and Enter:", "\x1b", "A break of 0 minutes. Space continues after it.");
+  person.stop("Type a note, then press Enter:", "\x1b", "Please take a break. Press space to continue.");
   EXPECT_TRUE(has(journal_of(person.folder), R"("text":"ser coughd, unb s q")"));
   EXPECT_FALSE(has(journal_of(person.folder), "unblinded"));
   person.type(" ");
   person.stop("Put your index finger on the start.");
-  person.leave();
+  person.quit();
   EXPECT_EQ(occurrences(journal_of(person.folder), "plate_stopped"), 8U);
-  for (const char* name : {"secret", "hidden"})
-    EXPECT_FALSE(has(person.all + read_file(person.folder / "heard"), name));
+  EXPECT_FALSE(has(person.all + read_file(person.folder / "heard"), "secret"));
 }
 
-// By a key that is a note where nothing is awaited. The last words are spoken to their end.
-TEST(ExperimentProgram, WhoGivesNoConsentIsNotLed) {
+// The key n means no here, not a note. The last text is spoken completely.
+TEST(ExperimentProgram, WithoutConsentTheSessionIsStopped) {
   const TemporaryFolder folder;
   const plate::Pty terminal(80);
   terminal.type("n");
@@ -348,7 +348,7 @@ TEST(ExperimentProgram, WhoGivesNoConsentIsNotLed) {
                          folder / "data", "--speak-with", voice_of(folder)},
                         "", terminal.descriptor());
   EXPECT_EQ(program.wait().out, "sub-1: stopped\n");
-  EXPECT_TRUE(has(read_file(folder / "heard"), "The session is stopped."));
+  EXPECT_TRUE(has(read_file(folder / "heard"), "The session was stopped."));
 }
 
 }  // namespace

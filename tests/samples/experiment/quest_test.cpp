@@ -16,16 +16,15 @@ namespace {
 using app::QuestPlus;
 using app::right_share;
 
-// By hand: at the threshold 1 - l - (1/2 - l) / e; far below it a half; far above it all but the lapses.
-TEST(ExperimentQuest, ShareOfRightAnswers) {
+// By hand: 1 - l - (1/2 - l) / e at the threshold; 1/2 far below it; 1 - l far above it.
+TEST(ExperimentQuest, ProbabilityOfACorrectAnswer) {
   EXPECT_NEAR(right_share(10, 10, 3, 0.02), 0.98 - 0.48 * 0.36787944117144233, 1e-15);
   EXPECT_NEAR(right_share(1e-9, 10, 2, 0.02), 0.5, 1e-12);
   EXPECT_NEAR(right_share(1000, 10, 2, 0.02), 0.98, 1e-12);
 }
 
-// A sequence of the Python package questplus 2023.1 (Höchenberger; Weibull in dB, min_entropy, mean): the places in
-// the grid of the gaps that it chose, by these answers (1: right), and its means of the threshold after every
-// `every` of them.
+// A sequence of the Python package questplus 2023.1 (Höchenberger; Weibull in dB, min_entropy, mean): indices of the
+// selected gaps in the grid, given answers (1: correct), and the mean of the threshold after each `every` answers.
 struct Published {
   QuestPlus quest;
   std::vector<std::size_t> chosen;
@@ -46,8 +45,8 @@ void expect_as_published(Published run) {
   }
 }
 
-// The grid in use. The answers are of observers whose thresholds are 8° and 20°, beyond the prior's mean.
-TEST(ExperimentQuest, ChoosesAndLearnsAsAPublishedOne) {
+// The grid of hrt-experiment. Observers have thresholds of 8° and 20°, below and above the mean of the prior.
+TEST(ExperimentQuest, AgreesWithAPublishedImplementation) {
   expect_as_published({QuestPlus(1, 30),
                        {24, 23, 22, 22, 21, 20, 24, 24, 23, 23, 23, 22, 22, 20, 19, 18, 18, 22, 22, 22,
                         21, 21, 18, 18, 17, 17, 17, 21, 23, 23, 23, 23, 23, 18, 18, 17, 17, 17, 23, 18,
@@ -64,8 +63,8 @@ TEST(ExperimentQuest, ChoosesAndLearnsAsAPublishedOne) {
                        {19.46203, 17.671312, 24.680209, 20.809271, 22.091236, 22.514258}});
 }
 
-// The example of Watson (2017) with threshold, slope and lapses, as that package has it among its tests.
-TEST(ExperimentQuest, ChoosesAsInThePaper) {
+// The example of Watson (2017) with threshold, slope and lapse rate, from the tests of that package.
+TEST(ExperimentQuest, AgreesWithTheExampleOfThePaper) {
   QuestPlus::Grid grid{.slopes = {2, 3, 4, 5}, .lapses = {0, 0.01, 0.02, 0.03, 0.04}};
   for (int db = -40; db <= 0; ++db) grid.gaps.push_back(std::pow(10.0, db / 20.0));
   grid.thresholds = grid.gaps;
@@ -88,7 +87,7 @@ TEST(ExperimentQuest, ChoosesAsInThePaper) {
                        16, means});
 }
 
-// Observers as the prior has them, with lapses to 3 %. HRT_EXPERIMENT_OBSERVERS has more than the 300 here.
+// 300 observers drawn from the prior, with lapse rates up to 3 %; HRT_EXPERIMENT_OBSERVERS sets another number.
 TEST(ExperimentQuest, RecoversThresholds) {
   const char* const wanted = std::getenv("HRT_EXPERIMENT_OBSERVERS");
   const unsigned observers = wanted != nullptr ? static_cast<unsigned>(std::stoi(wanted)) : 300;

@@ -1,4 +1,4 @@
-// A small study, and sessions of it in a folder.
+// A small design, and simulated sessions of it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@
 
 namespace hrt::experiment {
 
-/// Two conditions, `repeats` trials of two pairs in each block, no set-up; `change` alters it.
+/// Returns a design with two conditions, `repeats` trials of two pairs in each block, and no set-up, altered by
+/// `change`.
 inline Design small_design(unsigned repeats, const std::function<void(nlohmann::json&)>& change = {}) {
   nlohmann::json study = {
       {"title", "small"},
@@ -40,7 +41,7 @@ inline std::string run_simulated(const Design& design, const std::filesystem::pa
   return run_session(design, {study, participant, 1}, subject, disk);
 }
 
-/// Why it is refused; empty: it is not.
+/// Returns the text of the Refusal that `call` throws; empty if it does not throw.
 inline std::string refusal_of(const std::function<void()>& call) {
   try {
     call();

@@ -1,6 +1,10 @@
-// hrt-reach ends whichever call the runtime blocks in: at its limit, and within a second of a signal.
+// The runtime blocks in any call: hrt-reach ends at its time limit, and within a second of a signal. It does so also if
+// the runtime holds the lock of a stream, or if nothing reads the error output.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <set>
@@ -111,6 +115,52 @@ TEST(ReachBlock, FinishedReachesAreKept) {
     EXPECT_EQ(rows_of(outcome).size(), 1U) << function << outcome.out;
     EXPECT_TRUE(has(read_file(blocked.files.folder + "/r.csv"), "\nend,")) << function;
   }
+}
+
+// The 100th frame is within the first reach.
+std::map<std::string, std::string> blocked_with(const std::string& stream) {
+  return scripted_environment("{" + calm +
+                              R"(, "calls": [{"function": "xrWaitFrame", "call": 100, "block": true, "holds": ")" +
+                              stream + "\"}]}");
+}
+
+TEST(ReachBlock, ABlockedRuntimeMayHoldAStream) {
+  for (const std::string stream : {"stdout", "stderr"}) {
+    const Files files;
+    const Outcome limited = run_program(files.arguments("1"), blocked_with(stream));
+    EXPECT_EQ(limited.exit_code, 11) << stream << limited.err;
+    EXPECT_TRUE(has(limited.err, "has not returned from xrWaitFrame within 1 s")) << stream;
+
+    const Files others;
+    const Program program(others.arguments("60"), blocked_with(stream));
+    std::this_thread::sleep_for(2s);
+    const auto began = Clock::now();
+    program.send_signal(SIGTERM);
+    const Outcome interrupted = program.wait();
+    EXPECT_EQ(interrupted.exit_code, 130) << stream << interrupted.err;
+    EXPECT_TRUE(has(interrupted.err, "interrupted while the OpenXR runtime was in xrWaitFrame")) << stream;
+    EXPECT_LT(Clock::now() - began, 5s);  // 0.6 s on an idle machine
+  }
+}
+
+TEST(ReachBlock, AnErrorOutputWithoutReaderDelaysNothing) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+  fcntl(ends[1], F_SETFL, O_NONBLOCK);
+  const std::string block(4096, '.');
+  while (write(ends[1], block.data(), block.size()) > 0) {
+  }
+  fcntl(ends[1], F_SETFL, 0);
+  const Files files;
+  const Program limited(files.arguments("1"), blocked_with("stdout"), ends[1]);
+  EXPECT_EQ(limited.wait().exit_code, 11);
+  // Output of --verbose blocks, as in any program, until a signal arrives.
+  const Program verbose({desk, "--verbose"}, mock_environment(), ends[1]);
+  std::this_thread::sleep_for(1s);
+  verbose.send_signal(SIGTERM);
+  EXPECT_EQ(verbose.wait().exit_code, 130);
+  close(ends[0]);
+  close(ends[1]);
 }
 
 }  // namespace

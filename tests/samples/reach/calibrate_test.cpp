@@ -28,16 +28,16 @@ struct Found {
 };
 Found weight_of(const Outcome& outcome) {
   Found found;
-  const std::string name = "tactile weight (w_T) at 60 deg";
+  const std::string name = "tactile weight at 60 deg";
   const std::size_t at = outcome.out.find(name);
   if (at == std::string::npos) return found;
-  std::sscanf(outcome.out.c_str() + at + name.size(), "%lf 95 %% within %lf to %lf", &found.value, &found.lower,
+  std::sscanf(outcome.out.c_str() + at + name.size(), "%lf 95 %% interval %lf to %lf", &found.value, &found.lower,
               &found.upper);
   return found;
 }
 
-// The estimate must match the simulated participant's share of touch, and the next reaches must use the profile.
-TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
+// The estimate must match the tactile weight of the simulated participant, and the next reaches must use the profile.
+TEST(ReachCalibrate, EstimatesTheTactileWeightAndWritesAProfile) {
   for (const double weight : {0.15, 0.25}) {
     const std::string folder = scratch_folder(), profile = folder + "/profile.json", recording = folder + "/slides.csv";
     const std::string script = "{" + person_of(weight) + "}";
@@ -46,7 +46,7 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
     EXPECT_NEAR(found.value, weight, 0.015) << outcome.out;
     EXPECT_LE(found.upper - found.lower, 0.0405);
     EXPECT_TRUE(has(outcome.err, "straight ahead"));
-    EXPECT_TRUE(has(outcome.out, "Enough"));
+    EXPECT_TRUE(has(outcome.out, "known with the required precision"));
     const std::string text = read_file(profile);
     EXPECT_NEAR(value_of(text, "\"tactile_weight\":"), found.value, 0.00051) << text;  // printed to 0.001
     for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -54,14 +54,14 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
     expect_replays(recording);
     EXPECT_TRUE(has(read_file(recording), "\nsetup_finish,0,"));
     const Outcome reaches = expect_exit(0, run_scripted(script, {desk, "--profile", profile, "--target", "bottle"}));
-    EXPECT_FALSE(has(reaches.err, "another"));
+    EXPECT_FALSE(has(reaches.err, "warning"));
     const auto rows = rows_of(reaches);
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_NEAR(rows[0].assumed, weight, 0.04);
     EXPECT_TRUE(has(text, "\"plate\":\"runtime\",\"tracker\":\"HRTX mock runtime"));
     const Outcome other =
         expect_exit(0, run_scripted(script, {desk, "--profile", profile, "--target", "bottle", "--plate", "servo"}));
-    EXPECT_TRUE(has(other.err, "measured with another plate, runtime\n"));
+    EXPECT_TRUE(has(other.err, "measured with the plate \"runtime\", but this run uses \"servo\""));
   }
 }
 
@@ -70,7 +70,7 @@ TEST(ReachCalibrate, WritesAnImpreciseResultWhenTheSlidesRunOut) {
   const std::string shaky = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.2,
       "steering": "continuous", "noise_deg2_per_s": 200}]})";
   const Outcome outcome = expect_exit(1, run_scripted(shaky, {desk, "--calibrate", profile, "--max-slides", "16"}));
-  EXPECT_TRUE(has(outcome.out, "not known as precisely as required"));
+  EXPECT_TRUE(has(outcome.out, "not known with the required precision"));
   EXPECT_TRUE(std::filesystem::exists(profile));
 }
 
@@ -78,7 +78,7 @@ TEST(ReachCalibrate, WritesNothingIfTheSlidesDoNotDetermineTheUser) {
   const std::string profile = scratch_folder() + "/profile.json";
   const Outcome outcome = expect_exit(
       13, run_scripted("{" + person_of(0.2, 1500, 4000) + "}", {desk, "--calibrate", profile, "--max-slides", "16"}));
-  EXPECT_TRUE(has(outcome.err, "no calibration"));
+  EXPECT_TRUE(has(outcome.err, "no profile was written"));
   EXPECT_FALSE(std::filesystem::exists(profile));
 }
 
@@ -93,7 +93,7 @@ TEST(ReachCalibrate, AProfileThatCannotBeWrittenHasItsExitCode) {
               run_scripted("{" + person_of(0.2) + "}", {desk, "--calibrate", scratch_folder() + "/none/profile.json"}));
 }
 
-// Runs in real time until the first slide is counted.
+// Runs in real time until the first slide is accepted.
 TEST(ReachCalibrate, TurnsASerialPlateToEachAngle) {
   PtyPlate plate;
   const Program program(

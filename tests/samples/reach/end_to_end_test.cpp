@@ -29,7 +29,7 @@ TEST(ReachEndToEnd, ReachesEveryTargetOfTheDesk) {
   }
 }
 
-// The paper's controller assumes a weight of touch of 0.15 for every user.
+// The paper's controller assumes a tactile weight of 0.15 for every user.
 TEST(ReachEndToEnd, ThePapersControllerMissesIfTheUsersWeightDiffers) {
   const std::string strong = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.3}]})";
   EXPECT_EQ(run_scripted(strong, {desk, "--controller", "paper"}).exit_code, 1);
@@ -43,7 +43,7 @@ TEST(ReachEndToEnd, ReachesForChosenTargetsInTheGivenOrder) {
   EXPECT_EQ(rows[1].virtual_name, "bottle");
 }
 
-// With a weight of touch of 0.10, gaps up to 7.5 degrees are feasible with the plate within 75 degrees of the motion,
+// With a tactile weight of 0.10, gaps up to 7.5 degrees are feasible with the plate within 75 degrees of the motion,
 // and up to 9.4 with the paper's bound. The pawn's gap is 12. The paper's controller is given the weight; the default
 // one estimates it.
 TEST(ReachEndToEnd, DoesNotCountInfeasibleTargets) {
@@ -52,8 +52,8 @@ TEST(ReachEndToEnd, DoesNotCountInfeasibleTargets) {
        {std::vector<std::string>{desk, "--target", "pawn", "--controller", "paper", "--tactile-weight", "0.1"},
         std::vector<std::string>{desk, "--target", "pawn", "--tactile-weight", "0.1"}}) {
     const Outcome outcome = expect_exit(0, run_scripted(light, arguments));
-    EXPECT_TRUE(has(outcome.out, {"(flag: cannot be held)", "0 of 0 targets that can be held were reached",
-                                  "; 1 more cannot be held"}));
+    EXPECT_TRUE(has(outcome.out, {"(flag: gap infeasible)", "0 of 0 reaches with a feasible gap ended at the target",
+                                  "; 1 more had an infeasible gap"}));
   }
 }
 

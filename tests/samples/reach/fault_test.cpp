@@ -93,7 +93,7 @@ TEST(ReachFault, LostSessionsAndInstancesAreCreatedAgain) {
       const std::string script = calm_with(event_at(frame, what));
       const Outcome outcome = run_desk(script);
       expect_all_reached(outcome, script);
-      EXPECT_TRUE(has(outcome.err, "starting again"));
+      EXPECT_TRUE(has(outcome.err, "connecting again"));
     }
   }
 }
@@ -107,7 +107,7 @@ TEST(ReachFault, ALossChangesNoReach) {
   const std::vector<std::string> arguments = {desk, "--controller", "paper", "--seed", "5"};
   const Outcome outcome =
       run_scripted("{" + paper + R"(, "events": [{"frame": 400, "do": "lose_session"}]})", arguments);
-  EXPECT_TRUE(has(outcome.err, "starting again"));
+  EXPECT_TRUE(has(outcome.err, "connecting again"));
   const std::vector<Row> lost = rows_of(outcome);
   const std::vector<Row> whole = rows_of(run_scripted("{" + paper + "}", arguments));
   ASSERT_EQ(lost.size(), 3U);
@@ -141,7 +141,7 @@ TEST(ReachFault, ACallFindsTheSessionLost) {
     const Outcome outcome = run_desk(script);
     EXPECT_EQ(rows_of(outcome).size(), 3U) << script << outcome.err;
     EXPECT_TRUE(has(outcome.err, function + " returned XR_ERROR_SESSION_LOST"));
-    EXPECT_TRUE(has(outcome.err, "starting again"));
+    EXPECT_TRUE(has(outcome.err, "connecting again"));
   }
 }
 
@@ -181,20 +181,20 @@ void expect_refused(const Outcome& outcome, int exit_code, const std::string& se
 TEST(ReachFault, TheRuntimeLacksWhatIsNeeded) {
   for (const std::string extension : {"XR_MND_headless", "XR_EXT_hand_tracking"})
     expect_refused(run_desk(R"({"withhold_extensions": [")" + extension + "\"]}"), 6,
-                   "the OpenXR runtime has no " + extension + ", which hrt-reach needs");
+                   "the OpenXR runtime does not support " + extension + ", which is required");
   expect_refused(run_desk(R"({"hand_tracking": false})"), 6, "has no hand tracking on this system");
   expect_refused(run_desk(failing_call("xrGetSystem", 1, "XR_ERROR_FORM_FACTOR_UNAVAILABLE")), 6,
                  "no head-mounted display");
   const Outcome timeless =
       expect_exit(7, run_desk(R"({"frame_times": false, "withhold_extensions": ["XR_KHR_convert_timespec_time"]})"));
-  EXPECT_TRUE(has(timeless.err, "gives its frames no time and has no XR_KHR_convert_timespec_time"));
+  EXPECT_TRUE(has(timeless.err, "gives its frames no time and does not support XR_KHR_convert_timespec_time"));
 }
 
 TEST(ReachFault, TheRuntimeLacksWhatIsUseful) {
   const std::string usual = run_program({desk}).out;
   EXPECT_EQ(run_desk(R"({"withhold_extensions": ["XR_KHR_convert_timespec_time"]})").out, usual);
   expect_refused(run_desk(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})"), 9,
-                 "has no plate to turn; --plate names another one");
+                 "does not simulate a plate; select another plate");
 }
 
 // The program then uses the monotonic clock, if the runtime can convert it. A busy machine gives fewer frames in the
@@ -217,6 +217,37 @@ TEST(ReachFault, FramesHaveNoTimes) {
 TEST(ReachFault, AFrameComesLate) {
   EXPECT_EQ(run_desk(R"({"seed": 1, "calls": [{"function": "xrWaitFrame", "call": 150, "delay_ms": 400}]})").out,
             run_program({desk}).out);
+}
+
+// The runtime rejects LOCAL_FLOOR, the first space created, as an older API layer does.
+TEST(ReachFault, WithoutAFloorThePlateIsPlacedInLocal) {
+  const std::string refused =
+      R"(, "calls": [{"function": "xrCreateReferenceSpace", "result": "XR_ERROR_VALIDATION_FAILURE"}])";
+  for (const std::string& calls : {std::string(), refused}) {
+    const Outcome outcome = expect_exit(0, run_desk("{" + calm + R"(, "stage": false)" + calls + "}"));
+    EXPECT_EQ(rows_of(outcome).size(), 3U) << outcome.out;
+  }
+}
+
+// Each script has one fault in the first reach; the summary counts it.
+TEST(ReachFault, ImpossibleTimesAndPosesAreLeftOut) {
+  const std::pair<const char*, const char*> faults[] = {
+      {R"("events": [{"frame": 60, "do": "frame_time", "at_ms": 0}])", "1 frames without a time"},
+      {R"("events": [{"frame": 60, "do": "frame_time", "at_ms": 3600000}])", "1 frames whose time steps"},
+      {R"("calls": [{"function": "xrLocateHandJointsEXT", "call": 60, "result": "XR_ERROR_TIME_INVALID"}])",
+       "1 times at which it refused"},
+      {R"("events": [{"frame": 60, "do": "jump", "hand": "right", "by_mm": [100000, 0, 100000]},
+                     {"frame": 61, "do": "jump", "hand": "right", "by_mm": [-100000, 0, -100000]}])",
+       "1 impossible poses"},
+      {R"("events": [{"frame": 60, "do": "lose_rotation", "hand": "right"},
+                     {"frame": 61, "do": "regain_rotation", "hand": "right"}])",
+       "1 impossible poses"},
+  };
+  for (const auto& [fault, said] : faults) {
+    const Outcome outcome = expect_exit(0, run_desk("{" + calm + ", " + fault + "}"));
+    EXPECT_EQ(rows_of(outcome).size(), 3U) << fault << outcome.out;
+    EXPECT_TRUE(has(outcome.err, said)) << fault << ": " << outcome.err;
+  }
 }
 
 }  // namespace

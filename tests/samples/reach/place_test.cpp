@@ -55,15 +55,15 @@ TEST(ReachRecentring, APersonsPlateStaysInTheRoom) {
     expect_reached(outcome);
     EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
     EXPECT_EQ(rows_of(outcome)[0].lost, 0);
-    expect_said(outcome, "The plate keeps its position in the room.");
+    expect_said(outcome, "The position of the plate in the room is unchanged.");
   }
   const Outcome stage = run_scripted(path.script(recentre(R"("space": "STAGE", )" + far)), person_and());
   expect_reached(stage);
-  expect_said(stage, "The plate keeps its position in the room.");
+  expect_said(stage, "The position of the plate in the room is unchanged.");
   // Recentring of a space that does not hold the plate has no effect.
   const Outcome other = run_scripted(path.script(recentre(far)), person_and());
   expect_reached(other);
-  EXPECT_FALSE(has(other.err, "keeps its place"));
+  EXPECT_FALSE(has(other.err, "in the room is unchanged"));
 }
 
 TEST(ReachRecentring, ASimulatedUserNoticesNothing) {
@@ -89,7 +89,7 @@ TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
                            .reach()
                            .script(recentre(R"("space": "STAGE", "position_m": [1, 0, 0], "pose_valid": false)")),
                        person_and({"--record", folder + "/r.csv"})));
-  expect_said(outcome, {"moved its STAGE space", "register it (--register FILE)"});
+  expect_said(outcome, {"moved its STAGE space", "register the plate (--register FILE)"});
   EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end "));
 }
 

@@ -30,7 +30,7 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
   const std::string recording = scratch_folder() + "/contact.csv";
   const Outcome outcome = expect_exit(0, run(Path().touch(marks).reach(), {"--register", file, "--record", recording}));
   expect_said(outcome, {"touch mark 1 and hold still. Mark 1 is \"start\" (1 of 6).", "\"rim near left\"",
-                        "registered: residual 0.0 mm", "Because of this, reaches end 0."});
+                        "registered: residual 0.0 mm", "displace the ends of reaches by 0."});
   // With a registered plate, a finger that reaches the cylinder is recorded as a contact.
   EXPECT_TRUE(has(read_file(recording), "\ntouched,0,"));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
@@ -48,8 +48,8 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
 TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
   const Outcome next = expect_exit(0, run(Path().hold(marks[0]).reach(), {"--registered", file}));
-  expect_said(
-      next, {"to check the plate's position. Mark 1 is \"start\"", "The plate has not moved: the touch was 0 mm off."});
+  expect_said(next, {"to check the plate's position. Mark 1 is \"start\"",
+                     "The plate has not moved: you touched 0 mm from the mark."});
   EXPECT_TRUE(rows_of(next)[0].reached);
   PlatePose moved;
   moved.x_m += 0.03;
@@ -69,7 +69,7 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   };
   const Outcome outcome = expect_exit(0, run(touched().reach(), {"--register", file, "--fingertip"}));
   expect_said(outcome, {"touch mark 1 with the finger held leant to the left", "The skin is 20.0 mm from the joint",
-                        "registered: residual 0.0 mm", "Because of this, reaches end 0."});
+                        "registered: residual 0.0 mm", "displace the ends of reaches by 0."});
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.5);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
@@ -78,9 +78,9 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   EXPECT_EQ(joint["hand"], "right");
   const Path next = Path().hold_hand({-10, 0, 25}, skin_m).hold(marks[0]).reach();
   const Outcome kept = expect_exit(0, run(next, {"--registered", file}));
-  expect_said(kept, "The plate has not moved: the touch was 0 mm off.");
+  expect_said(kept, "The plate has not moved: you touched 0 mm from the mark.");
   EXPECT_LE(rows_of(kept)[0].miss_mm, 5.1);
-  expect_said(expect_exit(12, run(next, {"--registered", file, "--hand", "left"})), "by the skin of one hand");
+  expect_said(expect_exit(12, run(next, {"--registered", file, "--hand", "left"})), "valid for one hand only");
   // Without the skin offset, the lean of the hand (45 degrees over 20 mm) appears as a displacement.
   joint.erase("hand");
   const Outcome ignored = run(next, {"--registered", written(joint.dump())});
@@ -123,7 +123,7 @@ TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
 
 TEST_F(ReachRegistration, WaitForATouchHasATimeLimit) {
   const Outcome outcome = expect_exit(8, run(Path(), {"--register", file, "--time-limit", "4"}));
-  expect_said(outcome, "not fulfilled within 4 s: Lift your finger. Then touch mark 1");
+  expect_said(outcome, "no response within 4 s to: Lift your finger. Then touch mark 1");
 }
 
 TEST_F(ReachRegistration, TakesMarksFromAFile) {
@@ -164,7 +164,7 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   refused("", "parse error", "--registered");
   refused("{}", "key 'version' not found", "--registered");
   refused(good.substr(0, good.size() / 2), "parse error", "--registered");
-  refused(with("\"version\":2", "\"version\":1"), "version must be 2: register the plate again", "--registered");
+  refused(with("\"version\":2", "\"version\":1"), "version must be 2); register the plate again", "--registered");
   refused(with("STAGE", "MOON"), "space must be STAGE or LOCAL", "--registered");
   refused(with("\"rotation\"", "\"rotating\""), "key 'rotation' not found", "--registered");
   refused(with("\"check_m\":[0.0", "\"check_m\":[\"0\""), "type must be number", "--registered");
@@ -184,11 +184,12 @@ TEST_F(ReachRegistration, MeasuresTheTrackersBearing) {
   Path path;
   for (int i = 0; i < 20; ++i) path.hold({0.0, 0.05}).hold({i % 2 == 0 ? 0.002 : -0.002, -0.05});
   const Outcome outcome = expect_exit(0, run(path, {"--measure-tracker"}));
-  EXPECT_TRUE(has(outcome.out, {"SD of the bearing over 100 mm: 1.18 degrees, 95 % interval 0.89 to 1.72.",
-                                "At most 80 % of reaches end within 1.5 degrees", "interval 62 to 91 %",
-                                "Set tracker.bearing_sd_deg to 1.18."}));
+  EXPECT_TRUE(
+      has(outcome.out, {"Standard deviation of the bearing over 100 mm: 1.18 degrees, 95 % interval 0.89 to 1.72.",
+                        "at most 80 % of reaches end within 1.5 degrees", "interval 62 to 91 %",
+                        "Set tracker.bearing_sd_deg to 1.18."}));
   expect_said(expect_exit(8, run(Path(), {"--measure-tracker", "--time-limit", "4"})),
-              "no finger rested on the dimple");
+              "No finger rested in the dimple");
   expect_said(expect_exit(2, run_program({desk, "--measure-tracker"})), "needs a person");
 }
 
@@ -198,12 +199,12 @@ TEST(ReachTracker, SharesAreThoseOfTheTable) {
        {std::pair{0.3, "100"}, {0.75, "95"}, {1.0, "87"}, {1.5, "68"}, {2.0, "55"}, {2.9, "40"}}) {
     std::vector<double> bearings_deg;
     for (int i = 0; i < 20; ++i) bearings_deg.push_back(180.0 + (i % 2 == 0 ? 1 : -1) * sd_deg * std::sqrt(0.95));
-    EXPECT_TRUE(has(bearing_sd_text(bearings_deg, 0.1), std::string("At most ") + share + " %"));
+    EXPECT_TRUE(has(bearing_sd_text(bearings_deg, 0.1), std::string("at most ") + share + " %"));
   }
 }
 
 TEST_F(ReachRegistration, NeedsAPerson) {
-  expect_said(expect_exit(2, run_program({desk, "--register", file})), "a simulated user touches no marks");
+  expect_said(expect_exit(2, run_program({desk, "--register", file})), "need a person, who touches the marks");
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST(TouchFrame, LocatesTheFingerAmongContacts) {
   EXPECT_EQ(at(1730), "10.00 -20.00");
 }
 
-TEST(TouchFrame, SaysWhatIsWrongAndWhatToDo) {
+TEST(TouchFrame, ErrorsNameTheMistakeAndTheRemedy) {
   const auto expect_refused = [](const std::string& text, ExitCode code, const std::string& why) {
     try {
       TouchFrame frame(text);
@@ -146,7 +146,7 @@ TEST(TouchFrame, SaysWhatIsWrongAndWhatToDo) {
 }
 
 // In real time: one reach, and half of another.
-TEST(TouchFrame, LeadsReachesUntilItIsUnplugged) {
+TEST(TouchFrame, TracksReachesUntilItIsUnplugged) {
   const std::string folder = reach::scratch_folder();
   std::ofstream(folder + "/study.json") << R"({"title": "t", "participants": 2, "repeats": 2, "practice_trials": 0,
     "set_up": "none", "conditions": [{"name": "a", "controller": "people"}, {"name": "b", "controller": "none"}],

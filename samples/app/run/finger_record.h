@@ -1,29 +1,29 @@
-// Record of the tracked fingers during a wait, and messages that explain why the wait failed.
+// Records the tracked fingers while the program waits for the user, and explains to the user why a wait failed.
 #pragma once
 
 #include <array>
 #include <string>
 
-#include "samples/app/run/stage.h"
+#include "samples/app/run/run_context.h"
 
 namespace hrt::app {
 
 /// Record of both hands' index fingertips since construction.
-class Sightings {
+class FingerRecord {
  public:
-  explicit Sightings(const Point& start_m) : start_m_(start_m) {}
+  explicit FingerRecord(const Point& start_m) : start_m_(start_m) {}
 
-  void see(Hand hand, const Fingertip& tip);
+  void add(Hand hand, const Fingertip& tip);
 
   /// Message: why no finger rested at the start, and what to do.
-  std::string why_not_begun(const Stage& stage) const;
+  std::string why_not_begun(const RunContext& context) const;
   /// Message: why a reach did not end, and what to do.
-  std::string why_not_ended(const Stage& stage, const TargetPair& pair) const;
+  std::string why_not_ended(const RunContext& context, const TargetPair& pair) const;
   /// Message: why no finger came to rest on a mark, and what to do.
-  std::string why_no_touch(const Stage& stage) const;
+  std::string why_no_touch(const RunContext& context) const;
   /// Message: present position of the first tracked finger of the hands in use. If the plate is not placed yet, only
   /// whether it is tracked.
-  std::string where(const Stage& stage, bool plate_is_placed = true) const;
+  std::string where(const RunContext& context, bool plate_is_placed = true) const;
 
  private:
   struct Seen {
@@ -36,17 +36,17 @@ class Sightings {
   };
 
   const Seen& of(Hand hand) const { return seen_[static_cast<std::size_t>(hand)]; }
-  Hand best_of(const Stage& stage) const;
+  Hand best_of(const RunContext& context) const;
   std::string tracked_in_words(Hand hand) const;
-  std::string not_tracked(const Stage& stage) const;
-  std::string place_in_words(const Stage& stage, const Point& tip_m) const;
+  std::string not_tracked(const RunContext& context) const;
+  std::string position_in_words(const RunContext& context, const Point& tip_m) const;
 
   Point start_m_;
   std::array<Seen, 2> seen_;
 };
 
 /// Waits until one of the hands rests its fingertip at the start, and returns that hand. Throws Failure
-/// (ExitCode::no_hand) after the stage's time limit.
-Hand await_finger_at_start(Stage& stage);
+/// (ExitCode::no_hand) after the time limit of the context.
+Hand await_finger_at_start(RunContext& context);
 
 }  // namespace hrt::app

@@ -1,4 +1,4 @@
-#include "samples/app/run/stage.h"
+#include "samples/app/run/run_context.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,19 +12,19 @@ std::string within_s(XrDuration limit_ns) { return format("within %g s", static_
 
 double distance_along_plate_m(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[2] - b[2]); }
 
-hrt_session_config config_of(const Stage& stage) {
+hrt_session_config config_of(const RunContext& context) {
   hrt_session_config config{.struct_size = sizeof config};
-  stage.plugin.check(stage.plugin.hrt_session_get(stage.targets.session, &config, nullptr));
+  context.plugin.check(context.plugin.hrt_session_get(context.targets.session, &config, nullptr));
   return config;
 }
 
-Fingertip locate(const Stage& stage, Hand hand, XrTime time) {
-  if (stage.touch != nullptr) return stage.touch->locate();
-  Fingertip tip = stage.session.locate(hand, time);
-  if (!tip.tracked || stage.skin_m == Point{}) return tip;
+Fingertip locate(const RunContext& context, Hand hand, XrTime time) {
+  if (context.touch != nullptr) return context.touch->locate();
+  Fingertip tip = context.session.locate(hand, time);
+  if (!tip.tracked || context.skin_m == Point{}) return tip;
   if (!tip.rotation) return {};
   Eigen::Map<Eigen::Vector3d>(tip.position_m.data()) +=
-      Eigen::Quaterniond(tip.rotation->data()) * Eigen::Vector3d(stage.skin_m.data());
+      Eigen::Quaterniond(tip.rotation->data()) * Eigen::Vector3d(context.skin_m.data());
   return tip;
 }
 
@@ -49,16 +49,16 @@ hrt_sample world_sample_of(XrTime time, const Fingertip& joint, std::optional<do
   return sample;
 }
 
-void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m) {
-  Point start_m = stage.targets.start_m;
+void instruct(RunContext& context, Hand hand, double direction_deg, double distance_m) {
+  Point start_m = context.targets.start_m;
   start_m[1] += tip_height_m;
-  stage.simulation->instruct(hand, start_m, direction_deg, distance_m);
+  context.simulation->instruct(hand, start_m, direction_deg, distance_m);
 }
 
-XrTime next_frame(Stage& stage) {
-  const XrTime time = stage.session.next_frame();
-  stage.plate.service(time);
-  if (stage.attend) stage.attend(time);
+XrTime next_frame(RunContext& context) {
+  const XrTime time = context.session.next_frame();
+  context.plate.service(time);
+  if (context.handle_keys) context.handle_keys(time);
   return time;
 }
 

@@ -1,6 +1,6 @@
-// A participant at a plate through OpenXR, in the scene of hrt-reach. Either a person, with requests by terminal and
-// voice and an experimenter with keys; or the simulated user of the mock runtime, with the answers and clock of
-// SimulatedSubject.
+// A participant at a plate, whose finger is tracked through OpenXR. Either a person, who gets requests by terminal and
+// voice, with an experimenter who presses keys; or the simulated user of the mock runtime, with the answers and the
+// clock of SimulatedSubject.
 #pragma once
 
 #include <memory>
@@ -18,15 +18,15 @@
 
 namespace hrt::experiment {
 
-class LedSubject : public Subject {
+class XrSubject : public Subject {
  public:
-  /// Reads from `options`: scene, plugin, hands, finger, plate, speak_with, person, time_limit_s, runtime_limit and
-  /// seed. `live` displays the session; null: no display. Throws app::Failure and app::XrFailure, as hrt-reach does.
-  LedSubject(const Design& design, unsigned participant, const app::Options& options, Live* live);
+  /// Uses these options: scene, plugin, hands, finger, plate, speak_with, person, time_limit_s, runtime_limit and seed.
+  /// `live` displays the session; null: no display. Throws app::Failure and app::XrFailure.
+  XrSubject(const Design& design, unsigned participant, const app::Options& options, Live* live);
   /// Waits until all sentences have been spoken.
-  ~LedSubject() override;
-  LedSubject(const LedSubject&) = delete;
-  LedSubject& operator=(const LedSubject&) = delete;
+  ~XrSubject() override;
+  XrSubject(const XrSubject&) = delete;
+  XrSubject& operator=(const XrSubject&) = delete;
 
   Now now() override;
   void continue_after(const Now& last) override;
@@ -39,10 +39,10 @@ class LedSubject : public Subject {
   std::optional<double> verify(const std::string& registration) override;
   Key key() override;
   void say(const std::string& text) override { prompt_.say(text); }
-  /// Call after each sync of the journal: several syncs may exceed the permitted delay of a stop. A stop key stops the
-  /// plate immediately; all other effects of keys follow at the next frame.
+  /// Reads keys between frames. A stop key stops the plate immediately; all other effects of keys follow at the next
+  /// frame. Call it after each sync of the journal, since several syncs would delay a stop by more than is permitted.
   void between_frames();
-  /// Speaks a sentence that a simulated subject prints.
+  /// Speaks a sentence without printing it.
   void speak(const std::string& text) { prompt_.speak(text); }
   void show(const nlohmann::json& facts) override;
   std::string note() override;
@@ -56,22 +56,22 @@ class LedSubject : public Subject {
                   const std::vector<double>& felt_deg, unsigned number) override;
 
  private:
-  void take_place();
+  void note_plate_pose();
   void stop_plate();
   std::optional<char> next_key();
   std::optional<char> keyboard_or_page();
-  void attend(XrTime time);
-  XrTime frame() { return next_frame(stage_); }
-  void await(const std::string& keys, bool text = false);
+  void handle_keys(XrTime time);
+  XrTime frame() { return next_frame(context_); }
+  void expect_keys(const std::string& keys, bool text = false);
   void show_keys();
-  char await_key(const std::string& allowed);
+  char wait_for_key(const std::string& allowed);
   std::string typed(const std::string& keys);
   unsigned typed_number(unsigned low, unsigned high);
-  void home();
+  void turn_to_zero();
 
   const Design& design_;
   app::Options options_;
-  std::optional<SimulatedSubject> stand_in_;
+  std::optional<SimulatedSubject> simulated_;
   Live* live_;
   std::optional<double> felt_deg_;
   app::Prompt prompt_;
@@ -84,16 +84,17 @@ class LedSubject : public Subject {
   app::XrHeadlessSession session_;
   std::optional<app::Simulation> simulation_;
   std::unique_ptr<app::Plate> plate_;
-  app::Stage stage_;
+  app::RunContext context_;
   std::vector<app::Mark> marks_;
   std::optional<app::RegisteredPlate> placed_;
   std::optional<Live::Clock::time_point> registered_;  // time of the last check by a touch
   Key pressed_ = Key::none;                            // last key that key() has not returned yet
-  std::optional<char> typed_;                          // last key that answers a request
-  std::string awaited_, early_;
-  std::optional<std::string> note_;  // text of the note that is being typed
-  std::vector<std::string> notes_;   // finished notes that are not in the journal yet
-  char to_confirm_ = '\0';           // key to be pressed a second time for confirmation
+  std::optional<char> typed_;                          // last key that answered a request
+  std::string expected_keys_;                          // keys that answer the present request
+  std::string buffered_keys_;                          // keys that were read between frames
+  std::optional<std::string> note_;                    // text of the note that is being typed
+  std::vector<std::string> notes_;                     // finished notes that are not in the journal yet
+  char to_confirm_ = '\0';                             // key to be pressed a second time for confirmation
   bool is_text_ = false, is_typing_ = false, is_stopped_ = false;
 };
 

@@ -1,4 +1,4 @@
-#include "samples/experiment/session/led.h"
+#include "samples/experiment/session/xr_subject.h"
 
 #include <haptic_retargeting/plate.h>
 
@@ -19,8 +19,9 @@ namespace hrt::experiment {
 namespace {
 
 constexpr const char* keys_text =
-    "Keys: s or Escape STOP THE PLATE, x the reach does not count, b a break, n a note, u twice unblind, q twice "
-    "leave, to be resumed, r what was asked, h these keys.";
+    "Keys. s or Escape: STOP THE PLATE. x: mark the reach as invalid. b: take a break. n: write a note. u twice: "
+    "record "
+    "that you are unblinded. r: repeat the last request. h: list the keys. q twice: quit; the session can be resumed.";
 constexpr char erase = 0x7f, escape = 0x1b;
 
 // Appends a key to a typed text. Returns true at the end of the text.
@@ -39,8 +40,9 @@ bool edit(std::string& text, char key) {
   return false;
 }
 
-constexpr XrDuration home_limit_ns = 3'000'000'000;
-constexpr double home_deg = 2.0, no_way_m = 1e-3;
+constexpr XrDuration zero_limit_ns = 3'000'000'000;
+constexpr double zero_tolerance_deg = 2.0;  // largest distance from orientation 0 at the begin of a reach
+constexpr double no_path_m = 1e-3;          // path length of a simulated participant who is to stay at the start
 
 std::int64_t clock_ns(clockid_t clock) {
   std::timespec time{};
@@ -50,7 +52,7 @@ std::int64_t clock_ns(clockid_t clock) {
 
 }  // namespace
 
-LedSubject::LedSubject(const Design& design, unsigned participant, const app::Options& options, Live* live)
+XrSubject::XrSubject(const Design& design, unsigned participant, const app::Options& options, Live* live)
     : design_(design),
       options_(options),
       live_(live),
@@ -61,48 +63,50 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const app::Op
       touch_(options.finger.empty() ? std::nullopt : std::optional<app::TouchFrame>(options.finger)),
       runtime_({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, app::local_floor_extension}),
       session_(runtime_, spaces_, options.runtime_limit),
-      stage_{.plugin = plugin_,
-             .targets = targets_,
-             .session = session_,
-             .simulation = nullptr,
-             .plate = *[&]() -> app::Plate* {
-               if (runtime_.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation_.emplace(runtime_, session_);
-               plate_ = make_plate(options_.plate, simulation_ ? &*simulation_ : nullptr, session_, runtime_.name());
-               return plate_.get();
-             }(),
-             .hands = options.hands,
-             .time_limit_ns = static_cast<XrDuration>(options.time_limit_s * 1e9),
-             .on_frame = {},
-             .tell_user = [this](const std::string& what) { prompt_.ask(what); },
-             .hint = [this](const std::string& what) { prompt_.hint(what); },
-             .attend =
-                 [this](XrTime time) {
-                   attend(time);
-                   if (live_ != nullptr) live_->frame(stage_, time, registered_);
-                 },
-             .touch = touch_ ? &*touch_ : nullptr},
+      context_{.plugin = plugin_,
+               .targets = targets_,
+               .session = session_,
+               .simulation = nullptr,
+               .plate = *[&]() -> app::Plate* {
+                 if (runtime_.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation_.emplace(runtime_, session_);
+                 plate_ = make_plate(options_.plate, simulation_ ? &*simulation_ : nullptr, session_, runtime_.name());
+                 return plate_.get();
+               }(),
+               .hands = options.hands,
+               .time_limit_ns = static_cast<XrDuration>(options.time_limit_s * 1e9),
+               .on_frame = {},
+               .tell_user = [this](const std::string& what) { prompt_.ask(what); },
+               .hint = [this](const std::string& what) { prompt_.hint(what); },
+               .handle_keys =
+                   [this](XrTime time) {
+                     handle_keys(time);
+                     if (live_ != nullptr) live_->frame(context_, time, registered_);
+                   },
+               .touch = touch_ ? &*touch_ : nullptr},
       marks_(marks_of(targets_)) {
   if (simulation_ && !options_.person) {
-    stage_.simulation = &*simulation_;
-    stand_in_.emplace(design, participant, options.seed);
-  } else if (!keyboard_.is_there()) {
-    throw Refusal("a person needs an experimenter at a terminal: the standard input is not a terminal");
+    context_.simulation = &*simulation_;
+    simulated_.emplace(design, participant, options.seed);
+  } else if (!keyboard_.has_terminal()) {
+    throw Refusal(
+        "standard input is not a terminal, which the experimenter needs for the keys; run in a terminal, or add "
+        "--simulated SEED");
   } else {
     prompt_.say(keys_text);
   }
-  await("");
-  if (stand_in_ || touch_) {
+  expect_keys("");
+  if (simulated_ || touch_) {
     session_.place_plate(session_.floor_space(), targets_.plate_pose);
-    take_place();
+    note_plate_pose();
   }
 }
 
-LedSubject::~LedSubject() {
+XrSubject::~XrSubject() {
   prompt_.finish();
   plugin_.hrt_session_destroy(targets_.session);
 }
 
-void LedSubject::stop_plate() {
+void XrSubject::stop_plate() {
   try {
     plate_->stop(0);
   } catch (const std::exception&) {
@@ -110,35 +114,36 @@ void LedSubject::stop_plate() {
   }
 }
 
-void LedSubject::between_frames() {
+void XrSubject::between_frames() {
   while (const std::optional<char> key = keyboard_or_page()) {
-    early_ += *key;
-    const bool begins_note = early_.find('n') != std::string::npos && awaited_.find('n') == std::string::npos;
+    buffered_keys_ += *key;
+    const bool begins_note =
+        buffered_keys_.find('n') != std::string::npos && expected_keys_.find('n') == std::string::npos;
     if (*key == escape || (*key == 's' && !is_typing_ && !note_ && !begins_note)) stop_plate();
   }
 }
 
-void LedSubject::take_place() {
+void XrSubject::note_plate_pose() {
   if (simulation_) simulation_->place_plate(session_.plate_space(), targets_.plate_radius_m);
   registered_ = Live::Clock::now();
 }
 
-std::optional<hrt_setup_config> LedSubject::marks() const {
-  return stand_in_ || touch_ ? std::nullopt : std::optional(config_of(marks_));
+std::optional<hrt_setup_config> XrSubject::marks() const {
+  return simulated_ || touch_ ? std::nullopt : std::optional(config_of(marks_));
 }
 
-std::string LedSubject::registered(const hrt_session_config& found) {
+std::string XrSubject::registered(const hrt_session_config& found) {
   placed_ = {session_.steady_space(), marks_.front(), found};
-  place_plate(stage_, *placed_);
-  take_place();
+  place_plate(context_, *placed_);
+  note_plate_pose();
   return registration_text(*placed_, session_);
 }
 
-std::optional<double> LedSubject::verify(const std::string& registration) {
+std::optional<double> XrSubject::verify(const std::string& registration) {
   try {
-    placed_ = app::parse_registration(registration, "what is to be checked");
-    const double off_m = check_plate(stage_, *placed_);
-    take_place();
+    placed_ = app::parse_registration(registration, "the registration in the journal");
+    const double off_m = check_plate(context_, *placed_);
+    note_plate_pose();
     return off_m;
   } catch (const app::Failure& failure) {
     if (failure.code() != app::ExitCode::registration) throw;
@@ -148,28 +153,28 @@ std::optional<double> LedSubject::verify(const std::string& registration) {
   }
 }
 
-Now LedSubject::now() {
-  if (stand_in_) return stand_in_->now();
+Now XrSubject::now() {
+  if (simulated_) return simulated_->now();
   return {clock_ns(CLOCK_REALTIME) / 1'000'000, clock_ns(CLOCK_BOOTTIME)};
 }
 
-void LedSubject::continue_after(const Now& last) {
-  if (stand_in_) stand_in_->continue_after(last);
+void XrSubject::continue_after(const Now& last) {
+  if (simulated_) simulated_->continue_after(last);
 }
 
-std::string LedSubject::boot() const {
-  if (stand_in_) return stand_in_->boot();
+std::string XrSubject::boot() const {
+  if (simulated_) return simulated_->boot();
   std::string id;
   std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), id);
   return id;
 }
 
-std::string LedSubject::description() const {
-  return (stand_in_ ? stand_in_->description() + ", by " : "a person, by ") +
+std::string XrSubject::description() const {
+  return (simulated_ ? simulated_->description() + ", by " : "a person, by ") +
          (touch_ ? touch_->description() : runtime_.name());
 }
 
-void LedSubject::plan(hrt_session_config& config) const {
+void XrSubject::plan(hrt_session_config& config) const {
   std::copy(targets_.start_m.begin(), targets_.start_m.end(), config.start_position_m);
   config.plate.radius_m = targets_.plate_radius_m;
   config.lift_height_m = app::lifted_height_m;
@@ -178,9 +183,8 @@ void LedSubject::plan(hrt_session_config& config) const {
   if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
 }
 
-// Called in every frame and state. Stops the plate before any other key is handled; while a text is typed, only
-// Escape stops.
-void LedSubject::attend(XrTime time) {
+// Called in every frame. While a text is typed, all keys except Escape are its characters.
+void XrSubject::handle_keys(XrTime time) {
   while (const std::optional<char> key = next_key()) {
     if (note_ && *key != escape) {
       if (!edit(*note_, *key)) continue;
@@ -188,14 +192,14 @@ void LedSubject::attend(XrTime time) {
       show_keys();
       continue;
     }
-    if (is_typing_ ? *key != escape : awaited_.find(*key) != std::string::npos) {
+    if (is_typing_ ? *key != escape : expected_keys_.find(*key) != std::string::npos) {
       typed_ = key;
       return;
     }
     const char confirmed = std::exchange(to_confirm_, '\0');
     if ((*key == 'q' || *key == 'u') && *key != confirmed) {
       to_confirm_ = *key;
-      prompt_.say(*key == 'q' ? "Press q again to leave the session."
+      prompt_.say(*key == 'q' ? "Press q again to quit the session."
                               : "Press u again to record that you are unblinded.");
       continue;
     }
@@ -207,17 +211,17 @@ void LedSubject::attend(XrTime time) {
         pressed_ = Key::stop_plate;
         throw Ended("the plate was stopped");
       case 'x':
-        if (awaited_.empty()) throw Ended("refused by the experimenter");
+        if (expected_keys_.empty()) throw Ended("the experimenter marked it as invalid");
         break;
       case 'q':
         pressed_ = Key::leave;
-        throw Ended("the experimenter leaves");
+        throw Ended("the experimenter quit");
       case 'b':
         pressed_ = Key::rest;
         break;
       case 'n':
         note_.emplace();
-        prompt_.say("A note, and Enter:");
+        prompt_.say("Type a note, then press Enter:");
         show_keys();
         break;
       case 'u':
@@ -235,100 +239,101 @@ void LedSubject::attend(XrTime time) {
   }
 }
 
-void LedSubject::await(const std::string& keys, bool text) {
+void XrSubject::expect_keys(const std::string& keys, bool text) {
   typed_.reset();
-  awaited_ = keys;
+  expected_keys_ = keys;
   is_text_ = text;
   is_typing_ = text && keys.empty();
   show_keys();
 }
 
-void LedSubject::show_keys() {
+void XrSubject::show_keys() {
   const bool types = is_typing_ || note_;
   std::string all = types ? std::string{escape} : "sxbnuq";
-  std::erase_if(all, [&](char key) { return awaited_.find(key) != std::string::npos; });
+  std::erase_if(all, [&](char key) { return expected_keys_.find(key) != std::string::npos; });
   const bool text = is_text_ || note_;
-  show({{"keys", text ? all : all + awaited_}, {"is_typing", text}});
+  show({{"keys", text ? all : all + expected_keys_}, {"is_typing", text}});
 }
 
-std::optional<char> LedSubject::next_key() {
-  if (early_.empty()) return keyboard_or_page();
-  const char key = early_.front();
-  early_.erase(0, 1);
+std::optional<char> XrSubject::next_key() {
+  if (buffered_keys_.empty()) return keyboard_or_page();
+  const char key = buffered_keys_.front();
+  buffered_keys_.erase(0, 1);
   return key;
 }
 
-std::optional<char> LedSubject::keyboard_or_page() {
+std::optional<char> XrSubject::keyboard_or_page() {
   const std::optional<char> key = keyboard_.key();
   return key || live_ == nullptr ? key : live_->key();
 }
 
-void LedSubject::show(const nlohmann::json& facts) {
+void XrSubject::show(const nlohmann::json& facts) {
   if (live_ == nullptr) return;
   live_->facts.update(facts);
   live_->show();
 }
 
-Key LedSubject::key() {
-  await("");  // cancel the request of the interrupted task
+Key XrSubject::key() {
+  expect_keys("");  // cancel the request of the interrupted task
   const Key pressed = std::exchange(pressed_, Key::none);
   if (pressed == Key::stop_plate) is_stopped_ = true;
   if (pressed == Key::rest) rest(0.0);
   if (pressed == Key::none && !notes_.empty()) return Key::note;
   if (pressed != Key::none || !is_stopped_) return pressed;
-  prompt_.ask("The plate is stopped. Space continues, q leaves.");
-  await_key(" ");
+  prompt_.ask("The plate is stopped. Press space to continue, or q twice to quit.");
+  wait_for_key(" ");
   is_stopped_ = false;
   return key();
 }
 
-// Frames continue, so the plate remains controlled.
-char LedSubject::await_key(const std::string& allowed) {
-  await(allowed);
+// Frames continue while it waits, so that the plate remains controlled.
+char XrSubject::wait_for_key(const std::string& allowed) {
+  expect_keys(allowed);
   while (!typed_) frame();
   const char key = *typed_;
-  await("");
+  expect_keys("");
   return key;
 }
 
-// `keys`: allowed characters in addition to Enter and backspace; empty: all except Escape.
-std::string LedSubject::typed(const std::string& keys) {
-  await(keys.empty() ? keys : keys + "\r\n" + erase, true);
+// Returns a typed line. `keys`: allowed characters in addition to Enter and backspace; empty: all except Escape.
+std::string XrSubject::typed(const std::string& keys) {
+  expect_keys(keys.empty() ? keys : keys + "\r\n" + erase, true);
   std::string text;
   for (;; frame()) {
     const std::optional<char> key = std::exchange(typed_, std::nullopt);
     if (key && edit(text, *key)) break;
   }
-  await("");
+  expect_keys("");
   return text;
 }
 
-unsigned LedSubject::typed_number(unsigned low, unsigned high) {
+unsigned XrSubject::typed_number(unsigned low, unsigned high) {
   for (;;) {
     const std::optional<double> number = number_in(typed("0123456789"), low, high);
     if (number && *number == std::floor(*number)) return static_cast<unsigned>(*number);
-    prompt_.say(format("A whole number from %u to %u, and Enter.", low, high));
+    prompt_.say(format("Please type a whole number from %u to %u, then press Enter.", low, high));
   }
 }
 
-std::string LedSubject::note() {
+std::string XrSubject::note() {
   const std::string text = notes_.front();
   notes_.erase(notes_.begin());
   return text;
 }
 
-bool LedSubject::consents() {
-  if (stand_in_) return stand_in_->consents();
-  prompt_.ask("Has the participant read the information and given consent? y or n");
-  return await_key("yn") == 'y';
+bool XrSubject::consents() {
+  if (simulated_) return simulated_->consents();
+  prompt_.ask("Has the participant read the information and given consent? Press y for yes, n for no.");
+  return wait_for_key("yn") == 'y';
 }
 
-std::vector<nlohmann::json> LedSubject::fill_in(const Questionnaire& paper) {
-  if (stand_in_) return stand_in_->fill_in(paper);
+std::vector<nlohmann::json> XrSubject::fill_in(const Questionnaire& paper) {
+  if (simulated_) return simulated_->fill_in(paper);
   std::vector<nlohmann::json> answers;
   for (const std::string& item : paper.items) {
     prompt_.ask(paper.name + ": " + item +
-                (paper.is_text ? " (text, and Enter)" : format(" (%u to %u, and Enter)", paper.low, paper.high)));
+                (paper.is_text ? " (type the answer, then press Enter)"
+                               : format(" (type a number from %u to %u, then press Enter)", paper.low, paper.high)));
     if (paper.is_text)
       answers.emplace_back(typed(""));
     else
@@ -338,27 +343,28 @@ std::vector<nlohmann::json> LedSubject::fill_in(const Questionnaire& paper) {
   return answers;
 }
 
-void LedSubject::rest(double minutes) {
-  if (stand_in_) return stand_in_->rest(minutes);
+void XrSubject::rest(double minutes) {
+  if (simulated_) return simulated_->rest(minutes);
   const std::int64_t until_ns = now().monotonic_ns + static_cast<std::int64_t>(6e10 * minutes);
-  prompt_.ask(format("A break of %g minutes. Space continues after it.", minutes));
-  while (await_key(" ") == ' ' && now().monotonic_ns < until_ns) prompt_.say("Not yet.");
+  prompt_.ask(minutes > 0.0 ? format("Please take a break of at least %g min. After that, press space.", minutes)
+                            : "Please take a break. Press space to continue.");
+  while (wait_for_key(" ") == ' ' && now().monotonic_ns < until_ns) prompt_.say("The break is not over yet.");
 }
 
-unsigned LedSubject::answer(const std::string& question, const std::vector<std::string>& answers,
-                            const std::vector<double>& felt_deg, unsigned number) {
-  if (stand_in_) return stand_in_->answer(question, answers, felt_deg, number);
-  std::string text = question, keys;
+unsigned XrSubject::answer(const std::string& question, const std::vector<std::string>& answers,
+                           const std::vector<double>& felt_deg, unsigned number) {
+  if (simulated_) return simulated_->answer(question, answers, felt_deg, number);
+  std::string text = question + " Press", keys;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     keys += static_cast<char>('1' + i);
-    text += format(" %zu ", i + 1) + answers[i] + (i + 1 < answers.size() ? "," : ".");
+    text += format(" %zu for ", i + 1) + answers[i] + (i + 1 < answers.size() ? "," : ".");
   }
   prompt_.ask(text);
-  return static_cast<unsigned>(await_key(keys) - '1');
+  return static_cast<unsigned>(wait_for_key(keys) - '1');
 }
 
-void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::int64_t from_ns,
-                       const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) {
+void XrSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::int64_t from_ns,
+                      const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) {
   std::optional<hrt_setup_step> next = first;
   hrt_setup_step step{.instruction = UINT32_MAX};
   const bool in_world = first.part == HRT_SETUP_REGISTRATION;
@@ -369,9 +375,9 @@ void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::
       prompt_.ask(app::request_of(*next, names_of(marks_)));
       const bool slides = next->instruction == HRT_STEP_SLIDE;
       const app::Point goal_m{next->place_m[0], 0.0, next->place_m[2]};
-      if (stage_.simulation != nullptr && (slides || next->instruction == HRT_STEP_REST_AT_START))
-        instruct(stage_, options_.hands.front(), 0.0,
-                 slides ? app::distance_along_plate_m(goal_m, targets_.start_m) : no_way_m);
+      if (context_.simulation != nullptr && (slides || next->instruction == HRT_STEP_REST_AT_START))
+        instruct(context_, options_.hands.front(), 0.0,
+                 slides ? app::distance_along_plate_m(goal_m, targets_.start_m) : no_path_m);
     }
     step = *next;
     plate_->command(time, step.plate_orientation_deg);
@@ -379,21 +385,25 @@ void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::
     const std::optional<double> plate_deg = plate_->orientation_deg(time);
     const app::Hand hand = options_.hands.front();
     next = use(in_world ? world_sample_of(at, session_.locate(hand, time), plate_deg)
-                        : sample_of(at, locate(stage_, hand, time), plate_deg));
+                        : sample_of(at, locate(context_, hand, time), plate_deg));
   }
 }
 
-void LedSubject::home() {
+void XrSubject::turn_to_zero() {
   XrTime time = frame();
   plate_->command(time, 0.0);
-  for (const XrTime limit = time + home_limit_ns; time < limit; time = frame()) {
+  for (const XrTime limit = time + zero_limit_ns; time < limit; time = frame()) {
     const std::optional<double> at_deg = plate_->orientation_deg(time);
-    if (!at_deg || std::abs(std::remainder(*at_deg, 180.0)) < home_deg) return;
+    if (!at_deg || std::abs(std::remainder(*at_deg, 180.0)) < zero_tolerance_deg) return;
   }
-  throw app::Failure(app::ExitCode::plate, "the plate did not come home");
+  const std::optional<double> last_deg = plate_->orientation_deg(time);
+  throw app::Failure(app::ExitCode::plate,
+                     format("the plate did not turn to 0 degrees within 3 s (last reported orientation: %.1f degrees); "
+                            "check its power supply and that it turns freely, then run again",
+                            last_deg.value_or(0.0)));
 }
 
-ReachOutcome LedSubject::reach(const ReachOrder& order) {
+ReachOutcome XrSubject::reach(const ReachOrder& order) {
   ReachOutcome outcome{.summary = {.counts = {.samples = 0}}};
   const auto at = [&](double direction_deg) {
     constexpr double rad_per_deg = 0.017453292519943295;
@@ -406,22 +416,22 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
   const hrt_session own = std::exchange(targets_.session, order.session);
   const app::ScopeExit of_own([&] {
     targets_.session = own;
-    stage_.on_frame = nullptr;
+    context_.on_frame = nullptr;
     felt_deg_.reset();
   });
   try {
-    home();
-    if (stage_.simulation != nullptr) simulation_->seed(options_.seed, order.number);
+    turn_to_zero();
+    if (context_.simulation != nullptr) simulation_->seed(options_.seed, order.number);
     std::optional<XrTime> moved;
     std::optional<app::Moment> last;
-    stage_.on_frame = [&](const app::TargetPair&, const app::Moment& moment) {
-      if (live_ != nullptr) live_->moment(stage_, pair, moment, !last);
+    context_.on_frame = [&](const app::TargetPair&, const app::Moment& moment) {
+      if (live_ != nullptr) live_->moment(context_, pair, moment, !last);
       last = moment;
       felt_deg_ = moment.felt_direction_deg;
       if (!moved && app::distance_along_plate_m(moment.position_m, targets_.start_m) > app::start_radius_m / 2)
         moved = moment.time;
     };
-    const app::ReachResult result = run_reach(stage_, pair);
+    const app::ReachResult result = run_reach(context_, pair);
     outcome.has_ended = true;
     std::copy(last->position_m.begin(), last->position_m.end(), outcome.end_m);
     outcome.duration_s = moved ? 1e-9 * static_cast<double>(last->time - *moved) : 0.0;
@@ -436,7 +446,7 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     if (failure.code() != app::ExitCode::no_hand) throw;
     outcome.problem = failure.what();
   }
-  if (stand_in_) stand_in_->pass(design_.trial_s);
+  if (simulated_) simulated_->pass(design_.trial_s);
   return outcome;
 }
 

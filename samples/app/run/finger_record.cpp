@@ -1,4 +1,4 @@
-#include "samples/app/run/sighting.h"
+#include "samples/app/run/finger_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ std::string mm(double metres) { return format("%.0f mm", 1e3 * metres); }
 
 }  // namespace
 
-void Sightings::see(Hand hand, const Fingertip& tip) {
+void FingerRecord::add(Hand hand, const Fingertip& tip) {
   Seen& seen = seen_[static_cast<std::size_t>(hand)];
   ++seen.frames;
   seen.tracked_now = tip.tracked;
@@ -30,22 +30,22 @@ void Sightings::see(Hand hand, const Fingertip& tip) {
   ++seen.tracked;
 }
 
-Hand Sightings::best_of(const Stage& stage) const {
-  return *std::max_element(stage.hands.begin(), stage.hands.end(),
+Hand FingerRecord::best_of(const RunContext& context) const {
+  return *std::max_element(context.hands.begin(), context.hands.end(),
                            [this](Hand a, Hand b) { return of(a).tracked < of(b).tracked; });
 }
 
-std::string Sightings::tracked_in_words(Hand hand) const {
+std::string FingerRecord::tracked_in_words(Hand hand) const {
   const Seen& seen = of(hand);
   return format("The %s hand was tracked for %.0f %% of the time", name_of(hand),
                 100.0 * seen.tracked / std::max(1, seen.frames));
 }
 
-std::string Sightings::not_tracked(const Stage& stage) const {
-  const Hand hand = stage.hands.front();
+std::string FingerRecord::not_tracked(const RunContext& context) const {
+  const Hand hand = context.hands.front();
   const Hand other = hand == Hand::left ? Hand::right : Hand::left;
-  if (stage.touch != nullptr) return "Nothing touched the touch frame. Touch it with one fingertip.";
-  if (stage.hands.size() > 1) return "No hand was tracked. Hold one where the headset's cameras see it.";
+  if (context.touch != nullptr) return "Nothing touched the touch frame. Touch it with one fingertip.";
+  if (context.hands.size() > 1) return "No hand was tracked. Hold one where the headset's cameras see it.";
   if (of(other).tracked > 0)
     return format("The %s hand was not tracked, but the %s one was. Use the %s one, or --hand %s.", name_of(hand),
                   name_of(other), name_of(hand), name_of(other));
@@ -53,7 +53,7 @@ std::string Sightings::not_tracked(const Stage& stage) const {
 }
 
 // "62 mm left of the start and 20 mm beyond it, 31 mm above the plate"
-std::string Sightings::place_in_words(const Stage& stage, const Point& tip_m) const {
+std::string FingerRecord::position_in_words(const RunContext& context, const Point& tip_m) const {
   const double right_m = tip_m[0] - start_m_[0];
   const double nearer_m = tip_m[2] - start_m_[2];
   const double above_m = tip_m[1] - tip_height_m;
@@ -65,68 +65,69 @@ std::string Sightings::place_in_words(const Stage& stage, const Point& tip_m) co
   if (text.empty()) text = "at the start";
   if (std::abs(above_m) > lifted_height_m - tip_height_m)
     text += ", " + mm(std::abs(above_m)) + (above_m > 0.0 ? " above the plate" : " below the plate");
-  if (distance_along_plate_m(tip_m, {}) > stage.targets.plate_radius_m) text += ", beside the plate";
+  if (distance_along_plate_m(tip_m, {}) > context.targets.plate_radius_m) text += ", beside the plate";
   return text;
 }
 
-std::string Sightings::where(const Stage& stage, bool plate_is_placed) const {
-  for (const Hand hand : stage.hands)
+std::string FingerRecord::where(const RunContext& context, bool plate_is_placed) const {
+  for (const Hand hand : context.hands)
     if (of(hand).tracked_now)
       return format("The %s index finger is ", name_of(hand)) +
-             (plate_is_placed ? place_in_words(stage, of(hand).last_m) : "tracked") + ".";
-  return stage.hands.size() > 1 ? "No hand is tracked now."
-                                : format("The %s hand is not tracked now.", name_of(stage.hands.front()));
+             (plate_is_placed ? position_in_words(context, of(hand).last_m) : "tracked") + ".";
+  return context.hands.size() > 1 ? "No hand is tracked now."
+                                  : format("The %s hand is not tracked now.", name_of(context.hands.front()));
 }
 
-std::string Sightings::why_not_begun(const Stage& stage) const {
-  const Hand hand = best_of(stage);
+std::string FingerRecord::why_not_begun(const RunContext& context) const {
+  const Hand hand = best_of(context);
   const Seen& seen = of(hand);
-  if (seen.tracked == 0) return not_tracked(stage);
-  std::string text = tracked_in_words(hand) + "; its index finger was last " + place_in_words(stage, seen.last_m) +
-                     "; at best it was " + mm(seen.nearest_m) + " from the start. ";
-  if (stage.touch != nullptr)
-    return text + "Rest one fingertip on the start; if it was there, enter where the frame is on the plate (right_mm).";
+  if (seen.tracked == 0) return not_tracked(context);
+  std::string text = tracked_in_words(hand) + "; its index finger was last " + position_in_words(context, seen.last_m) +
+                     "; its smallest distance from the start was " + mm(seen.nearest_m) + ". ";
+  if (context.touch != nullptr)
+    return text +
+           "Rest one fingertip on the start. If it was there, the position of the frame is wrong: correct right_mm and "
+           "towards_mm of --finger.";
   if (4 * seen.tracked < seen.frames) return text + "Hold the hand where the headset's cameras see it.";
   if (seen.nearest_m > far_m)
     return text +
-           "If the finger was at the plate, the plate is elsewhere than assumed: register it (--register "
-           "FILE).";
+           "If the finger was on the plate, the assumed position of the plate is wrong: register the plate "
+           "(--register FILE).";
   if (seen.nearest_m > start_radius_m) return text + "Put the finger within " + mm(start_radius_m) + " of the start.";
-  return text + "Lay the finger on the start and let it rest; if it did, register the plate (--register FILE).";
+  return text + "Rest the finger on the start. If it rested there, register the plate (--register FILE).";
 }
 
-std::string Sightings::why_not_ended(const Stage& stage, const TargetPair& pair) const {
-  const Hand hand = best_of(stage);
+std::string FingerRecord::why_not_ended(const RunContext& context, const TargetPair& pair) const {
+  const Hand hand = best_of(context);
   const Seen& seen = of(hand);
-  if (seen.tracked == 0) return not_tracked(stage);
-  std::string text = tracked_in_words(hand) + "; its index finger was last " + place_in_words(stage, seen.last_m) +
+  if (seen.tracked == 0) return not_tracked(context);
+  std::string text = tracked_in_words(hand) + "; its index finger was last " + position_in_words(context, seen.last_m) +
                      ", " + mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
-  if (!seen.tracked_now && stage.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
+  if (!seen.tracked_now && context.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
   if (seen.farthest_m <= start_radius_m) return text + "It stayed at the start: slide it to the target.";
   return text +
-         "A reach ends at the target, or with a rest of 1.5 s, or with a lift; --time-limit allows more "
-         "time.";
+         "A reach ends when the finger is at the target, rests for 1.5 s or is lifted; --time-limit allows more time.";
 }
 
-std::string Sightings::why_no_touch(const Stage& stage) const {
-  const Hand hand = best_of(stage);
-  if (of(hand).tracked == 0) return not_tracked(stage);
+std::string FingerRecord::why_no_touch(const RunContext& context) const {
+  const Hand hand = best_of(context);
+  if (of(hand).tracked == 0) return not_tracked(context);
   return tracked_in_words(hand) +
          ". Move the finger to the mark, then hold it still for a second, where the headset's cameras see "
          "it.";
 }
 
-Hand await_finger_at_start(Stage& stage) {
-  const XrTime began = next_frame(stage);
+Hand await_finger_at_start(RunContext& context) {
+  const XrTime began = next_frame(context);
   std::array<XrTime, 2> there_since{};
-  Sightings sightings(stage.targets.start_m);
-  for (XrTime time = began; time - began <= stage.time_limit_ns; time = next_frame(stage)) {
+  FingerRecord fingers(context.targets.start_m);
+  for (XrTime time = began; time - began <= context.time_limit_ns; time = next_frame(context)) {
     for (const Hand hand : {Hand::left, Hand::right}) {
-      const Fingertip tip = locate(stage, hand, time);
-      sightings.see(hand, tip);
-      if (std::find(stage.hands.begin(), stage.hands.end(), hand) == stage.hands.end()) continue;
+      const Fingertip tip = locate(context, hand, time);
+      fingers.add(hand, tip);
+      if (std::find(context.hands.begin(), context.hands.end(), hand) == context.hands.end()) continue;
       const bool there = tip.tracked && tip.position_m[1] <= lifted_height_m &&
-                         distance_along_plate_m(tip.position_m, stage.targets.start_m) <= start_radius_m;
+                         distance_along_plate_m(tip.position_m, context.targets.start_m) <= start_radius_m;
       XrTime& since = there_since[static_cast<std::size_t>(hand)];
       if (!there) {
         since = 0;
@@ -136,10 +137,10 @@ Hand await_finger_at_start(Stage& stage) {
         return hand;
       }
     }
-    if (stage.hint && time - began > settle_ns) stage.hint(sightings.where(stage));
+    if (context.hint && time - began > settle_ns) context.hint(fingers.where(context));
   }
-  throw Failure(ExitCode::no_hand, "no index finger came to the start " + within_s(stage.time_limit_ns) + ". " +
-                                       sightings.why_not_begun(stage));
+  throw Failure(ExitCode::no_hand, "No index finger came to the start " + within_s(context.time_limit_ns) + ". " +
+                                       fingers.why_not_begun(context));
 }
 
 }  // namespace hrt::app

@@ -1,4 +1,4 @@
-// Environment of a slide (session, plate, hands), and the steps that all slides share.
+// Environment of reaches and set-ups (session, plate, hands), and the steps that they share.
 #pragma once
 
 #include <array>
@@ -23,21 +23,21 @@ struct Moment {
   bool tracked;                      ///< false: `position_m` is that of the last tracked frame
   std::array<double, 3> position_m;  ///< tracked position of the fingertip
   double bearing_deg;                ///< direction of the finger, seen from the start
-  double felt_direction_deg;         ///< ground truth of the simulation, else the plugin's estimate
-  double plate_orientation_deg;      ///< measured orientation, else the commanded one
-  double distance_to_go_m;
-  bool lifted;  ///< the fingertip is above the plate
+  double felt_direction_deg;     ///< perceived direction: ground truth of the simulation, else the plugin's estimate
+  double plate_orientation_deg;  ///< measured orientation, else the commanded one
+  double distance_to_go_m;       ///< from the fingertip to the real target
+  bool lifted;                   ///< the fingertip is above the plate
   bool saturated;
   bool arrived;      ///< HRT_COMMAND_ARRIVED
-  bool can_be_held;  ///< the gap is feasible, by the controller's estimate of the user
+  bool is_feasible;  ///< the gap is feasible, by the controller's estimate of the user
 };
 
-/// Objects and settings that a slide uses.
-struct Stage {
+/// Objects and settings that reaches and set-ups use.
+struct RunContext {
   const Plugin& plugin;
   const TargetSet& targets;
   XrHeadlessSession& session;
-  Simulation* simulation;  ///< null: a person, instructed on the terminal
+  Simulation* simulation;  ///< simulated user, instructed through the runtime; null: a person, instructed by tell_user
   Plate& plate;
   std::vector<Hand> hands;   ///< hands that may reach
   XrDuration time_limit_ns;  ///< limit of the wait for the start, and of the reach
@@ -46,7 +46,7 @@ struct Stage {
   /// Gives help during a wait; may ignore the text.
   std::function<void(const std::string&)> hint;
   /// Called in every frame to handle the user's keys. May throw, which ends the wait.
-  std::function<void(XrTime)> attend;
+  std::function<void(XrTime)> handle_keys;
   TouchFrame* touch = nullptr;  ///< touch frame that tracks the fingertip; null: the session tracks it
   /// Offset from the joint to the skin that touches, in the joint's axes; 0: unknown.
   Point skin_m{};
@@ -66,10 +66,10 @@ double distance_along_plate_m(const Point& a, const Point& b);
 std::string within_s(XrDuration limit_ns);
 
 /// Configuration of the plugin's session.
-hrt_session_config config_of(const Stage& stage);
+hrt_session_config config_of(const RunContext& context);
 
 /// The fingertip: the skin that touches if its offset from the joint is known, else the joint.
-Fingertip locate(const Stage& stage, Hand hand, XrTime time);
+Fingertip locate(const RunContext& context, Hand hand, XrTime time);
 
 /// Sample of a frame for the plugin, in plate coordinates.
 hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> plate_orientation_deg);
@@ -77,9 +77,9 @@ hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> pl
 hrt_sample world_sample_of(XrTime time, const Fingertip& joint, std::optional<double> plate_orientation_deg);
 
 /// Instructs the simulated participant to slide from the start.
-void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m);
+void instruct(RunContext& context, Hand hand, double direction_deg, double distance_m);
 
 /// Waits for the next frame, services the plate and handles the user's keys.
-XrTime next_frame(Stage& stage);
+XrTime next_frame(RunContext& context);
 
 }  // namespace hrt::app
