@@ -9,12 +9,12 @@ export * from "./abi.js";
 /** A struct that the library returns, as an object. 64-bit integers are bigint, except ids of targets; in JSON they are
  *  numbers up to 2^53, and decimal text above. */
 type Output<Struct> = Omit<Struct, "struct_size" | "reserved">;
-/** A struct that is passed to the library: omitted fields have their defaults; integers may be numbers. */
+/** A struct that is passed to the library. Omitted fields have their defaults; integers may be numbers. */
 type Input<Struct> = {
   [Field in Exclude<keyof Struct, "struct_size" | "reserved">]?: Struct[Field] extends bigint ? bigint | number : Struct[Field];
 };
-/** A struct for use in each frame: one object that is read and written without creating others. 64-bit integers are
- *  numbers, exact to 2^53 (as nanoseconds: 104 days). Other properties cannot be added. */
+/** A struct that is used in each frame, without a new object. 64-bit integers are numbers, which are exact to 2^53 (104 days in
+ *  nanoseconds). Properties cannot be added. */
 type Frame<Struct> = {
   [Field in Exclude<keyof Struct, "struct_size" | "reserved">]: Struct[Field] extends number[] ? Float64Array
     : Struct[Field] extends bigint ? number : Struct[Field];
@@ -37,15 +37,15 @@ declare global {
   interface SymbolConstructor { readonly dispose: unique symbol }
 }
 
-/** Loads the module: haptic_retargeting.wasm in the folder of this file, unless `source` is another address, or the
- *  module as a bundler provides it. `console.warn` receives what no call can return, such as that a clock or unit is
- *  probably wrong. */
+/** Loads the module. `source`: its address, its bytes, or the module as a bundler provides it; default:
+ *  haptic_retargeting.wasm in the folder of this file. Warnings that no call can return, for example that a clock or a unit
+ *  is probably wrong, are written by `console.warn`. */
 export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | ArrayBufferView): Promise<Library>;
 
 export interface Library {
   readonly version: { readonly major: number; readonly minor: number; readonly patch: number };
   createSession(config?: Input<hrt_session_config>): Session;
-  /** Creates a simulated person, who feels the plate and is deflected by it: a model that is the same on every host for a seed. */
+  /** Creates a simulated person, whose hand the plate deflects. The person depends on the seed, and is the same on every host. */
   createPerson(seed?: number | bigint, config?: Input<hrt_person_config>): Person;
   /** Loads a scene from the bytes of a .gltf or .glb file; error texts contain `name`. */
   loadScene(bytes: ArrayBuffer | Uint8Array, name?: string): Scene;
@@ -139,7 +139,7 @@ export interface Session {
   /** Cancels the set-up. Results of finished parts remain. */
   cancelSetup(): void;
 
-  /** Resets the parameters of the user, for another person, whom a set-up of all missing parts then measures. */
+  /** Resets the parameters of the user, for another user, whom a set-up of all missing parts then measures. */
   newPerson(): void;
 
   /** Records all calls in memory, until stopRecording() returns them as CSV. */

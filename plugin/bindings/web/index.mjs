@@ -1,4 +1,4 @@
-// The plugin for browsers and bundlers: loads the WebAssembly module and wraps its C functions. node starts with node.mjs.
+// The plugin for browsers and bundlers: loads the WebAssembly module, and wraps its C functions. In node, node.mjs is loaded instead.
 // Types and documentation: index.d.ts; fields of structs: abi.d.ts.
 import * as abi from "./abi.js";
 import { Command, readCommand, readSample, Sample, writeSample } from "./frame.mjs";
@@ -15,8 +15,8 @@ export async function load(source) {
   const library = new Library(new Memory(host, instance.exports));
   const { major, minor, patch } = library.version;
   if (major !== abi.HRT_VERSION_MAJOR || minor !== abi.HRT_VERSION_MINOR) {
-    throw new Error(`the module is version ${major}.${minor}.${patch}; this package is of ` +
-                    `${abi.HRT_VERSION_MAJOR}.${abi.HRT_VERSION_MINOR}: load the module that came with it`);
+    throw new Error(`the module has version ${major}.${minor}.${patch}, this package version ` +
+                    `${abi.HRT_VERSION_MAJOR}.${abi.HRT_VERSION_MINOR}: load the haptic_retargeting.wasm of this package`);
   }
   return library;
 }
@@ -26,11 +26,11 @@ async function instantiate(source, imports) {
   if (ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return WebAssembly.instantiate(source, imports);
   const url = source ?? new URL("./haptic_retargeting.wasm", import.meta.url);
   if (String(url).startsWith("file:")) {
-    throw new Error(`${url} is a file, which a page cannot fetch: serve it, or give load() its bytes. In node, import ` +
-                    'the package as "haptic-retargeting", or its node.mjs.');
+    throw new Error(`${url} is a file, which a page cannot fetch: serve it, or pass its bytes to load(). In node, import ` +
+                    '"haptic-retargeting" or its node.mjs.');
   }
   const response = await fetch(url);
-  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+  if (!response.ok) throw new Error(`the module cannot be loaded: ${response.url}: ${response.status} ${response.statusText}`);
   const streamed = response.headers.get("content-type")?.startsWith("application/wasm");
   return streamed ? WebAssembly.instantiateStreaming(response, imports) : WebAssembly.instantiate(await response.arrayBuffer(), imports);
 }
@@ -66,10 +66,10 @@ function idsOf(memory, count, write) {
   });
 }
 
-/** Converts a target's id for the module. */
+/** Checks the id of a target, and converts it for the module. `name`: argument that errors name. */
 const idOf = (target, name = "target") => checked(name, "id", target);
 
-// An object of the module: calls with its handle, and structs in the module's memory that live as long as the object.
+// An object of the module: its handle, and structs in the module's memory that exist as long as the object.
 class Native {
   #destroyed = false;
   #destroy;
@@ -87,7 +87,7 @@ class Native {
   /** Returns the address of a struct. */
   at(type) {
     const at = this.#structs.get(type);
-    if (at === undefined) throw new HapticRetargetingError(abi.HRT_ERROR_INVALID_HANDLE, `the ${this.#destroy.split("_")[1]} has been destroyed`);
+    if (at === undefined) throw new HapticRetargetingError(abi.HRT_ERROR_INVALID_HANDLE, `the ${this.#destroy.split("_")[1]} has been destroyed; create another one`);
     return at;
   }
   destroy() {
@@ -101,7 +101,7 @@ class Native {
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
 
-// Symbol of `using`, which destroys objects at the end of a block. Compilers use this name in engines that lack the symbol.
+// Symbol of the declaration `using`, which destroys objects at the end of a block. For engines without it, compilers use this name.
 const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 
 class Session {
@@ -147,7 +147,7 @@ class Session {
   removeTarget(id) { this.#native.call("hrt_target_remove", idOf(id)); }
   findTarget(name) {
     const found = this.targets().find((id) => this.target(id).name === name);
-    if (found === undefined) throw new RangeError(`no target has the name "${name}"`);
+    if (found === undefined) throw new RangeError(`no target has the name "${name}"; addTarget() gives a target its name`);
     return found;
   }
   targets(role = 0) {
@@ -197,7 +197,7 @@ class Session {
     this.#native.call("hrt_reach_cancel");
     this.#log();
   }
-  /** Writes the log of events in a reach, in which no call may block. */
+  /** Writes the plugin's log of the reach, which waits until its end because no call within a reach may block. */
   #log() {
     this.#native.call("hrt_host_set_log", 0);
   }

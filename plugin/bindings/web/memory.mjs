@@ -43,12 +43,12 @@ export class Memory {
   fail(code) {
     throw new HapticRetargetingError(code, readText(this.view.buffer, this.#exports.hrt_last_error()));
   }
-  /** Returns the exported function, for calls in each frame. */
+  /** Returns an exported function, so that calls in each frame need not look it up. */
   entry(name) { return this.#exports[name]; }
 
   allocate(size) {
     const at = this.#exports.malloc(size);
-    if (at === 0) throw new HapticRetargetingError(abi.HRT_ERROR_OUT_OF_MEMORY, `out of memory: ${size} bytes`);
+    if (at === 0) throw new HapticRetargetingError(abi.HRT_ERROR_OUT_OF_MEMORY, `out of memory: ${size} bytes cannot be allocated; destroy objects that are not used`);
     new Uint8Array(this.view.buffer, at, size).fill(0);
     return at;
   }
@@ -59,7 +59,7 @@ export class Memory {
   }
   free(at) { this.#exports.free(at); }
 
-  /** Provides memory to `use` while it runs. */
+  /** Calls `use` with the address of zeroed memory, which is freed afterwards. Returns the result of `use`. */
   with(size, use) {
     const at = this.allocate(size);
     try {
@@ -76,7 +76,7 @@ export class Memory {
   }
   withText(text, use) { return this.withBytes(encoder.encode(text), use); }
 
-  /** Provides a struct with its size, its defaults and, over these, `values`. */
+  /** Calls `use` with the address of a struct that contains its size and its fields: `values`, or else the defaults. */
   withStruct(type, values, use) {
     const { size, fields, defaults } = abi.structs[type];
     return this.with(size, (at) => {
@@ -87,7 +87,7 @@ export class Memory {
       return use(at);
     });
   }
-  /** Returns the struct that `call` writes. */
+  /** Returns the struct that `call` writes at the address that it receives. */
   output(type, call) {
     return this.withStruct(type, {}, (at) => {
       call(at);
@@ -154,7 +154,7 @@ export class Memory {
   }
 }
 
-// JSON has no 64-bit integers: they become numbers if these are exact, or else decimal text.
+// JSON has no 64-bit integers: they become numbers if that is exact, and decimal text otherwise.
 function jsonOf() {
   return Object.fromEntries(Object.entries(this).map(([name, value]) => [name,
     typeof value !== "bigint" ? value : Number.isSafeInteger(Number(value)) ? Number(value)
@@ -192,7 +192,7 @@ export class Host {
         clock_time_get: (id, precision, at) => this.#time(at),
         environ_sizes_get: (count, size) => this.#zero(count, size),
         environ_get: () => 0,
-        proc_exit: (code) => { throw new Error(`the module ended with ${code}`); },
+        proc_exit: (code) => { throw new Error(`the module ended with exit code ${code}; load it again`); },
       },
     };
   }

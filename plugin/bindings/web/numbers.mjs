@@ -1,6 +1,6 @@
-// Access to numbers in the module's memory, with checks for conversions that would change a value silently.
+// Reads and writes numbers in the module's memory, and rejects values that the conversion would change.
 
-// DataView methods for each type of field; integers are allowed from `least` to `most`.
+// Size and DataView methods of each type of field. Integers are allowed from `least` to `most`.
 export const types = {
   u32: { size: 4, least: 0, most: 2 ** 32 - 1, get: "getUint32", set: "setUint32" },
   i32: { size: 4, least: -(2 ** 31), most: 2 ** 31 - 1, get: "getInt32", set: "setInt32" },
@@ -10,7 +10,7 @@ export const types = {
   f64: { size: 8, get: "getFloat64", set: "setFloat64" },
 };
 
-// Checks the conversion only. The library checks ranges.
+// Checks and converts a value. The library checks the range that is allowed for a field.
 export function checked(name, type, value) {
   const { least, most } = types[type];
   if (type === "f64") {
@@ -26,8 +26,8 @@ export function checked(name, type, value) {
   return wide ? BigInt(value) : Number(value);
 }
 
-// Functions for use in each frame: 64-bit integers are numbers, which are exact to 2^53. A value that is not a number is
-// written as NaN, which the library refuses.
+// For use in each frame, without a new object: 64-bit integers are numbers, which are exact to 2^53. A value that is not a number
+// is written as NaN, which the library rejects.
 export function writeU32(view, at, name, value) {
   if (value >>> 0 !== value) throw new RangeError(`${name} is ${String(value)}; a whole number from 0 is needed`);
   view.setUint32(at, value, true);
@@ -41,6 +41,6 @@ export function writeI64(view, at, name, value) {
 }
 export function readI64(view, at) { return view.getInt32(at + 4, true) * 2 ** 32 + view.getUint32(at, true); }
 export function writeF64s(view, at, name, values, length) {
-  if (values?.length !== length) throw new TypeError(`${name} is not an array of ${length} numbers`);
+  if (values?.length !== length) throw new TypeError(`${name} is ${String(values)}; an array of ${length} numbers is needed`);
   for (let i = 0; i < length; ++i) view.setFloat64(at + 8 * i, values[i], true);
 }

@@ -7,7 +7,7 @@ export function fingertipOf(pose) {
   if (typeof at.x === "number" && typeof at.y === "number" && typeof at.z === "number") {
     return Number.isFinite(at.x + at.y + at.z) ? at : undefined;
   }
-  throw new TypeError("the pose has neither transform.position nor position nor x, y, z");
+  throw new TypeError("the pose has neither transform.position nor position nor x, y, z; pass null if the hand is not tracked");
 }
 
 /** Returns the { x, y, z, w } of a joint's rotation, or undefined if the pose has no rotation. */
@@ -20,7 +20,7 @@ export function rotationOf(pose) {
 export function plateOf(matrix) {
   const m = matrix?.elements ?? matrix?.matrix ?? matrix;  // three.js has `elements`, an XRRigidTransform `matrix`
   if (m?.length !== 16 || !Array.prototype.every.call(m, Number.isFinite)) {
-    throw new TypeError("the matrix is not 16 finite numbers, or an object with these as elements or matrix");
+    throw new TypeError("the matrix is not 16 finite numbers, nor an object that has them as `elements` (three.js) or `matrix` (WebXR)");
   }
   const x = [m[0], m[1], m[2]], y = [m[4], m[5], m[6]], z = [m[8], m[9], m[10]];
   const rigid = [x, y, z].every((axis) => near(dot(axis, axis), 1)) && near(dot(x, y), 0) && near(dot(y, z), 0) &&

@@ -5,7 +5,7 @@ import { HRT_SAMPLE_LIFTED, HRT_SAMPLE_PLATE_ORIENTATION, HRT_SAMPLE_PLATE_POSE,
 const thickness_m = 0.006;
 
 export class HapticPlate extends Group {
-  #ridged = new Group();  // rotates within the mount, which is this object
+  #ridged = new Group();  // turns within this object, which is the mount
   #orientation_deg = 0;
 
   constructor({ radius_m = 0.075, ridgeSpacing_m = 0.01, ridgeWidth_m = 0.001, ridgeHeight_m = 0.001,

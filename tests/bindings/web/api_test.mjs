@@ -60,7 +60,7 @@ function slide(session, frames) {
   }
 }
 
-// This test must be first: the engine allocates more after a test has stored other types in fields of numbers.
+// This test is among the first, because the engine allocates more once a test has stored other types in fields of numbers.
 sessionTest("a frame allocates no objects", ({ session, real, virtual }) => {
   session.beginReach(real, virtual);
   const frames = (count, from) => {

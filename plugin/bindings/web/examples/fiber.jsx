@@ -35,7 +35,10 @@ function Plate({ library, real_deg = -5, virtual_deg = 5, onBegin, onEnd, ...pla
     session.beginReach(...targets, plate.orientation_deg);
     onBegin();
   });
-  return held && <primitive object={held.plate} {...place} />;
+  return held && <primitive object={held.plate} {...place}>
+    {[[real_deg, "#1f5a97"], [virtual_deg, "#b04a00"]].map(([deg, color]) => <group key={color} position-z={0.05} rotation-y={deg * Math.PI / 180}>
+      <mesh position={[0, 0.015, -0.1]}><cylinderGeometry args={[0.005, 0.005, 0.03]} /><meshStandardMaterial color={color} /></mesh></group>)}
+  </primitive>;
 }
 
 function Page({ library }) {
@@ -48,7 +51,7 @@ function Page({ library }) {
       document.body.append(VRButton.createButton(gl, { requiredFeatures: ["hand-tracking"] }));
     }}>
       <hemisphereLight intensity={3} />
-      <Plate library={library} position={[0, -0.35, -0.4]} onBegin={() => say("Slide to the blue cup.")}
+      <Plate library={library} position={[0, -0.35, -0.4]} onBegin={() => say("Slide to the orange cup.")}
              onEnd={(miss_deg) => say(`The finger ended ${miss_deg.toFixed(1)} degrees from the cylinder.`)} />
     </Canvas>
   </>;
