@@ -1,13 +1,13 @@
 // Bundles the page into a folder that any static server can serve. HRT_PAGE_URL is the address of the page there, which ends in
 // a slash; the preview picture of links to the page needs it.
-//   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm plate_firmware.hex FOLDER_OF_THE_PAGE
+//   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm FOLDER_OF_THE_PAGE
 import { createHash } from "node:crypto";
 import { appendFile, cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
-const [, , packageFolder, personModule, firmware, pageFolder] = process.argv;
+const [, , packageFolder, personModule, pageFolder] = process.argv;
 const here = dirname(fileURLToPath(import.meta.url)), modules = join(here, "node_modules"), hands = join(modules, "@webxr-input-profiles/assets");
 
 // From a server, the page loads page.js for the first picture, and further parts when they are needed. A file: address cannot
@@ -21,14 +21,14 @@ const shared = {
   platform: "browser",
   legalComments: "none",  // they are in licences.txt
   alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"), "person.wasm": resolve(personModule),
-           "plate_firmware.hex": resolve(firmware), "marks.csv": join(here, "../plate/model/marks.csv"),
+           "marks.csv": join(here, "../plate/model/marks.csv"),
            "generic-hand": join(hands, "dist/profiles/generic-hand") },
   nodePaths: [modules],  // three.js, for the package
   define: { "import.meta.url": '"about:blank"' },
   tsconfigRaw: {},
   logLevel: "warning",
 };
-const loader = { ".hex": "text", ".csv": "text" };
+const loader = { ".csv": "text" };
 await rm(pageFolder, { recursive: true, force: true });
 await mkdir(pageFolder, { recursive: true });
 const { metafile: { outputs } } = await build({ ...shared, metafile: true, format: "esm", splitting: true, chunkNames: "part_[hash]", assetNames: "[name]", loader: { ...loader, ".wasm": "file", ".glb": "file" } });
@@ -52,7 +52,6 @@ const licences = [["This page and the plugin", join(packageFolder, "LICENSE")],
                   ["Libraries within the plugin", join(packageFolder, "THIRD_PARTY_NOTICES.md")],
                   ["three.js", join(modules, "three/LICENSE")],
                   ["The hand's model, of webxr-input-profiles", join(hands, "LICENSE.md")],
-                  ["uPlot", join(modules, "uplot/LICENSE")],
-                  ["avr8js", join(modules, "avr8js/LICENSE")]];
+                  ["uPlot", join(modules, "uplot/LICENSE")]];
 const texts = await Promise.all(licences.map(async ([name, path]) => `# ${name}\n\n${await readFile(path, "utf8")}`));
 await writeFile(join(pageFolder, "licences.txt"), texts.join("\n\n"));

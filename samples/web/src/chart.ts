@@ -29,29 +29,29 @@ const strips: readonly {
   lines: readonly Line[];
 }[] = [
   {
-    title: "plate: normal of the ridges",
+    title: "plate orientation: normal of the ridges",
     range: [-95, 95],
     unit: "°",
     lines: [{ label: "plate", colour: "chart", value: ({ plate_deg }) => plate_deg }],
   },
   {
-    title: "direction: finger, and as felt",
+    title: "direction of the hand, true and perceived",
     range: [-24, 24],
     unit: "°",
     lines: [
       { label: "cylinder", colour: "real", value: (_, goals) => goals.real_deg, ...level },
       { label: "glass", colour: "felt", value: (_, goals) => goals.virtual_deg, ...level },
-      { label: "finger", colour: "real", value: ({ finger_deg }) => finger_deg },
-      { label: "felt", colour: "felt", value: ({ felt_deg }) => felt_deg, dash: [6, 4] },
+      { label: "true", colour: "real", value: ({ finger_deg }) => finger_deg },
+      { label: "perceived", colour: "felt", value: ({ felt_deg }) => felt_deg, dash: [6, 4] },
     ],
   },
   {
-    title: "tactile weight: estimate, 95 %",
+    title: "tactile weight: estimate and 95 % interval",
     range: [0, 0.5],
     unit: "",
     band: [2, 3],
     lines: [
-      { label: "true", colour: "text", value: (_, goals) => goals.weight, ...level },
+      { label: "of the person", colour: "text", value: (_, goals) => goals.weight, ...level },
       { label: "at most", colour: "weight", value: ({ weight, weight_sd }) => weight + 1.96 * weight_sd, width: 0 },
       { label: "at least", colour: "weight", value: ({ weight, weight_sd }) => weight - 1.96 * weight_sd, width: 0 },
       { label: "estimate", colour: "weight", value: ({ weight }) => weight },

@@ -1,9 +1,9 @@
-// The controllers that the page offers, and its default targets.
+// The controllers that the page offers, and the targets of its reaches.
 import * as hrt from "haptic-retargeting";
 import { type Course, distance_m, start } from "./geometry";
 import type { ControllerName, Settings } from "./settings";
 
-/** Targets of the page: real and virtual target lie half the gap to either side of the mid-line. */
+/** Returns the page's targets: the cylinder lies half the gap to the right of the mid-line, the glass half the gap to the left. */
 export function pageCourse(settings: Readonly<Settings>): Course {
   return {
     start,
@@ -14,10 +14,10 @@ export function pageCourse(settings: Readonly<Settings>): Course {
   };
 }
 
-/** Largest angle between the ridges' normal and the motion that the controller for people plans. */
+/** Largest angle between the normal of the ridges and the motion for which the page's own controller plans. */
 export const motionBound_deg = 75;
 
-/** Session configuration of each controller. */
+/** Configuration of the plugin's session for each controller. */
 export const sessions: Readonly<Record<ControllerName, Parameters<hrt.Library["createSession"]>[0]>> = {
   off: { control: hrt.HRT_CONTROL_FIXED_PLATE },
   paper: { guidance: hrt.HRT_GUIDANCE_FIXED_DIRECTION, adaptation: hrt.HRT_ADAPTATION_OFF, tactile_weight: 0.15 },
@@ -28,12 +28,12 @@ export const sessions: Readonly<Record<ControllerName, Parameters<hrt.Library["c
   },
 };
 
-/** Returns the warnings in a command's flags as text for people. */
+/** Describes the warnings in the flags of a command. */
 export function warnings(flags: number): string[] {
   const said: string[] = [];
-  if (flags & hrt.HRT_COMMAND_UNREACHABLE) said.push("the gap cannot be held");
-  if (flags & hrt.HRT_COMMAND_OFF_TARGET) said.push("the finger ends off the target");
+  if (flags & hrt.HRT_COMMAND_UNREACHABLE) said.push("no plate orientation sustains the gap");
+  if (flags & hrt.HRT_COMMAND_OFF_TARGET) said.push("the hand will miss the target");
   if (flags & hrt.HRT_COMMAND_MISFIT) said.push("the motion does not fit the model");
-  if (flags & hrt.HRT_COMMAND_NOT_AT_START) said.push("the finger is not at the start");
+  if (flags & hrt.HRT_COMMAND_NOT_AT_START) said.push("the hand is not at the start");
   return said;
 }

@@ -1,5 +1,4 @@
-// The picture with its labels, scaled to its element on the page. Without WebGL the rest of the page still works.
-
+// The picture of the desk with its labels: in three dimensions, or from above in a browser without WebGL.
 import type { VisitorScene } from "./files/scene";
 import { ahead, type Course, type Place, type SlideEnd, start } from "./geometry";
 import { element, say } from "./page";
@@ -27,10 +26,10 @@ export class Desk {
   readonly canvas = element("view", HTMLCanvasElement);
   /** Area over the plate's disc in which a thumb moves the fingertip and does not scroll. */
   readonly grip = element("grip", HTMLDivElement);
-  /** Null if the browser has no WebGL; a flat picture is drawn instead. */
+  /** Null if the browser has no WebGL: the picture from above is drawn instead. */
   readonly stage: Stage | null;
   readonly #flat = element("no-view", SVGSVGElement);
-  /** Positions for the flat picture. */
+  /** Path that the picture from above shows. */
   #path: { finger: Place; felt: Place }[] = [];
   /** Called when the browser has restored WebGL and the picture must be drawn again. */
   onRestored: () => void = () => {};
@@ -47,7 +46,7 @@ export class Desk {
   #glass: Place = { ...start };
   #course: Course = { start, real_deg: 0, real_m: 0, virtual_deg: 0, virtual_m: 0 };
   readonly #at = { x: 0, y: 0 };
-  /** State that was drawn last; empty: another change requires a redraw. An unchanged picture is not drawn again. */
+  /** State that was drawn last, so that an unchanged picture is not drawn again. Empty: the next draw() must draw. */
   #drawn = "";
   #revealed = 1;
   #slowFrames = 0; // in a row
@@ -113,7 +112,7 @@ export class Desk {
     this.#placeGrip();
   }
 
-  /** Simplifies the picture after several slow frames, which suggest that it is rendered in software. */
+  /** Counts slow frames. After eight in a row, which suggest software rendering, the picture is simplified. */
   ease(elapsed_ms: number): void {
     this.#slowFrames = elapsed_ms > 60 && elapsed_ms < 1000 ? this.#slowFrames + 1 : 0;
     if (this.#slowFrames === 8) this.#change((stage) => stage.lighten());
@@ -128,13 +127,13 @@ export class Desk {
     this.#named.real.hidden = fraction === 0 || this.#labels.length > this.#own.length;
   }
 
-  /** Words the labels for a visitor who moves the finger (`own`), or for one who watches. */
+  /** Names the hand in its label: `own`: that of the visitor. */
   nameLabels(own: boolean): void {
     say(this.#named.finger, own ? "your hand" : "hand");
     this.#drawn = "";
   }
 
-  /** Plate and targets of a visitor's scene instead of the page's own; null: the page's own. */
+  /** Shows plate and targets of a visitor's scene; null: the page's own. */
   setScene(scene: VisitorScene | null): void {
     this.#change((stage) => stage.setScene(scene));
     for (const name of ["real", "glass"] as const) this.#named[name].hidden = scene !== null;
@@ -150,13 +149,13 @@ export class Desk {
     }
   }
 
-  /** Sets the phase, which tests read, and the text on the picture. */
+  /** Sets the text above the picture, and the phase of the reach, which tests read. */
   caption(phase: string, words: string): void {
     this.frame.dataset.phase = phase;
     say(this.#caption, words);
   }
 
-  /** Extends the paths to the true and the perceived position of the finger. */
+  /** Extends the drawn paths to a true and a perceived position of the hand. */
   extendPaths(finger: Readonly<Place>, felt: Readonly<Place>): void {
     if (!this.stage && this.#path.length < maxTrace) this.#path.push({ finger: { ...finger }, felt: { ...felt } });
     this.stage?.truePath.extend(finger.right_m, finger.away_m);
@@ -200,7 +199,7 @@ export class Desk {
     }
   }
 
-  /** Writes the true end position, and the positions of ring, glass and dot in the picture, for tests. */
+  /** Writes the distances at the end of a slide, and the positions of ring, glass and dot in the picture, for tests. */
   write(result: SlideEnd | null, dot: Readonly<Place>): void {
     const { dataset } = this.frame;
     for (const [name, place] of Object.entries({ start, glass: this.#glass, dot })) {
@@ -220,7 +219,7 @@ export class Desk {
     this.#drawn = "";
   }
 
-  /** Writes the position on the plate under a pointer. Returns false beyond the horizon, or without a picture. */
+  /** Writes the position on the plate under a pointer. Returns false if the pointer is above the horizon. */
   placeOf(event: PointerEvent, out: Place): boolean {
     const box = (this.stage ? this.canvas : this.#flat).getBoundingClientRect();
     if (this.stage) return this.stage.toPlate(event.clientX - box.left, event.clientY - box.top, out);

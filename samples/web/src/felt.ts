@@ -1,8 +1,8 @@
-// Perceived position of a sliding finger: each step of its motion, rotated by the angle that the ridges add.
+// Perceived position of a sliding fingertip: the sum of the steps of its motion, each rotated by the illusion of the ridges.
 import { ahead, direction_deg, type Place } from "./geometry";
 import type { World } from "./person";
 
-/** Time over which a direction is averaged, because tracked positions and a mouse's pixels are coarse. */
+/** Time constant of the filter of the velocity, because tracked positions and the pixels of a mouse are coarse. */
 const smoothing_ms = 60;
 const minSpeed_m_s = 0.004;
 
@@ -20,14 +20,14 @@ export class Felt {
     return Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
   }
 
-  /** Starts at rest at `at`, where the perceived position is the true one. */
+  /** Starts at rest at `at`, which is the true and the perceived position. */
   begin(at: Readonly<Place>): void {
     Object.assign(this.place, at);
     this.#speedRight_m_s = this.#speedAway_m_s = 0;
     this.finger_deg = this.felt_deg = NaN;
   }
 
-  /** Adds a motion that took a time above 0, over the plate of the world. */
+  /** Adds a motion over the plate of the world. `milliseconds`: its duration, above 0. */
   move(right_m: number, away_m: number, milliseconds: number): void {
     const weight = 1 - Math.exp(-milliseconds / smoothing_ms);
     this.#speedRight_m_s += weight * ((1000 * right_m) / milliseconds - this.#speedRight_m_s);

@@ -85,12 +85,12 @@ export function showFigures(library: Library, world: World): void {
     {
       value: (at) => bearing_deg(start, at),
       draw: (plate_deg) => plate(plate_deg) + arrow("touch", start, normal_deg(plate_deg, 0), 0.08),
-      text: (plate_deg) => `The push, square to the ridges, points ${side(plate_deg)}.`,
+      text: (plate_deg) => `The push, at a right angle to the ridges, points ${side(plate_deg)}.`,
     },
     {
       value: (at) => bearing_deg(start, at),
       draw: (plate_deg) => plate(plate_deg) + arrows(start, plate_deg, 0, felt(plate_deg, 0), 0.08),
-      text: (plate_deg) => `The hand goes straight ahead. It feels ${side(felt(plate_deg, 0))}.`,
+      text: (plate_deg) => `The hand goes straight ahead. It seems to go ${side(felt(plate_deg, 0))}.`,
     },
     {
       value: (at) => bearing_deg(start, at),
@@ -98,7 +98,7 @@ export function showFigures(library: Library, world: World): void {
         plate(turned_deg) +
         arrows(start, turned_deg, hand_deg, felt(turned_deg, hand_deg), 0.08) +
         handle(ahead(start, hand_deg, 0.08)),
-      text: (hand_deg) => `The hand goes ${side(hand_deg)}. It feels ${side(felt(turned_deg, hand_deg))}.`,
+      text: (hand_deg) => `The hand goes ${side(hand_deg)}. It seems to go ${side(felt(turned_deg, hand_deg))}.`,
     },
     {
       value: ({ away_m }) => (100 * (away_m - start.away_m)) / distance_m,
@@ -114,12 +114,14 @@ export function showFigures(library: Library, world: World): void {
         );
       },
       text: (percent) =>
-        percent < 90 ? "They keep what they feel straight." : "They feel at the glass. The hand is to the right of it.",
+        percent < 90
+          ? "The person corrects the hand, so that it feels straight."
+          : "The person feels the hand at the glass. It really is to the right of it.",
     },
     {
       value: (at) => -2 * bearing_deg(start, at),
       draw: (gap_deg) => guided(Math.abs(gap_deg)) + word("real", { right_m: 0.045, away_m: 0.068 }, "drag it"),
-      text: (gap_deg) => `${ended()}${gap_deg > 22 ? " No plate can lead this person that far aside." : ""}`,
+      text: (gap_deg) => `${ended()}${gap_deg > 22 ? " No plate can lead this person's hand that far aside." : ""}`,
     },
   ];
 

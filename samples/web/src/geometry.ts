@@ -6,9 +6,9 @@ export interface Place {
   away_m: number;
 }
 
-/** Default start of reaches in the plugin. */
+/** Start of all reaches, which is the plugin's default. */
 export const start: Readonly<Place> = { right_m: 0, away_m: -0.05 };
-/** Distance from the start to each target. */
+/** Distance from the start to the cylinder and to the glass. */
 export const distance_m = 0.1;
 /** Radius of the plate. */
 export const radius_m = 0.075;
@@ -28,6 +28,7 @@ export interface Course {
 
 export const degree = Math.PI / 180;
 
+/** Returns the position at this distance and direction from `from`. */
 export function ahead(from: Readonly<Place>, direction_deg: number, length_m: number): Place {
   return {
     right_m: from.right_m - length_m * Math.sin(direction_deg * degree),
@@ -35,7 +36,7 @@ export function ahead(from: Readonly<Place>, direction_deg: number, length_m: nu
   };
 }
 
-/** Direction of a motion, from -180 to 180. */
+/** Returns the direction of a motion, from -180 to 180. */
 export function direction_deg(right_m: number, away_m: number): number {
   return Math.atan2(-right_m, away_m) / degree;
 }
@@ -48,7 +49,7 @@ export function length_m(from: Readonly<Place>, to: Readonly<Place>): number {
   return Math.hypot(to.right_m - from.right_m, to.away_m - from.away_m);
 }
 
-/** Bearing of `place` minus the real target's bearing, both seen from the start. */
+/** Returns the direction of `place` minus the direction of the real target, both seen from the start. */
 export function bearingError_deg(place: Readonly<Place>, course: Course): number {
   return bearing_deg(course.start, place) - course.real_deg;
 }
@@ -60,7 +61,7 @@ export function virtualPlace(course: Course): Place {
   return ahead(course.start, course.virtual_deg, course.virtual_m);
 }
 
-/** True and perceived end position of a slide. */
+/** Distances of the true and the perceived end position of a slide from the targets. */
 export interface SlideEnd {
   readonly toCylinder_mm: number;
   readonly toGlass_mm: number;

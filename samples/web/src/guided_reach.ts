@@ -1,5 +1,5 @@
-// Base class of reaches that the plugin steers, of the simulated person, the visitor's finger and the tracked hand: a session
-// of the plugin and the simulated world of its finger and plate.
+// Base class of the reaches that the plugin controls, whose hand is that of a simulated person, of the visitor, or of a headset:
+// a session of the plugin, and the simulated world with the plate.
 import * as hrt from "haptic-retargeting";
 import { sessions } from "./controller";
 import { type Course, cylinderRadius_m, type Place } from "./geometry";
@@ -10,14 +10,14 @@ import { maxTrace, type Trace, tracePeriod_ms } from "./trace";
 type Directions = Readonly<Record<"finger_deg" | "felt_deg", number>>;
 
 export abstract class GuidedReach {
-  /** Trace of the current reach; each reach has a new array. */
+  /** Trace of the current reach. Each reach has its own array. */
   trace: Trace = [];
-  /** Orientation of a connected plate, which replaces the simulated plate; NaN: no plate is connected. */
+  /** Orientation of a connected plate, which replaces the simulated one. NaN: no plate is connected. */
   plateConnected_deg = NaN;
   /** Recording of the last reach that has ended, as CSV. */
   recording = "";
   protected settings: Settings;
-  /** Session of the plugin. It receives the targets and the plate's limits, and nothing about the person. */
+  /** Session of the plugin. It is given the targets and the plate's limits, but no parameter of the person. */
   protected session!: hrt.Session;
   #real = 0;
   #virtual = 0;
@@ -36,7 +36,7 @@ export abstract class GuidedReach {
     return this.session.command;
   }
 
-  /** Replaces the session, for a person of whom the controller has learnt nothing. */
+  /** Replaces the session by one with the default parameters of a person. */
   protected restartSession(course: Course): void {
     this.cancel();
     this.session.destroy();
@@ -63,7 +63,7 @@ export abstract class GuidedReach {
     this.session.setTarget(this.#virtual, { direction_deg: virtual_deg, distance_m: virtual_m });
   }
 
-  /** Cancels a running reach, from which nothing is learnt. Returns the recording, or "" if there was no reach. */
+  /** Cancels a running reach; the controller discards its samples. Returns the recording, or "" if nothing was recorded. */
   protected cancel(): string {
     if (this.session.state & hrt.HRT_STATE_REACHING) this.session.cancelReach();
     return this.session.state & hrt.HRT_STATE_RECORDING ? this.session.stopRecording() : "";
@@ -83,7 +83,7 @@ export abstract class GuidedReach {
     this.session.beginReach(this.#real, this.#virtual, plate_deg);
   }
 
-  /** Passes a finger position to the plugin, and its command to the plate. */
+  /** Passes a position of the fingertip to the plugin, and the plugin's command to the plate. */
   protected updateFinger(time_ms: number, right_m: number, away_m: number): void {
     const { sample } = this.session;
     sample.flags = hrt.HRT_SAMPLE_PLATE_POSITION;
@@ -101,7 +101,7 @@ export abstract class GuidedReach {
     this.world.advance();
   }
 
-  /** Appends to the trace. Directions are NaN at rest. */
+  /** Appends to the trace, once in each period of the trace. Directions are NaN at rest. */
   protected record(directions: Directions, finger: Readonly<Place>, felt: Readonly<Place>): void {
     if (this.world.time_ms() % tracePeriod_ms !== 0 || this.trace.length === maxTrace) return;
     const { finger_deg, felt_deg } = directions,

@@ -1,4 +1,4 @@
-// The page: loads plugin and simulation, connects settings, modes, picture and chart, and runs the frames.
+// Loads plugin and simulation, connects settings, modes, picture and chart, and draws frames while something moves.
 import { load } from "haptic-retargeting";
 import pluginModule from "haptic-retargeting/haptic_retargeting.wasm";
 import { HapticPlate } from "haptic-retargeting/three";
@@ -28,11 +28,11 @@ import { Voice } from "./voice";
 import type { HeadsetMode } from "./wear/headset_mode";
 import type { HeadsetReach } from "./wear/headset_reach";
 
-/** Longest time that one frame may advance: slow machines keep real time, and a hidden page continues where it stopped. */
+/** Longest time by which one frame advances a reach: slow machines keep real time, and a hidden page continues where it stopped. */
 const maxFrame_ms = 1000;
 
 async function main(): Promise<void> {
-  // The first picture does not need the plugin, which is loaded meanwhile.
+  // The first picture does not need the plugin, which is still being loaded.
   const desk = new Desk(),
     still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   desk.nameLabels(true);
@@ -119,7 +119,7 @@ async function main(): Promise<void> {
     frame.setAttribute(
       "aria-label",
       sliding.active
-        ? "The plate: arrow keys slide your hand; steer the dot from the ring to the glass, ahead and somewhat to the left; Enter lifts the finger"
+        ? "The plate: arrow keys slide your hand; steer the dot from the ring to the glass, ahead and somewhat to the left; Enter lifts the hand"
         : "The plate and the hand: arrow keys turn the view",
     );
     const played = mode === "watch" || (mode === "scene" && viewing.course !== null);
@@ -143,7 +143,7 @@ async function main(): Promise<void> {
 
   async function bringHeadset(): Promise<void> {
     const loading = Promise.all([createWorld(), import("./wear/headset_reach"), import("./wear/headset_mode")]),
-      parts = await part("The headset's part", loading);
+      parts = await part("The part for headsets", loading);
     if (wearing || !parts) return;
     const [world, { HeadsetReach }, { HeadsetMode }] = parts,
       { settings } = panel,
@@ -175,9 +175,9 @@ async function main(): Promise<void> {
   }
 
   /** Commands a connected plate, whose reported orientation then replaces the simulated one. */
-  function follow(elapsed_ms: number): void {
+  function follow(): void {
     const shown = reaches();
-    plate.frame(elapsed_ms, performance.now(), shown.command.plate_orientation_deg);
+    plate.frame(performance.now(), shown.command.plate_orientation_deg);
     // Reaches that are computed immediately or step by step do not run in the real time of a plate.
     const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
     for (const each of [watch, hand, unguided, viewing.watch, ...(wearing ? [wearing.wear] : [])])
@@ -186,7 +186,7 @@ async function main(): Promise<void> {
 
   plate.onReady = ({ speed_deg_s }) => panel.change({ plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
 
-  /** Frames are requested while something moves, and for a short time after input or the loading of a part. */
+  /** Requests frames for a short time after input or the loading of a part, and as long as something moves. */
   let before_ms = NaN,
     awake_ms = 0;
   const linger_ms = 300;
@@ -203,7 +203,7 @@ async function main(): Promise<void> {
     awake_ms -= elapsed_ms;
     if (!wearing?.worn) {
       if (!still) desk.ease(elapsed_ms);
-      follow(elapsed_ms);
+      follow();
       const shown = { watch: watching, hand: sliding, wear: wearing, scene: watching }[mode];
       shown?.frame(Math.min(elapsed_ms, maxFrame_ms));
     }

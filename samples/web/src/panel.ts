@@ -49,8 +49,8 @@ export class Panel {
   showMaxGap(max_deg: number): void {
     const far = this.settings.gap_deg >= max_deg,
       holds = element("holds", HTMLParagraphElement),
-      text = `person can be led over gaps up to ${max_deg.toFixed(1)}°`;
-    say(holds, far ? `Too far: this ${text}, with any controller.` : `This ${text}.`);
+      text = `the hand of this person over gaps of up to ${max_deg.toFixed(1)}°`;
+    say(holds, far ? `Too far: a plate can lead ${text}, with any controller.` : `A plate can lead ${text}.`);
     holds.classList.toggle("problem", far);
   }
 

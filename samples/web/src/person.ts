@@ -1,4 +1,4 @@
-// The simulated side: person, plate and tracker of core/, in a separate WebAssembly module (person.cpp).
+// The simulated world: person, plate and tracker of core/simulation, in a WebAssembly module of their own (person.cpp).
 import personModule from "person.wasm";
 import type { Place } from "./geometry";
 
@@ -18,7 +18,7 @@ type Series = "begin_series" | "answer" | "next_gap_deg" | "limit_deg" | "limit_
 /** The exports of person.cpp, which documents them. */
 export type World = Readonly<Record<Does | Plate | Finger | Felt | Series, (...values: number[]) => number>>;
 
-/** Returns the true and the perceived position of the person's finger, in a picture that is `scale` times as large. */
+/** Returns the true and the perceived position of the simulated fingertip, multiplied by `scale`. */
 export function places(world: World, scale = 1): { finger: Place; felt: Place } {
   return {
     finger: { right_m: scale * world.finger_right_m(), away_m: scale * world.finger_away_m() },
@@ -34,11 +34,11 @@ async function compile(): Promise<WebAssembly.Module> {
   );
 }
 
-/** Creates a separate world with one person, one plate and one tracker. */
+/** Creates a world of its own, with one person, one plate and one tracker. */
 export async function createWorld(): Promise<World> {
   compiled ??= compile();
   const proc_exit = () => {
-    throw new Error("the simulation has run out of memory");
+    throw new Error("the simulation has run out of memory; reload the page");
   };
   const { exports } = await WebAssembly.instantiate(await compiled, { wasi_snapshot_preview1: { proc_exit } });
   if (typeof exports._initialize === "function") exports._initialize();

@@ -1,5 +1,5 @@
-// The plate from above, as the content of an SVG picture in millimetres. Used for replayed slides, the figures, and the desk in
-// browsers without WebGL.
+// Draws the plate from above, as the content of an SVG picture in millimetres: for replayed slides, for the figures, and for the
+// desk in a browser without WebGL.
 import { ahead, type Course, cylinderRadius_m, type Place, radius_m, ridgeSpacing_m, start } from "./geometry";
 
 export type Kind = "real" | "felt" | "touch";
@@ -16,7 +16,7 @@ const path = (kind: Kind, places: readonly Readonly<Place>[]): string =>
   places.length < 2 ? "" : `<path class="${kind}" d="${line(places)}"/>`;
 
 type Step = Readonly<Record<"finger" | "felt", Readonly<Place>>>;
-/** Draws the paths of the true and the perceived positions. `all`: false: of the perceived ones only. */
+/** Draws the paths of the true and the perceived positions. With `all` false, only the latter. */
 export function paths(steps: readonly Step[], all = true): string {
   const felt = steps.map((step) => step.felt).filter(({ right_m }) => !Number.isNaN(right_m)),
     real = all ? steps.map(({ finger }) => finger) : [];
@@ -31,7 +31,7 @@ export function arrow(kind: Kind, from: Readonly<Place>, direction_deg: number, 
   return `<path class="${kind}" d="${line([from, tip])}"/><path class="tip ${kind}" d="${line([...sides, tip])} Z"/>`;
 }
 
-/** Draws the plate with its ridges, whose normal is at `plate_deg`, and the ring. */
+/** Draws the plate, whose ridges have their normal at `plate_deg`, and the ring at the start. */
 export function plate(plate_deg: number): string {
   const ridges = [];
   for (let away_m = -0.07; away_m < 0.071; away_m += ridgeSpacing_m) {
@@ -44,7 +44,7 @@ export function plate(plate_deg: number): string {
   );
 }
 
-/** Draws the cylinder and the glass. */
+/** Draws cylinder and glass, with their names if `named`. With `all` false, only the glass. */
 export function targets({ real_deg, real_m, virtual_deg, virtual_m }: Course, named = true, all = true): string {
   const real = ahead(start, real_deg, real_m),
     glass = ahead(start, virtual_deg, virtual_m),

@@ -6,7 +6,7 @@ import type { ReachResult } from "./simulated_reach";
 
 const rowsKept = 10;
 const arrived_deg = 1.5;
-const controllerTexts: Readonly<Record<ControllerName, string>> = { off: "still", paper: "the paper's", ours: "ours" };
+const controllerTexts: Readonly<Record<ControllerName, string>> = { off: "off", paper: "the paper's", ours: "ours" };
 
 export class Results {
   readonly #body = element("result-rows", HTMLTableSectionElement);
@@ -44,8 +44,8 @@ export class Results {
 /** Describes the result of a reach in a sentence. */
 export function resultText(result: Readonly<ReachResult>): string {
   const end =
-    `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the cylinder; the simulated person feels it ` +
+    `The hand is ${result.toCylinder_mm.toFixed(1)} mm from the cylinder; the simulated person feels it ` +
     `${result.feltToGlass_mm.toFixed(1)} mm from the glass.`;
-  if (result.controller === "off") return `${end} The plate did not move.`;
+  if (result.controller === "off") return `${end} The plate did not turn.`;
   return Math.abs(result.bearingError_deg) <= arrived_deg ? `Arrived. ${end}` : `Missed. ${end}`;
 }

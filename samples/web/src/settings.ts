@@ -3,7 +3,7 @@
 export const controllerNames = ["off", "paper", "ours"] as const;
 export type ControllerName = (typeof controllerNames)[number];
 
-/** Modes of the page. The last one needs a file. */
+/** Modes of the page: "Try it", "Watch", "Wear it" and "Your scene". The last one needs a file, so a link cannot choose it. */
 export const modes = ["hand", "watch", "wear", "scene"] as const;
 export type Mode = (typeof modes)[number];
 const linkedModes = modes.slice(0, 3);
@@ -42,7 +42,7 @@ export function onSlider(name: SliderName, value: number): number {
   return Number((min + steps * step).toFixed(3));
 }
 
-/** Returns the part of a link after #, with the settings that differ from the defaults. */
+/** Returns the part of a link after #: the mode, and the settings that differ from their defaults. */
 export function toLink(settings: Readonly<Settings>, mode: Mode): string {
   const defaults = defaultSettings(),
     parts = new URLSearchParams();
@@ -53,7 +53,7 @@ export function toLink(settings: Readonly<Settings>, mode: Mode): string {
   return parts.toString();
 }
 
-/** Reads settings and mode of a link, and lists the parts that were ignored as unknown or not allowed. */
+/** Reads settings and mode from the part of a link after #. `problems` describes the parts that were ignored. */
 export function fromLink(link: string): { settings: Settings; mode: Mode; problems: string[] } {
   const settings = defaultSettings(),
     problems: string[] = [];
@@ -75,7 +75,7 @@ export function fromLink(link: string): { settings: Settings; mode: Mode; proble
       if (Number.isInteger(value) && value >= 1 && value <= maxPerson) settings.person = value;
       else refuse(`1 to ${maxPerson}`);
     } else {
-      problems.push(`nothing is called "${name.slice(0, 20)}"`);
+      problems.push(`"${name.slice(0, 20)}" is not a setting`);
     }
   }
   return { settings, mode, problems };

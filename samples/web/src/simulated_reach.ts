@@ -1,4 +1,4 @@
-// Reaches of the simulated person, steered by the real plugin: the plugin receives the tracked finger, the plate
+// Reaches of the simulated person, controlled by the real plugin: the plugin receives the tracked fingertip, the simulated plate
 // follows its commands, and the person feels the plate.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
@@ -16,16 +16,16 @@ export interface ReachResult extends SlideEnd {
   readonly controller: ControllerName;
   readonly tactileWeight: number;
   readonly gap_deg: number;
-  /** Bearing of the finger's end minus the cylinder's bearing. */
+  /** Direction of the end of the reach minus that of the cylinder, both seen from the start. */
   readonly bearingError_deg: number;
   readonly peakFeltError_deg: number;
-  /** Estimate of the tactile weight; an SD of 0 means that the controller does not learn. */
+  /** Estimate of the tactile weight and its SD, which is 0 if the controller does not learn. */
   readonly weight: number;
   readonly weightSd: number;
   readonly flags: number;
   readonly motion_s: number;
   readonly plateFastest_deg_s: number;
-  /** Largest distance of a tracked position from the finger. */
+  /** Largest distance of a tracked position from the true one. */
   readonly trackerWorst_mm: number;
 }
 
@@ -82,7 +82,7 @@ export class SimulatedReach extends GuidedReach {
     return unknown;
   }
 
-  /** Begins the next reach. A running reach is cancelled; one whose finger has not moved keeps its number. */
+  /** Begins the next reach, and cancels a running one. If that one has not moved, the next one has the same number. */
   begin(): void {
     const world = this.world;
     if (this.phase !== "waiting") ++this.number;

@@ -1,5 +1,5 @@
-// Sounds, and vibration on devices that have it, for what a fingertip would feel: a burst of noise at each ridge, louder for a
-// faster finger, and a contact at the end. For keyboard users, tones indicate the direction from the dot to the glass.
+// Sounds and, on devices that can, vibration for what a fingertip would feel: a burst of noise at each ridge, louder for a faster
+// finger, and a contact at the end. For visitors who steer by keys, tones indicate on which side of the dot the glass lies.
 import { element, say } from "./page";
 
 const key = "haptic-retargeting-ticks";
@@ -46,7 +46,7 @@ export class Sounds {
     this.#burst(180, 0.12, 0.8);
   }
 
-  /** Plays a tone on the side on which the glass lies, higher near the glass, for visitors who do not see the dot. */
+  /** Plays a tone. `side`: where the glass lies, from -1 (left) to 1; `way`: fraction of the path that remains: the tone rises. */
   guide(side: number, way: number): void {
     const audio = this.#ready();
     if (!audio || audio.currentTime - this.#guided_s < guidePeriod_s) return;

@@ -1,5 +1,5 @@
-// Colours from the style sheet, which is the one source for light, dark and high contrast. Colour-blind people can
-// distinguish the blue of true and the orange of perceived values; lines differ in their dashes too.
+// Colours of the style sheet, which defines them for light and dark pages. Colour-blind people can distinguish the blue of true
+// values from the orange of perceived ones, whose lines are also dashed.
 
 const surfaces = ["panel", "line", "stage", "desk", "plate", "ridges", "hand"] as const,
   inks = ["text", "muted", "real", "felt", "chart", "weight"] as const,

@@ -17,7 +17,7 @@ export type Trace = {
   readonly felt: Readonly<Place>;
 }[];
 
-/** Table of the trace, for visitors who do not see the chart. It is not updated while it is folded. */
+/** The trace as a table, for visitors who do not see the chart. It is filled only while it is unfolded. */
 export class TraceTable {
   readonly #fold = element("trace-fold", HTMLDetailsElement);
   readonly #body = element("trace-rows", HTMLTableSectionElement);

@@ -20,13 +20,13 @@ import type { World } from "./person";
 import type { Settings } from "./settings";
 import { maxTrace, tracePeriod_ms } from "./trace";
 
-/** Shortest slide that counts. */
+/** A shorter slide does not count: it begins again. */
 export const minReach_m = 0.03;
-/** Distance from the glass at which a perceived fingertip has reached it. */
+/** Distance below which the perceived fingertip has reached the glass. */
 const near_m = 0.002;
 const step_ms = 10;
-/** Before the motion the plate turns to its first orientation while the plugin receives a fingertip at rest. Then the time is
- *  stopped until the fingertip moves, so that a resting hand is neither recorded nor computed. */
+/** Before the motion, the plugin receives a fingertip at rest for a while, during which the plate turns to its first orientation.
+ *  Then the time stops until the fingertip moves, so that a resting hand is neither recorded nor computed. */
 const settle_ms = 700,
   maxRest_ms = 1000;
 
@@ -58,14 +58,14 @@ export class VisitorReach extends GuidedReach {
     return this.phase === "arrived" || this.#rested_ms > (this.phase === "waiting" ? settle_ms : maxRest_ms);
   }
 
-  /** Begins a slide under these settings, with a controller that has learnt nothing. */
+  /** Begins a slide with these settings and a new session of the plugin. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
     this.restartSession(pageCourse(settings));
     this.begin(settings.gap_deg);
   }
 
-  /** Returns to the start, for another gap. The controller keeps its estimates of this hand. */
+  /** Begins the next slide, with this gap. The controller keeps its estimates of this hand. */
   begin(gap_deg = this.gap_deg): void {
     this.settings.gap_deg = gap_deg;
     this.prepare();
@@ -87,8 +87,8 @@ export class VisitorReach extends GuidedReach {
     Object.assign(this.wanted, { right_m, away_m });
   }
 
-  /** Advances by whole milliseconds, in steps with one sample of the fingertip each. The slide ends once the perceived fingertip
-   *  is at the glass or at its distance. */
+  /** Advances by whole milliseconds, with a sample of the fingertip for each step. The slide ends when the perceived fingertip is
+   *  at the glass, or as far from the start. */
   advance(milliseconds: number): void {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;
@@ -134,7 +134,7 @@ export class VisitorReach extends GuidedReach {
     return Math.round((away_m * Math.cos(angle) - right_m * Math.sin(angle)) / ridgeSpacing_m);
   }
 
-  /** Lifts the fingertip. A slide that is too short begins again; the controller learns nothing from one that stops early. */
+  /** Lifts the fingertip. A slide that is too short begins again. The controller discards a slide that stops early. */
   end(): void {
     if (this.phase !== "sliding") return;
     if (length_m(start, this.finger) < minReach_m) return this.begin();

@@ -1,4 +1,4 @@
-// Spoken cues by the browser's speech synthesis; off until the visitor turns them on.
+// Instructions, spoken by the browser's speech synthesis; off until the visitor turns them on.
 import { element, say } from "./page";
 
 export class Voice {
@@ -12,12 +12,12 @@ export class Voice {
       say(element("speak-help", HTMLSpanElement), " This browser has no voice.");
     }
     this.#wanted.addEventListener("change", () => {
-      if (this.#wanted.checked) this.say("Spoken cues are on.");
+      if (this.#wanted.checked) this.say("Spoken instructions are on.");
       else this.#synthesis?.cancel();
     });
   }
 
-  /** Writes a text for screen readers and, if the voice is on, speaks it; this interrupts the previous text. */
+  /** Writes a text for screen readers. If the visitor has turned the voice on, it speaks the text, and interrupts the previous one. */
   say(text: string): void {
     say(this.#written, text);
     if (!this.#synthesis || !this.#wanted.checked) return;

@@ -1,4 +1,4 @@
-// The page in headless Chromium, for the tests beside this file.
+// Opens the page in headless Chromium, for the tests in this folder.
 //   usage of a test: node X_test.mjs FOLDER_OF_SAMPLES_WEB FOLDER_OF_THE_PAGE reach.csv desk.gltf FOLDER_OF_SCREENSHOTS
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -29,12 +29,13 @@ after(async () => {
   server?.kill();
 });
 
-/** Opens the page for researchers on "Watch", after `script` has run in it, and calls `use` once the element `ready` exists. With `motion` false,
- *  a change shows its reach immediately; with `motion` true the page's time is stopped until frames(), with "real" it is not. Fails after `use` on
- *  any error of the page, and on any request except for its own files, which come from `folder` if one is given. `more`: options
- *  of the browser's context. */
+/** Opens a page, by default that for researchers in the mode "Watch", and calls `use` once the element `ready` exists.
+ *  `before` is called before the page is opened; `script` runs in the page before its own. `motion`: false: reduced motion, so that a change shows its reach immediately;
+ *  true: the page's time stands still between calls of frames(); "real": it does not. `folder`: files to serve instead of the
+ *  page. If `strict`, an error of the page, or a request for another machine, is a failure. `more`: options of the browser's
+ *  context. */
 export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "researchers.html#mode=watch", from = browser,
-                            base = address, folder = null, strict = true, script = null, ready = "html[data-ready=yes]", ...more } = {}) {
+                            base = address, folder = null, strict = true, script = null, before = () => {}, ready = "html[data-ready=yes]", ...more } = {}) {
   const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce", ...more });
   const page = await context.newPage(), faults = [];
   const file = (request) => join(folder, new URL(request.url()).pathname.replace(/\/$/, "/index.html"));
@@ -48,6 +49,7 @@ export async function visit(use, { motion = false, viewport = desktop, colorSche
     if (!url.startsWith(base) && !url.startsWith("data:")) faults.push(`request for ${url}`);
   });
   try {
+    await before(page);
     await page.goto(base + link);
     await page.waitForSelector(ready, { timeout: 60_000 });
     await use(page);
@@ -110,7 +112,7 @@ export async function saved(page, button) {
   return { name: download.suggestedFilename(), content: await readFile(await download.path(), "utf8") };
 }
 
-/** Drops a file, which must be refused with this message and show nothing. */
+/** Drops a file, which must be refused with this message, and must not be shown. */
 export async function refuses(page, name, content, words) {
   await drop(page, name, content);
   await page.waitForSelector("#refused:not([hidden])");

@@ -1,5 +1,5 @@
-// Runs the README's examples for three.js, A-Frame and react-three-fiber, with the packed package and the library in
-// node_modules, in an emulated headset.
+// Runs the examples of plugin/bindings/web for three.js, A-Frame and react-three-fiber in an emulated headset. The packed package
+// and the library are in node_modules, as a user installs them.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFile, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from "node:fs/promises";
@@ -40,10 +40,10 @@ before(async () => {
 });
 after(() => rm(folder, { recursive: true, force: true }));
 
-// Each example runs with all optional properties and with none; three.js' example also without each one.
+// Each example runs in a browser with all optional properties of WebXR, and in one with none; that for three.js also without each one.
 const runs = Object.keys(examples).flatMap((name) => [[name, []], [name, optional]]);
 for (const [name, lacking] of [...runs, ...optional.map((each) => ["three.html", [each]])]) test(
-  `${name} leads a reach of a worn hand, without ${lacking}`, () => visit(async (page) => {
+  `${name} turns the plate for a reach of a tracked hand, without ${lacking}`, () => visit(async (page) => {
   await frames(page, 20, 5);
   await page.locator(examples[name][0]).click();
   await page.waitForFunction(() => globalThis.headset.device.activeSession?.renderState.baseLayer !== undefined, null, { polling: 20 });

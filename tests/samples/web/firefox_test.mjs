@@ -1,4 +1,4 @@
-// The page in headless Firefox: a slide by keys, the hand, a watched reach. The script is loaded from the page's folder.
+// The page in Firefox: a slide by keys, and a watched reach. A script that is added to the page operates it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { extname, join, resolve } from "node:path";
@@ -33,6 +33,6 @@ test("a slide by keys and a watched reach work in Firefox", async () => {
     return { type: types[extname(name)], body: name === "index.html" ? String(body).replace("</body>", '<script src="visit.js"></script></body>') : body };
   }, "firefox"));
   assert.match(slid, /Your hand is here, \d+ mm from the dot and \d+ mm from the cylinder\.$/);
-  assert.match(watched, /^Arrived\. The finger is \d+\.\d mm from the cylinder/);
+  assert.match(watched, /^Arrived\. The hand is \d+\.\d mm from the cylinder/);
   assert.deepEqual([drawn, faults], [true, []]);
 });

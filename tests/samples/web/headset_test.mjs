@@ -6,12 +6,13 @@ import { test as once } from "node:test";
 import { pathToFileURL } from "node:url";
 import { accessible, ended, frames, pageFolder, phase, saved, shoot, sources, text, visit } from "./browser.mjs";
 import { optional, without } from "./emulated.mjs";
+import { plateDouble, served } from "./plate_double.mjs";
 
 const hrt = await import(pathToFileURL(join(pageFolder, "../npm/node.mjs"))), library = await hrt.load();
 
 const worn = { motion: true, viewport: { width: 500, height: 400 } };
-/** Runs a test in the headset with all optional browser properties, and with none of them. examples_test.mjs leaves out each one. */
-function test(name, use, script = "", masks = [[], optional]) {
+/** Runs a test in a browser with all optional properties of WebXR; `masks`: in one without each of these lists. */
+function test(name, use, script = "", masks = [[]]) {
   for (const lacking of masks) once(`${name}, without ${lacking}`, () => visit(use, { ...worn, script: without(lacking) + script }));
 }
 const caption = (page) => text(page, "#caption");
@@ -28,13 +29,13 @@ async function enter(page, button = "#enter-vr") {
 }
 
 /** Rests the fingertip at a position for two seconds. */
-async function rest(page, tip) {
-  await page.evaluate((place) => {
-    for (let i = 0; i < 40; ++i) {
+async function rest(page, tip, frame_ms = 100) {
+  await page.evaluate(async ([place, elapsed_ms]) => {
+    for (let i = 0; i < 2000 / elapsed_ms; ++i) {
       globalThis.headset.moveTip(...place);
-      globalThis.drawFrame(50);
+      await globalThis.headset.frame(elapsed_ms);
     }
-  }, tip);
+  }, [tip, frame_ms]);
 }
 
 /** Places the plate by a pinch of two seconds. */
@@ -45,11 +46,12 @@ async function pinch(page, tip) {
   await rest(page, tip);
 }
 
-/** Slides the fingertip by `length_m` in 1.5 s, first in `first_deg`; with `follows` it steers its perceived direction to the
- *  glass. Frames in `unseen` have no hand. Returns the tracked positions, to the right of and away from the start. */
+/** Slides the fingertip by `length_m` in 1.5 s, or until the fraction `until` of that time, first in the direction `first_deg`; with
+ *  `follows`, it then steers its perceived direction to the glass. In the frames `unseen`, from the first to before the second, the
+ *  headset does not see the hand. Returns the tracked positions, to the right of and away from the start. */
 function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = false, unseen = [0, 0], until = 1 } = {}) {
-  return page.evaluate((how) => {
-    const { headset, drawFrame } = globalThis, { dataset } = document.getElementById("stage"), seen = [];
+  return page.evaluate(async (how) => {
+    const { headset } = globalThis, { dataset } = document.getElementById("stage"), seen = [];
     let x = 0, away = 0, heading_deg = how.first_deg;
     const count = 135;
     for (let i = 0; i <= count * how.until; ++i) {
@@ -60,10 +62,10 @@ function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = fa
       away += step_m * Math.cos(heading_deg * Math.PI / 180);
       headset.see(i < how.unseen[0] || i >= how.unseen[1]);
       headset.moveTip(how.from[0] + x, how.from[1], how.from[2] - away);
-      drawFrame(1000 / 90);
+      await headset.frame(1000 / 90);
       if (i < how.unseen[0] || i >= how.unseen[1]) seen.push([x, away]);
     }
-    if (how.until === 1) for (let i = 0; i < 15; ++i) drawFrame(40);
+    if (how.until === 1) for (let i = 0; i < 15; ++i) await headset.frame(40);
     return seen;
   }, { from, first_deg, length_m, follows, unseen, until });
 }
@@ -123,7 +125,7 @@ test("a reach of a tracked hand replays bit for bit", async (page) => {
   // The emulation uses numbers of 32 bits.
   const off = places.map(([right, away]) => Math.min(...moved.map(([x, z]) => Math.hypot(x - right, 0.05 - z - away))));
   assert.ok(Math.max(...off) < 1e-6, `positions as recorded are ${Math.max(...off)} m off`);
-});
+}, "", [[], optional]);
 
 test("a headset that is recentred places the plate again", async (page) => {
   await enter(page);
@@ -133,7 +135,7 @@ test("a headset that is recentred places the plate again", async (page) => {
   await page.evaluate(() => globalThis.headset.recentre());
   await frames(page, 11, 2);
   assert.equal(await phase(page), "placing");
-  assert.match(await caption(page), /^The headset has moved its room, so the plate is placed again\. Pinch thumb and index/);
+  assert.match(await caption(page), /^The headset was recentred, so the plate must be placed again\. Pinch your thumb and index/);
   await pinch(page, start.map((x) => x + 0.05));
   assert.equal(await phase(page), "sliding", "the next one is there");
 });
@@ -144,7 +146,7 @@ test("an error about missing hand tracking names the setting to switch on", asyn
   await page.locator("#enter-vr:enabled").click();
   await page.waitForTimeout(200);
   await frames(page, 20, 2);
-  assert.match(await caption(page), /^The headset cannot be entered: no hands\. Switch hand tracking on in the headset's settings/);
+  assert.match(await caption(page), /^The headset cannot show the plate: no hands\. Switch hand tracking on in the headset's settings/);
 }, 'navigator.xr.requestSession = async () => { throw new DOMException("no hands", "NotSupportedError"); }');
 
 /** Returns the offset of the drawn hand from the tracked one, to the right and away, in metres. */
@@ -163,16 +165,16 @@ test("the hand is drawn where it is perceived: when it is seen at the glass, it 
   await slide(page, { from: [start[0] + right, start[1], start[2] - away], length_m: 0 });
   await rest(page, [start[0] + right, start[1], start[2] - away]);
   assert.ok(Math.hypot(...await shift(page)) < 1e-3, "after the slide the hand is drawn where it is");
-}, "", [[]]);
+});
 
 once("over a connected plate the hand is drawn where it is", () => visit(async (page) => {
-  await page.click("#plate-firmware");
-  await page.locator("#plate-stop").waitFor();
+  await page.click("#plate-serial");
+  await served(page, 15);
   await enter(page);
   await pinch(page, start);
   await slide(page, { until: 0.6 });
   assert.deepEqual([await phase(page), await shift(page)], ["sliding", [0, 0]]);
-}, { ...worn, script: without([]) }));
+}, { ...worn, script: `${without([])};(${plateDouble})()` }));
 
 test("a hand that is not steered arrives at the glass", async (page) => {
   await enter(page);
@@ -195,7 +197,7 @@ test("a short loss of the hand is bridged, a longer loss restarts the reach", as
   assert.equal(await phase(page), "sliding");
   await frames(page, 50, 25);
   assert.equal(await phase(page), "ready");
-  assert.match(await caption(page), /^The hand was not seen for a second/);
+  assert.match(await caption(page), /^The headset did not see your hand for a second\. Rest the tip/);
   await page.evaluate(() => globalThis.headset.see(true));
   await rest(page, start);
   assert.equal(await phase(page), "sliding", "the next one");
@@ -227,7 +229,7 @@ test("touches of the marks place the plate, and a wrong touch is rejected", asyn
   const place = ([x, y, z]) => [centre[0] + x * Math.cos(angle) + z * Math.sin(angle), centre[1] + y, centre[2] - x * Math.sin(angle) + z * Math.cos(angle)];
   const touch = async (touches) => {
     for (const mark of touches) {
-      await rest(page, place(mark));
+      await rest(page, place(mark), 50);
       await page.evaluate((at) => {
         for (let i = 0; i < 5; ++i) {
           globalThis.headset.moveTip(at[0], at[1] + 0.02 * i, at[2]);

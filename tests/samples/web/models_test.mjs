@@ -1,4 +1,4 @@
-// The page's modules without a document, under node: simulation, controllers, both modes, settings and links.
+// The page's modules that need no document, under node: simulation, reaches of each kind, settings and links.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
@@ -32,7 +32,7 @@ function reaching() {
   return session;
 }
 
-// This test must be the first: after other tests' doubles of hands and frames the engine boxes more numbers.
+// This test must be the first: once the engine has seen other tests' doubles of hands and frames, it allocates more numbers.
 test("a frame of a hand allocates no objects", (t) => {
   const plate = new models.HapticPlate(), position = { x: 0, y: 0.002, z: 0.05 }, pose = { transform: { position } };
   const hand = new Map([["index-finger-tip", 1]]), frame = { getJointPose: () => pose };
@@ -44,7 +44,7 @@ test("a frame of a hand allocates no objects", (t) => {
       reach.updateFromHand(time_ms, frame, hand, 0);
     }
   };
-  // Only the first measurements include allocations of the engine before it has compiled the code.
+  // The smallest of several measurements excludes allocations before the engine has compiled the code.
   let us = Infinity, bytes = Infinity;
   for (let i = 0; i < 8; ++i) {
     globalThis.gc();
@@ -62,8 +62,8 @@ test("a frame of a hand allocates no objects", (t) => {
 
 test("the world computes core's illusion", () => {
   world.set_person(1, 0.2, 1.5);
-  near(world.felt_shift_deg(40, 0), 8, 1e-12, "w t");
-  near(world.felt_shift_deg(-30, 10), -8, 1e-12, "t is the plate less the finger");
+  near(world.felt_shift_deg(40, 0), 8, 1e-12, "weight times the angle from the motion to the normal");
+  near(world.felt_shift_deg(-30, 10), -8, 1e-12, "the angle is the plate orientation minus the direction of the motion");
   near(world.felt_shift_deg(100, 0), -16, 1e-12, "ridges repeat every half turn");
   near(world.max_gap_deg(75), 15, 1e-12, "75 w");
 });
@@ -86,7 +86,8 @@ test("a reach depends only on its settings and its number", () => {
   assert.notEqual(watch({ person: 4 }).results[0].toCylinder_mm, first[0].toCylinder_mm);
 });
 
-// The person steers (1 - w) P + w T to the goal V: over a plate that stays at 0 they end at P = V / (1 - w).
+// The person steers the perceived direction (1 - w) P + w T to the direction V of the glass. Over a plate at T = 0, the hand ends
+// at P = V / (1 - w).
 test("over a plate that does not turn the hand ends slightly beyond the glass", () => {
   const { results } = watch({ controller: "off", pace_s: 3, gap_deg: 12, tactile_weight: 0.2 }, 20);
   const mean = results.reduce((sum, result) => sum + result.bearingError_deg, 0) / results.length;
@@ -192,7 +193,7 @@ test("an hour of rest is not recorded", () => {
   assert.equal(library.replay(hand.recording).first_different_line, 0n);
 });
 
-// Simulated observers have a threshold of 9 degrees, and answer by the psychometric function.
+// The simulated observer has a threshold of 9 degrees, and answers with the probabilities of the psychometric function.
 test("six answers estimate the threshold with a wide interval, sixty answers precisely", () => {
   let seed = 1;
   const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;

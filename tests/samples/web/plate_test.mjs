@@ -1,9 +1,9 @@
-// The page's link to a plate and the firmware on the emulated board, under node. No real board or servo is used.
+// The page's link to a plate, under node, with test doubles of a plate and a port. No real plate is used.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { models } from "./models.mjs";
 
-const { Board, crc16, decodeLine, encodeLine, firmware, LineReader, parseMessage, PlateLink } = models;
+const { crc16, decodeLine, encodeLine, LineReader, parseMessage, PlateLink } = models;
 const bytes = (text) => new TextEncoder().encode(text);
 
 // The examples of plugin/src/plate/protocol.md.
@@ -104,7 +104,7 @@ test("the link fails for each reason of the protocol, with its message", () => {
   const hello = (...more) => (body) => (body.startsWith("HELLO") ? [facts, "AT +000.00 00000", ...more] : []);
   const silent = double(() => []);
   silent.run(5300);
-  assert.equal(silent.link.failure, "The plate does not answer as a plate of protocol version 2 within 5 s.");
+  assert.equal(silent.link.failure, "The plate does not answer as a plate of protocol version 2 within 5 s; check port, cable and supply.");
   const cases = [[hello(), 700, /sent nothing for half a second/], [hello("STOPPED emergency"), 300, /emergency stop/],
                  [hello("STOPPED stuck"), 300, /servo is stuck/], [hello("BOOT"), 300, /has restarted/],
                  [hello("ERROR greeting"), 300, /has restarted/], [hello("ERROR session"), 300, /another program/],
@@ -139,56 +139,6 @@ test("garbage on the line changes nothing", () => {
     plate.link.receive(bytes("\n"), plate.now);
   }
   assert.deepEqual([plate.link.orientation_deg, plate.link.failure], [0, ""]);
-});
-
-/** Creates the firmware on its emulated board, and the page's link to it. */
-function emulated() {
-  const board = new Board(firmware), link = new PlateLink((text) => board.receive(text));
-  board.onByte = (byte) => link.receive(Uint8Array.of(byte), board.time_ms);
-  const run = (milliseconds) => {
-    for (const end = board.time_ms + milliseconds; board.time_ms < end;) {
-      link.service(board.time_ms);
-      board.run(5);
-    }
-  };
-  return { board, link, run };
-}
-
-// firmware/README.md: 1500 us at 0, and a span of 2000 us over 180 degrees.
-test("the firmware turns its servo to the page's commands", (t) => {
-  const { board, link, run } = emulated(), began = performance.now();
-  run(1200);
-  assert.deepEqual(link.facts, { kind: "plate", min_deg: -90, max_deg: 90, speed_deg_s: 200, latency_ms: 30, measured: true });
-  assert.equal(board.pulse_us, 0);
-  for (const wanted_deg of [45, -80.5, 12.25, 90, -10, -90, 0]) {
-    link.turnTo(wanted_deg);
-    run(1000);
-    assert.ok(Math.abs(board.pulse_us - (1500 + (wanted_deg * 2000) / 180)) < 0.6, `${board.pulse_us} us at ${wanted_deg}`);
-    assert.ok(Math.abs(board.servo_deg - wanted_deg) < 0.06, `servo at ${board.servo_deg}`);
-    assert.ok(Math.abs(link.orientation_deg - wanted_deg) < 0.5, `reported ${link.orientation_deg}`);
-  }
-  assert.equal(link.failure, "");
-  t.diagnostic(`${(board.time_ms / (performance.now() - began)).toFixed(1)} times real time`);
-});
-
-test("the firmware stops without heartbeats, and by its emergency stop", () => {
-  const quiet = emulated();
-  quiet.run(1200);
-  quiet.link.turnTo(80);
-  quiet.run(30);
-  quiet.board.run(320);
-  const pulse_us = quiet.board.pulse_us;
-  quiet.board.run(300);
-  assert.equal(quiet.board.pulse_us, pulse_us, "the servo stops without heartbeats");
-  const { board, link, run } = emulated();
-  run(1200);
-  board.openEmergencyStop(true);
-  run(100);
-  assert.match(link.failure, /emergency stop/);
-});
-
-test("a damaged firmware file is refused", () => {
-  for (const hex of [":00000001FE", "x", firmware.replace("0C94", "0C95"), ":02FFFF000000"]) assert.throws(() => new Board(hex), /firmware/);
 });
 
 /** Creates a test double of a Web Serial port, which fails in the way of `fails`. */

@@ -1,8 +1,9 @@
-// A scripted visitor who sees the dot with a delay and steers it, without access to the true position of hand or plate, and who
-// can use the mouse of a page whose time is stopped.
+// A scripted visitor, who sees the dot with a delay, and steers it to the glass. The visitor knows neither the true position of
+// the hand nor the plate orientation.
 
-/** Generates pointer motions, in metres on the plate, every `step_ms`; `seen()` returns the drawn dot. The visitor aims from the dot,
- *  as it was `delay_ms` ago, at the glass, corrects the error of direction by `gain` per second, and slows down near the glass. */
+/** Returns a function that receives the position of the dot every `step_ms`, and returns the next motion of the hand, in metres. The
+ *  visitor sees the dot as it was `delay_ms` ago, turns its direction of motion towards the glass with `gain` per second, and slows
+ *  down near the glass. */
 export function visitor({ glass, start, delay_ms, step_ms = 10, gain = 2, speed_m_s = 0.1 }) {
   const seen = [];
   let heading = Math.atan2(glass.right_m - start.right_m, glass.away_m - start.away_m), speed = 0;
@@ -27,11 +28,12 @@ export async function place(page, name) {
   return at.split(" ").map((number, i) => Number(number) + [box.x, box.y][i]);
 }
 
-/** Lets a visitor steer the dot to the glass by mouse, without a click or pressed at `grip` pixels from the ring. Stops when the
- *  fraction `until` of the path remains. Calls `drawn` after each frame, with its duration. */
+/** Lets a visitor steer the dot to the glass by mouse, on a page whose time is stopped: without a click, or, with `grip`, pressed at
+ *  this distance from the ring in pixels. Stops when the fraction `until` of the path remains. Calls `drawn` after each frame, with
+ *  its duration. Returns the position of the mouse. */
 export async function steer(page, { delay_ms = 100, grip = null, until = 0, drawn = () => {} } = {}) {
-  const step_ms = 20, frame = (elapsed_ms) => page.evaluate((ms) => globalThis.drawFrame(ms), elapsed_ms);
-  for (let i = 0; i < 9; ++i) await frame(100);  // slow enough that the picture is simplified
+  const step_ms = 40, frame = (elapsed_ms) => page.evaluate((ms) => globalThis.drawFrame(ms), elapsed_ms);
+  for (let i = 0; i < 9; ++i) await frame(100);  // so slow that the picture is simplified, which is faster here
   const ring = await place(page, "start"), glass = await place(page, "glass"), from = ring.map((x, i) => x + (grip?.[i] ?? 0));
   const px = Math.hypot(glass[0] - ring[0], glass[1] - ring[1]) / 0.1, onPlate = ([x, y]) => ({ right_m: x / px, away_m: -y / px });
   const go = visitor({ start: onPlate(ring), glass: onPlate(glass), delay_ms, step_ms });

@@ -1,5 +1,5 @@
-// Reads a recording of the plugin for the picture: the tracked finger, the commanded plate and the controller's estimates.
-// Library.replay() checks the recording; this reader finds columns by their names.
+// Reads a reach of a recording, to show it: tracked positions, commanded plate orientations, the controller's estimates.
+// Library.replay() must have accepted the recording.
 import { HRT_SAMPLE_PLATE_POSE, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_WORLD_POSITION } from "haptic-retargeting";
 import { Quaternion, Vector3 } from "three";
 import { type Course, start } from "../geometry";
@@ -8,7 +8,7 @@ import { maxTrace, type Trace, tracePeriod_ms } from "../trace";
 export interface RecordedReach {
   readonly name: string;
   readonly course: Course;
-  /** Samples with positions on the plate, as the chart needs them. */
+  /** The samples that have a position on the plate, as a trace. */
   readonly samples: Trace;
 }
 
@@ -19,7 +19,7 @@ function onPlate(world_m: Vector3, position_m: readonly number[], rotation: read
     .applyQuaternion(new Quaternion().fromArray(rotation).invert());
 }
 
-/** Reads the first reach of a recording that Library.replay() has accepted. Throws if it has no positions. */
+/** Returns the first reach of a recording. Throws if it has no positions on the plate. */
 export function readReach(recording: string, name: string): RecordedReach {
   const lines = recording.split("\n").filter((line) => line !== "" && !line.startsWith("#"));
   const config = JSON.parse(/^# config (.*)$/m.exec(recording)?.[1] ?? "{}");
@@ -54,7 +54,7 @@ export function readReach(recording: string, name: string): RecordedReach {
       const moving = number(cells, "bearing_deg") !== 0;
       const sample = {
         finger: { right_m, away_m },
-        felt: { right_m: NaN, away_m: NaN }, // recordings do not contain it
+        felt: { right_m: NaN, away_m: NaN }, // recordings do not contain perceived positions
         plate_deg: number(cells, "plate_orientation_deg"),
         finger_deg: moving ? number(cells, "bearing_deg") : NaN,
         felt_deg: moving ? number(cells, "perceived_direction_deg") : NaN,
@@ -64,7 +64,10 @@ export function readReach(recording: string, name: string): RecordedReach {
       while (samples.length * tracePeriod_ms <= time_ms - first_ms && samples.length < maxTrace) samples.push(sample);
     }
   }
-  if (!begin || samples.length === 0) throw new Error("the recording has no reach with positions on the plate");
+  if (!begin || samples.length === 0)
+    throw new Error(
+      "the recording has no reach with positions on the plate; record samples with HRT_SAMPLE_PLATE_POSITION or HRT_SAMPLE_WORLD_POSITION",
+    );
   const real_m = number(begin, "real_distance_m");
   const course = {
     start,

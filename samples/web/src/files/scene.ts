@@ -1,5 +1,5 @@
-// A scene that the visitor opens: plate and targets of a glTF file, read by the plugin's loader, and the gaps that the plate
-// can sustain for each tactile weight.
+// Reads a scene that the visitor opens: plate and targets of a glTF file, by the plugin's loader, and the plate orientation
+// that sustains each gap, for several tactile weights.
 import * as hrt from "haptic-retargeting";
 import { motionBound_deg } from "../controller";
 import { bearing_deg, type Course, length_m, type Place, radius_m } from "../geometry";
@@ -11,7 +11,7 @@ const weights = [0.1, 0.15, 0.2, 0.25, 0.3] as const;
 export interface SceneTarget {
   readonly name: string;
   readonly real: boolean;
-  /** Position as drawn: the file's plate is scaled to the size of the page's. */
+  /** Position in the picture, in which the file's plate has the size of the page's own. */
   readonly drawn: Place;
 }
 
@@ -31,7 +31,7 @@ export interface VisitorScene {
   readonly plateRadius_m: number;
   /** Factor from the size of the file's plate to that of the page's. */
   readonly scale: number;
-  /** Meshes of the file; null: they cannot be drawn, for the reason in `meshProblem`. */
+  /** Meshes of the file. Null: they cannot be drawn; `meshProblem` has the reason. */
   meshes: SceneMeshes | null;
   meshProblem: string;
   readonly plate: { readonly position_m: readonly number[]; readonly rotation: readonly number[] };
@@ -40,7 +40,7 @@ export interface VisitorScene {
   readonly pairs: readonly ScenePair[];
 }
 
-/** Reads a glTF scene. Throws the loader's error, which names file, node and property. */
+/** Reads a glTF scene. Throws the error of the plugin's loader, which names file, node and property. */
 export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string): VisitorScene {
   const scene = library.loadScene(bytes, name);
   const session = library.createSession({ guidance: hrt.HRT_GUIDANCE_ARRIVAL, motion_bound_deg: motionBound_deg });

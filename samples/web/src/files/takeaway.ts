@@ -1,5 +1,5 @@
-// Files that the visitor saves or opens. Saved: the recording of the last reach and the profile. Opened: a recording, which is
-// replayed and compared bit for bit, or a scene. Nothing leaves the machine. Errors are shown in the plugin's words.
+// Files that the visitor saves or opens. Saved: the recording of the last reach, and the profile. Opened: a recording, which is
+// replayed and compared bit for bit, or a scene. Nothing leaves the machine. Errors of the plugin are shown.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
 import { element, messageOf, say } from "../page";
 import { type RecordedReach, readReach } from "./recording";
@@ -14,7 +14,7 @@ export class TakeAway {
   readonly #refused = element("refused", HTMLParagraphElement);
   readonly #replayed = element("replayed", HTMLParagraphElement);
 
-  /** `recording` and `profile` are called when a button is pressed; `brought` receives an opened file. */
+  /** `recording` and `profile` return the text to be saved; `brought` receives the content of an opened file. */
   constructor(
     private readonly library: Library,
     recording: () => string,
@@ -28,7 +28,7 @@ export class TakeAway {
     onFiles(element("open-file", HTMLInputElement), (files) => this.#open(files));
   }
 
-  /** Enables the button that saves a reach if one is recorded. */
+  /** Enables the button that saves a reach. `recorded`: there is a recording. */
   allow(recorded: boolean): void {
     if (this.#saveRecording.disabled === recorded) this.#saveRecording.disabled = !recorded;
   }
@@ -54,7 +54,7 @@ export class TakeAway {
     }
   }
 
-  /** Reads the targets by the plugin's loader, then the meshes. Without meshes the scene is still shown. */
+  /** Reads the targets, then the meshes. A scene whose meshes cannot be read is shown without them. */
   async #scene(file: File, files: readonly File[]): Promise<VisitorScene> {
     const bytes = await file.arrayBuffer(),
       scene = readScene(this.library, bytes, file.name),

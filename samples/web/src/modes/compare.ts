@@ -19,7 +19,7 @@ export class Compare {
     this.#moment.addEventListener("input", () => this.#show());
   }
 
-  /** Keeps a finished or recorded slide until the next one of its kind. */
+  /** Shows a finished or recorded slide, instead of the previous one of its kind. */
   keep(kind: (typeof kinds)[number], trace: Trace, course: Course, name = `Plate ${kind}`): void {
     this.#slides[kind] = { trace, course, name };
     element("compare", HTMLElement).hidden = false;
@@ -27,7 +27,7 @@ export class Compare {
     this.#show();
   }
 
-  /** Removes all slides, for example when the settings describe another person. */
+  /** Removes all slides. */
   clear(): void {
     this.#slides.on = this.#slides.off = null;
     element("compare", HTMLElement).hidden = true;
@@ -56,7 +56,7 @@ export class Compare {
       say(element(`slide-${kind}-name`, HTMLElement), slide.name);
       const moves = `the hand moves ${sideways(finger_deg)}, the ridges push ${sideways(normal_deg(plate_deg, finger_deg))}`;
       texts.push(
-        `${slide.name}: ${Number.isNaN(finger_deg) ? "the hand rests" : `${moves}, it feels like ${sideways(felt_deg)}`}.`,
+        `${slide.name}: ${Number.isNaN(finger_deg) ? "the hand rests" : `${moves}, that feels like ${sideways(felt_deg)}`}.`,
       );
     }
     say(element("moment-text", HTMLParagraphElement), texts.join(" "));

@@ -10,7 +10,7 @@ import { SimulatedReach } from "../simulated_reach";
 
 export class SceneMode {
   scene: VisitorScene | null = null;
-  /** Reaches to the chosen pair of targets. */
+  /** Reaches of the simulated person to the chosen pair of targets. */
   readonly watch: SimulatedReach;
   readonly #about = element("scene-about", HTMLParagraphElement);
   readonly #pair = element("scene-pair", HTMLSelectElement);
@@ -33,7 +33,7 @@ export class SceneMode {
     for (const { virtual, real, gap_deg, plates_deg } of scene.pairs)
       addRow(body, [virtual, real, `${gap_deg.toFixed(1)}°`, ...plates_deg.map((plate_deg) => sideways(plate_deg))]);
     this.#pair.replaceChildren(
-      ...scene.pairs.map(({ virtual, real }) => new Option(`${virtual}, felt; ${real}, reached`)),
+      ...scene.pairs.map(({ virtual, real }) => new Option(`${virtual}; the hand ends at ${real}`)),
     );
     const real = scene.targets.filter((target) => target.real).length;
     const meshes = scene.meshProblem ? ` Its meshes are not drawn: ${scene.meshProblem}.` : "";

@@ -1,5 +1,5 @@
-// After each slide the visitor answers whether they noticed the gap; QUEST+, as in the experiment, chooses the next gap. After
-// six answers it estimates the visitor's detection threshold.
+// After each slide the visitor answers whether they noticed the gap. From the answers QUEST+, as in samples/experiment, chooses
+// the next gap and, after six answers, estimates the visitor's detection threshold.
 import { motionBound_deg } from "../controller";
 import { distance_m } from "../geometry";
 import { element, say } from "../page";
@@ -7,11 +7,11 @@ import type { World } from "../person";
 
 const answersWanted = 6,
   minGap_deg = 2;
-/** Largest gap as a fraction of the feasible gap for this person; the remainder is reserved for corrections of a slide. */
+/** Largest gap of the series, as a fraction of the feasible gap. The remainder lets the controller correct a slide. */
 const spared = 0.9;
 
 export class Series {
-  /** Gap of the slide that the visitor has not answered yet; NaN: there is no such slide. */
+  /** Gap of the slide about which the visitor is asked; NaN: nothing is asked. */
   #asked_deg = NaN;
   #answers = 0;
   #gap_deg = 0;
@@ -49,7 +49,7 @@ export class Series {
     this.#question.hidden = false;
   }
 
-  /** Discards the slide without an answer. */
+  /** Withdraws the question. */
   skip(): void {
     this.#asked_deg = NaN;
     this.#question.hidden = true;
@@ -66,10 +66,11 @@ export class Series {
     say(
       this.#limit,
       this.#answers < answersWanted
-        ? `Answer ${this.#answers} of ${answersWanted}. The next gap differs.`
-        : `Your limit, after ${this.#answers} answers: led ${mm(world.limit_deg())} mm aside, you would say yes about two ` +
-            `times of three; the range of 95 % is ${mm(world.limit_lower_deg())} to ${mm(world.limit_upper_deg())} mm. This is ` +
-            "no limit of touch: your eye stood in for your fingertip, you had seen the answer, and so few answers prove little.",
+        ? `Answer ${this.#answers} of ${answersWanted}. Next time the cylinder may be nearer to the glass, or farther away.`
+        : `Your limit after ${this.#answers} answers: if your hand is led ${mm(world.limit_deg())} mm aside, you notice it about ` +
+            `two times in three. So few answers prove little: the limit is ${mm(world.limit_lower_deg())} to ` +
+            `${mm(world.limit_upper_deg())} mm with 95 % probability. It is not the limit of your touch, because your eye stood ` +
+            "in for your fingertip, and you knew what happens.",
     );
   }
 }

@@ -1,5 +1,5 @@
-// The mode "Be led": pointer or keys move the true fingertip, which is hidden while it moves. The visitor sees its perceived
-// position, steers it to the glass, and is then shown the true position.
+// The mode "Try it": pointer or keys move the true hand, which is hidden while it moves. The visitor steers the dot, which is the
+// perceived position of the fingertip, to the glass, and is then shown the true position.
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { type Course, distance_m, length_m, type Place, start, virtualPlace } from "../geometry";
@@ -14,10 +14,10 @@ import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
 const reveal_ms = 900;
-/** Distance from the ring at which a mouse takes the fingertip along, and path over which the fingertip then reaches the mouse. */
+/** A mouse that is nearer than this to the start takes the fingertip along; over this path the fingertip then reaches the pointer. */
 const grasp_m = 0.008,
   fade_m = 0.03;
-/** Largest distance from the glass at which the visitor is taken to have steered the dot to it. */
+/** Distance from the glass below which the dot has been steered to it. */
 const missed_mm = 8;
 const steering = ["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"];
 
@@ -30,14 +30,14 @@ export class SlideMode {
   readonly #grip: Place = { right_m: 0, away_m: 0 };
   /** Identifier of the pointer that moves the fingertip; -1: none. */
   #held = -1;
-  /** True while the fingertip still approaches the pointer that took it along at the ring. */
+  /** True if a mouse took the fingertip along near the ring: the fingertip then approaches the pointer. */
   #joins = false;
   #pressed = false;
   #plateOff = false;
   #shown_ms = 0;
   #pending_ms = 0;
 
-  /** `unguided`: the same hand over a plate that does not turn. `still`: the hand is shown without an animation. */
+  /** `guided`: the hand over a plate that turns; `unguided`: over a plate that does not. `still`: the hand appears without an animation. */
   constructor(
     private readonly guided: VisitorReach,
     private readonly unguided: VisitorReach,
@@ -116,7 +116,7 @@ export class SlideMode {
     this.#draw();
   }
 
-  /** Plays tones that guide a visitor who steers by keys. */
+  /** Guides a visitor who steers by keys, by tones. */
   #guide(): void {
     const felt = this.hand.felt.place,
       glass = virtualPlace(this.#course());
@@ -137,7 +137,7 @@ export class SlideMode {
     this.desk.grip.setPointerCapture(event.pointerId); // also outside the window
   }
 
-  /** From now on the fingertip moves by the same amount as the pointer. */
+  /** Lets the fingertip move by the same amount as the pointer from now on. */
   #grasp({ pointerId, pointerType }: PointerEvent): void {
     const { finger } = this.hand;
     this.#held = pointerId;
@@ -254,8 +254,9 @@ export class SlideMode {
     if (this.#plateOff || this.settings.controller !== "ours") return "";
     const percent = (fraction: number) => (100 * Math.max(0, fraction)).toFixed(0);
     return (
-      `Learnt from your slides: ridges contribute ${percent(tactile_weight)} % to the direction that you feel ` +
-      `(${percent(tactile_weight - 1.96 * tactile_weight_sd)} to ${percent(tactile_weight + 1.96 * tactile_weight_sd)} %).`
+      `The computer learnt from your slides: the ridges contribute ${percent(tactile_weight)} % to the direction of the dot ` +
+      `(95 % interval: ${percent(tactile_weight - 1.96 * tactile_weight_sd)} to ` +
+      `${percent(tactile_weight + 1.96 * tactile_weight_sd)} %).`
     );
   }
 }

@@ -1,4 +1,4 @@
-// The mode "Watch": plays reaches one after the other at the chosen speed, and describes them.
+// The mode "Watch": plays reaches of the simulated person one after the other at the chosen speed, and describes them.
 import type { Desk } from "../desk";
 import { element, say, sideways } from "../page";
 import { places, type World } from "../person";
@@ -7,7 +7,7 @@ import type { Settings } from "../settings";
 import type { SimulatedReach } from "../simulated_reach";
 import type { Voice } from "../voice";
 
-/** Pause between two reaches. */
+/** Time for which the end of a reach is shown. */
 const pause_ms = 2200;
 const step_ms = 100;
 
@@ -129,13 +129,13 @@ export class WatchMode {
       { finger_deg, felt_deg } = this.watch.directions();
     if (phase === "arrived" && result) return resultText(result);
     if (Number.isNaN(finger_deg)) {
-      if (phase === "sliding") return "The finger has stopped.";
+      if (phase === "sliding") return "The hand has stopped.";
       return this.settings.controller === "off"
-        ? "The finger rests at the start. The plate does not move."
-        : "The finger rests at the start. The plate turns to the orientation for the beginning of the slide.";
+        ? "The hand rests in the ring. The plate does not turn."
+        : "The hand rests in the ring. The plate turns for the beginning of the slide.";
     }
     return (
-      `The finger moves ${sideways(finger_deg)}; over these ridges that feels like ${sideways(felt_deg)}. ` +
+      `The hand moves ${sideways(finger_deg)}; over these ridges that feels like ${sideways(felt_deg)}. ` +
       `The glass lies ${sideways(this.watch.course.virtual_deg)}.`
     );
   }

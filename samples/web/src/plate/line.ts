@@ -1,7 +1,7 @@
 // Encodes and decodes lines of the plate's protocol, version 2 (plugin/src/plate/protocol.md). Received text is untrusted until
 // it has been checked here.
 
-/** Longest line, including its end. */
+/** Length of the longest line in bytes, including its end. */
 const max_bytes = 64;
 
 /** Computes the CRC-16 CCITT-FALSE of ASCII text. */
@@ -46,14 +46,14 @@ export type PlateMessage =
       readonly latency_ms: number;
       readonly measured: boolean;
     }
-  /** Orientation is NaN if the plate does not know it. */
+  /** A report. The orientation is NaN if the plate does not know it. */
   | { readonly kind: "at"; readonly orientation_deg: number; readonly sequence: number }
   | { readonly kind: "stopped" | "error"; readonly why: string };
 
 const reasons = ["host", "heartbeat", "limit", "fault", "emergency", "stuck", "sensor", "unhomed", "supply"];
 const refusals = ["length", "byte", "sum", "word", "number", "range", "greeting", "busy", "step", "session"];
 
-/** Parses the body of a line from the plate; null: a message that this page does not need, or a value out of range. */
+/** Parses the body of a line from the plate. Null: the page does not use this message, or a value is out of range. */
 export function parseMessage(body: string): PlateMessage | null {
   const [verb, first = "", ...rest] = body.split(" "),
     alone = rest.length === 0;
@@ -74,7 +74,7 @@ export function parseMessage(body: string): PlateMessage | null {
   return valid ? { kind: "plate", min_deg, max_deg, speed_deg_s, latency_ms, measured: rest[4] === "measured" } : null;
 }
 
-/** Formats an angle from -360 to 360 for SET. */
+/** Formats an angle from -360 to 360 degrees for the command SET. */
 export function angleText(angle_deg: number): string {
   return (angle_deg < 0 ? "-" : "+") + Math.abs(angle_deg).toFixed(2).padStart(6, "0");
 }

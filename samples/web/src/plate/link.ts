@@ -1,5 +1,5 @@
-// The host's side of a plate's line: greeting, commands, heartbeats, and checks of the plate's reports
-// (plugin/src/plate/protocol.md, rules 1 to 6). Time and port are passed in.
+// The host's side of the plate's line protocol: greeting, commands, heartbeats, and checks of the plate's reports
+// (plugin/src/plate/protocol.md, rules 1 to 6). The caller passes the time and sends the lines.
 import { angleText, decodeLine, encodeLine, LineReader, type PlateMessage, parseMessage } from "./line";
 
 const greetingLimit_ms = 5000; // boards reset when their line is opened, and need 2 s to start
@@ -13,16 +13,16 @@ const stuckLimit_ms = 1000;
 const moved_deg = 1;
 
 const stops: Readonly<Record<string, string>> = {
-  limit: "refused an angle beyond its limits",
-  fault: "reports a fault",
-  emergency: "was stopped by its emergency stop",
-  stuck: "reports that its servo is stuck",
-  sensor: "reports that its sensor runs against its servo. Exchange adc_least and adc_most",
-  unhomed: "no longer knows its orientation",
-  supply: "has less than 4 V at its servo's supply",
+  limit: "refused an angle beyond its limits. Connect it again, so that the page reads its limits",
+  fault: "reports that it is defective. Test it with hrt-plate show",
+  emergency: "was stopped by its emergency stop. Release it, then connect the plate again",
+  stuck: "reports that its servo is stuck. Switch it off, and remove the obstacle",
+  sensor: "reports that its sensor runs against its servo. Run hrt-plate commission",
+  unhomed: "no longer knows its orientation. This page needs a plate that measures it with a sensor",
+  supply: "has less than 4 V at its servo's supply. Check its adapter and its fuse",
 };
 
-/** Greeting of a plate: its limits, speed and sensor. */
+/** The plate's answer to the greeting: its limits, its speed, and whether it has a sensor. */
 export type PlateFacts = Extract<PlateMessage, { kind: "plate" }>;
 
 export class PlateLink {
@@ -68,7 +68,7 @@ export class PlateLink {
     }
   }
 
-  /** Sends and checks what is due. Call it at least every 50 ms. */
+  /** Sends due commands and heartbeats, and checks that the plate has reported in time. Call it at least every 50 ms. */
   service(now_ms: number): void {
     if (this.failure) return;
     if (Number.isNaN(this.#began_ms)) this.#began_ms = now_ms;
@@ -77,7 +77,7 @@ export class PlateLink {
       return this.#fail("has sent nothing for half a second; check its cable and supply");
     if (now_ms - this.#reported_ms > silenceLimit_ms) {
       const since = Number.isNaN(this.orientation_deg) ? "since its greeting" : "for half a second";
-      return this.#fail(`has not reported its orientation ${since}`);
+      return this.#fail(`has not reported its orientation ${since}; connect it again`);
     }
     if (this.#hasReported) this.#sendOrientation(now_ms);
     if (now_ms - this.#sent_ms >= beatPeriod_ms) this.#sendCommand("BEAT", now_ms);
@@ -92,7 +92,7 @@ export class PlateLink {
 
   #greet(now_ms: number): void {
     if (now_ms - this.#began_ms > greetingLimit_ms)
-      return this.#fail("does not answer as a plate of protocol version 2 within 5 s");
+      return this.#fail("does not answer as a plate of protocol version 2 within 5 s; check port, cable and supply");
     if (now_ms - this.#sent_ms < greetingPeriod_ms) return;
     ++this.#unanswered;
     this.#sendLine("HELLO 2", now_ms);
@@ -118,7 +118,7 @@ export class PlateLink {
     if (message.kind !== "stopped") return;
     const why = stops[message.why];
     if (why) this.#fail(why);
-    else if (message.why === "heartbeat") this.#sent_deg = NaN; // sends the same command again
+    else if (message.why === "heartbeat") this.#sent_deg = NaN; // so that the same command is sent again
   }
 
   #processGreeting(facts: PlateFacts, now_ms: number): void {
@@ -136,11 +136,11 @@ export class PlateLink {
     if (!facts) return;
     if (orientation_deg < facts.min_deg - limitSlack_deg || orientation_deg > facts.max_deg + limitSlack_deg) {
       return this.#fail(
-        `reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.min_deg}° to ${facts.max_deg}°`,
+        `reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.min_deg}° to ${facts.max_deg}°. Check its sensor and its settings`,
       );
     }
     if (Number.isNaN(orientation_deg))
-      return this.#fail("does not know its orientation; this page needs a plate that measures it with a sensor");
+      return this.#fail("does not know its orientation. This page needs a plate that measures it with a sensor");
     this.orientation_deg = orientation_deg;
     this.#reported_ms = now_ms;
     this.#hasReported = true;
@@ -153,7 +153,9 @@ export class PlateLink {
       this.#movedFrom_deg = orientation_deg;
       this.#movedAt_ms = now_ms;
     } else if (now_ms - this.#movedAt_ms > stuckLimit_ms) {
-      this.#fail(`is stuck at ${orientation_deg.toFixed(1)}°; it was commanded to ${this.#sent_deg.toFixed(1)}°`);
+      this.#fail(
+        `is stuck at ${orientation_deg.toFixed(1)}°; it was commanded to ${this.#sent_deg.toFixed(1)}°. Remove the obstacle`,
+      );
     }
   }
 

@@ -1,12 +1,11 @@
-// The panel "A plate": connects a plate, shows its state, and passes the controller's commands to it.
+// The panel "Connect a plate": connects a plate, shows its state, and passes the controller's commands to it.
 import { element, messageOf, say } from "../page";
-import { FirmwarePlate, type PlateDevice, SerialPlate } from "./device";
+import { PlateDevice } from "./device";
 import type { PlateFacts } from "./link";
 import { serial } from "./serial";
 
 export class PlatePanel {
-  readonly #serial = element("plate-serial", HTMLButtonElement);
-  readonly #firmware = element("plate-firmware", HTMLButtonElement);
+  readonly #connect = element("plate-serial", HTMLButtonElement);
   readonly #stop = element("plate-stop", HTMLButtonElement);
   readonly #state = element("plate-state", HTMLParagraphElement);
   /** Called when the plate has answered, with its limits for the controller. */
@@ -17,16 +16,9 @@ export class PlatePanel {
 
   constructor() {
     const available = serial() !== null;
-    this.#serial.disabled = !available;
+    this.#connect.disabled = !available;
     element("plate-unavailable", HTMLParagraphElement).hidden = available;
-    this.#connects(this.#serial, async () => {
-      const port = await serial()?.requestPort();
-      return port ? SerialPlate.open(port) : null;
-    });
-    this.#connects(this.#firmware, async () => {
-      const { Board } = await import("./board"); // contains the emulator
-      return new FirmwarePlate(new Board());
-    });
+    this.#connect.addEventListener("click", () => this.#open());
     this.#stop.addEventListener("click", () => this.#end("The plate was disconnected."));
     window.addEventListener("pagehide", () => this.#device?.close());
   }
@@ -36,38 +28,37 @@ export class PlatePanel {
   }
   /** Orientation of the connected plate; NaN: no plate is connected, or it is not ready. */
   get orientation_deg(): number {
-    return this.#device?.link.ready ? this.#device.orientation_deg : NaN;
+    return this.#device?.link.ready ? this.#device.link.orientation_deg : NaN;
   }
 
   /** Updates the plate once a frame, with the orientation that the controller commands. */
-  frame(elapsed_ms: number, now_ms: number, command_deg: number): void {
+  frame(now_ms: number, command_deg: number): void {
     const device = this.#device;
     if (!device) return;
-    device.link.turnTo(command_deg);
-    device.advance(elapsed_ms);
-    const { failure } = device.link;
-    if (failure) return void this.#end(failure);
-    if (!this.#known && device.link.facts) {
+    const { link } = device;
+    link.turnTo(command_deg);
+    device.advance();
+    if (link.failure) return void this.#end(link.failure);
+    if (!this.#known && link.facts) {
       this.#known = true;
-      this.onReady(device.link.facts);
+      this.onReady(link.facts);
     }
     if (now_ms - this.#shownAt_ms < 250) return;
     this.#shownAt_ms = now_ms;
-    say(this.#state, `${device.state}.`);
+    say(this.#state, device.state);
   }
 
-  #connects(button: HTMLButtonElement, open: () => Promise<PlateDevice | null>): void {
-    button.addEventListener("click", async () => {
-      button.disabled = true;
-      try {
-        this.#device = (await open()) ?? this.#device;
-        this.#known = false;
-        this.#shownAt_ms = -Infinity;
-      } catch (error) {
-        say(this.#state, `No plate is connected: ${messageOf(error)}`);
-      }
-      this.#show();
-    });
+  async #open(): Promise<void> {
+    this.#connect.disabled = true;
+    try {
+      const port = await serial()?.requestPort();
+      if (port) this.#device = await PlateDevice.open(port);
+      this.#known = false;
+      this.#shownAt_ms = -Infinity;
+    } catch (error) {
+      say(this.#state, `No plate is connected: ${messageOf(error)}`);
+    }
+    this.#show();
   }
 
   async #end(why: string): Promise<void> {
@@ -80,9 +71,7 @@ export class PlatePanel {
   }
 
   #show(): void {
-    const connected = this.#device !== null;
-    this.#serial.disabled = connected || serial() === null;
-    this.#firmware.disabled = connected;
-    this.#stop.hidden = !connected;
+    this.#connect.disabled = this.connected || serial() === null;
+    this.#stop.hidden = !this.connected;
   }
 }

@@ -1,4 +1,4 @@
-// A serial line by the browser's Web Serial API, whose types TypeScript does not include.
+// A serial line, by the browser's Web Serial API. TypeScript has no types for it.
 import { messageOf } from "../page";
 
 export interface SerialPort {
@@ -12,20 +12,20 @@ interface Serial {
 }
 
 const baudRate = 115200;
-/** Largest number of unsent bytes, above which the line is considered broken. */
+/** The line is considered broken when more bytes than this wait to be sent. */
 const maxUnsent = 4096;
 
-/** Returns the browser's serial API; null if it has none, or not for this address. */
+/** Returns the browser's Web Serial API; null if the browser has none, or does not offer it to this page. */
 export function serial(): Serial | null {
   return (navigator as { serial?: Serial }).serial ?? null;
 }
 
-/** Opens a port. `heard` receives bytes as they arrive; `ended` is called once if the line fails. */
+/** Opens a port. `heard` is called with the bytes that arrive, `ended` once if the line fails, with the reason. */
 export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => void, ended: (why: string) => void) {
   await port.open({ baudRate });
   const reader = port.readable?.getReader(),
     writer = port.writable?.getWriter();
-  if (!reader || !writer) throw new Error("the port cannot be read and written");
+  if (!reader || !writer) throw new Error("the port cannot be read and written; close other programs that use it");
   const encoder = new TextEncoder();
   let open = true,
     unsent = 0;
@@ -44,7 +44,7 @@ export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => v
   return {
     send(text: string): void {
       if (!open) return;
-      if (unsent > maxUnsent) return fail("it takes no bytes");
+      if (unsent > maxUnsent) return fail("it does not accept data");
       unsent += text.length;
       writer.write(encoder.encode(text)).then(() => {
         unsent -= text.length;
@@ -52,7 +52,7 @@ export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => v
     },
     async close(): Promise<void> {
       open = false;
-      // Does not wait for a blocked line: unsent bytes are dropped, and rule 1 of the protocol stops the plate.
+      // A blocked line is not waited for: unsent bytes are dropped, and the plate stops without heartbeats (rule 1 of the protocol).
       const patience = new Promise((done) => setTimeout(done, 300));
       const patiently = (what: Promise<void>) => Promise.race([what.catch(() => undefined), patience]);
       await patiently(writer.close());

@@ -1,5 +1,4 @@
-// The rigged hand: WebXR's generic hand model, flat as in its file, or bent to point. It is loaded after the first picture.
-
+// The hand: WebXR's generic hand model, flat as in its file for a headset, or bent to point. It is loaded after the first picture.
 import left from "generic-hand/left.glb";
 import right from "generic-hand/right.glb";
 import * as THREE from "three";
@@ -11,6 +10,7 @@ export async function readHand(side: "left" | "right"): Promise<GLTF> {
   return new GLTFLoader().parseAsync(bytes, "");
 }
 
+/** Gives the hand this material. */
 export function cover(hand: THREE.Object3D, skin: THREE.Material): void {
   const mesh = hand.getObjectByProperty("isSkinnedMesh", true) as THREE.SkinnedMesh;
   Object.assign(mesh, { material: skin, castShadow: true, frustumCulled: false });
@@ -24,8 +24,8 @@ const bends = {
   "pinky-finger": [0, 60, 72, 40],
   thumb: [6, 16, 30],
 };
-/** Orientation of the hand: the forearm comes from the lower right. */
-const attitude = new THREE.Quaternion().setFromEuler(new THREE.Euler(-0.38, 0.42, 0.05, "YXZ"));
+/** Orientation of the hand: the forearm comes from below, somewhat to the right, so that it does not hide the ring. */
+const attitude = new THREE.Quaternion().setFromEuler(new THREE.Euler(-0.38, 0.12, 0.05, "YXZ"));
 /** Radii and length of the forearm beyond the wrist, before scaling. */
 const arm_m = { wrist: 0.026, elbow: 0.045, length: 0.34 };
 /** Scale of the hand, which would hide the plate in its real size. */
@@ -39,9 +39,10 @@ export async function pointingHand(skin: THREE.Material): Promise<THREE.Object3D
     turn = new THREE.Quaternion();
   const wrist = hand?.getObjectByName("wrist"),
     tip = hand?.getObjectByName("index-finger-tip");
-  if (!hand || !wrist || !tip) throw new Error("the hand's file has no hand");
+  if (!hand || !wrist || !tip)
+    throw new Error("the model of the hand lacks its wrist or its index fingertip; build the page again");
   for (const [finger, angles] of Object.entries(bends)) {
-    // the joints are siblings: joints beyond a bend must be moved with it
+    // The joints are siblings: a bend must also move the joints beyond it.
     const joints = hand.children.filter(({ name }) => name.startsWith(finger));
     angles.forEach((angle, i) => {
       const at = joints[i]?.position.clone() ?? new THREE.Vector3(),

@@ -9,12 +9,12 @@ const width_px = 1024,
   margin_px = 36;
 const poke_m = 0.015;
 
-/** Draws the stage in a headset. */
+/** The stage in a headset. */
 export class Headset {
   /** Both hands, drawn at their perceived positions. */
   readonly #hands = new THREE.Group();
   readonly #again = new WordBoard(0.12, 0.05, new THREE.Vector3(0.15, 0.05, -0.1));
-  readonly #eyes = new THREE.PerspectiveCamera(40, 1, 0.01, 50); // moved by the headset
+  readonly #eyes = new THREE.PerspectiveCamera(40, 1, 0.01, 50); // three.js replaces its pose by the headset's
   readonly #words = new WordBoard(0.32, 0.1, new THREE.Vector3(0, 0.09, -0.16));
   readonly #skin = new THREE.MeshStandardMaterial({ roughness: 0.6, transparent: true, opacity: 0.75 });
 
@@ -65,8 +65,8 @@ export class Headset {
     return this.#again.visible && this.#again.poked(tip, hand);
   }
 
-  /** Draws until the session ends. `frame` is called before each picture, with the reference space of `mount`; `moved` when the
-   *  headset has moved that space, for example when it is recentred. Rejects if the browser does not support it. */
+  /** Draws until the session ends. `frame` is called before each picture, with the reference space in which `mount` is placed;
+   *  `moved` when the headset has moved that space, because it was recentred. Rejects if the browser cannot show the session. */
   async present(
     session: XRSession,
     passthrough: boolean,
@@ -141,8 +141,8 @@ class WordBoard extends THREE.Mesh {
     const height_px = this.#canvas.height;
     pen.fillRect(0, 0, width_px, height_px);
     pen.fillStyle = ink;
-    // Uses the largest size that fits: an instruction is never cut.
-    const first = title ? 2.1 : 0.8; // the line on which the text begins
+    // Uses the largest size at which the whole text fits.
+    const first = title ? 2.1 : 0.8; // number of the line on which the text begins
     let size_px = title ? 42 : 110,
       lines: string[] = [];
     do {

@@ -1,12 +1,12 @@
-// Draws the meshes of a visitor's scene, whose plate and targets the plugin's loader has read before. Nothing is fetched: only
-// the content of the file is used, without textures, animations and skins.
+// Reads the meshes of a visitor's scene, whose plate and targets the plugin's loader has read. Nothing is fetched: the meshes come
+// from the opened files, without textures, animations and skins.
 import { Group, Matrix4, Mesh, type Object3D, Quaternion, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
-/** Properties of a glTF file that are used. */
+/** Parts of a glTF file that are used. */
 const kept = ["asset", "scene", "scenes", "nodes", "materials", "meshes", "accessors", "bufferViews", "buffers"];
 
-/** Limits of a scene, above which the page would not respond. */
+/** Larger scenes would block the page. */
 const maxNodes = 10_000,
   maxValues = 4_000_000,
   maxDrawn = 2_000_000;
@@ -73,9 +73,10 @@ function restrict(file: Json): void {
   file.nodes = list(file.nodes).map((node) => pick(node, used));
   const values = list(file.accessors).reduce((sum, { count }) => sum + Number(count), 0);
   if (!(values <= maxValues) || list(file.nodes).length > maxNodes)
-    throw new Error(`they have more than ${maxValues} values or ${maxNodes} nodes`);
+    throw new Error(`they have more than ${maxValues} values or ${maxNodes} nodes; simplify the scene`);
   const drawn = drawnVertices(file);
-  if (!(drawn <= maxDrawn)) throw new Error(`they draw ${drawn} vertices; up to ${maxDrawn} are allowed`);
+  if (!(drawn <= maxDrawn))
+    throw new Error(`they draw ${drawn} vertices; up to ${maxDrawn} are allowed: simplify the scene`);
 }
 
 /** Number of vertices of all nodes: a mesh counts once for each node that uses it. */
@@ -94,7 +95,7 @@ function buffer(uri: unknown, others: ReadonlyMap<string, ArrayBuffer>): ArrayBu
   const other = typeof uri === "string" ? (others.get(uri) ?? others.get(decodeURI(uri))) : undefined;
   if (other) return other;
   const base64 = typeof uri === "string" ? /^data:[^,]*;base64,(.*)$/s.exec(uri)?.[1] : undefined;
-  if (base64 === undefined) throw new Error("its meshes lie in another file: drop it together with this one");
+  if (base64 === undefined) throw new Error("its meshes lie in another file: open or drop it together with this one");
   return Uint8Array.from(atob(base64), (byte) => byte.charCodeAt(0)).buffer;
 }
 

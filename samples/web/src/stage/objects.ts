@@ -47,11 +47,11 @@ export class Glass extends THREE.Group {
   }
 }
 
-/** A pointing hand whose fingertip is at its origin, once its model is loaded. */
+/** A pointing hand with its index fingertip at the origin; empty until its model is loaded. */
 export class Finger extends THREE.Group {
   /** Fades by a dot pattern, so that inner surfaces do not show through. */
   readonly skin = new THREE.MeshStandardMaterial({ roughness: 0.6, alphaHash: true, side: THREE.DoubleSide });
-  /** Replaces the fingertip by `model`, which hand_model.ts creates. */
+  /** Adds the hand that `model` creates from a material; see hand_model.ts. */
   async become(model: (skin: THREE.Material) => Promise<THREE.Object3D>): Promise<void> {
     this.add(await model(this.skin));
   }

@@ -1,4 +1,4 @@
-// A path that is drawn flat on the plate and grows with the finger.
+// A path that is drawn flat on the plate, and grows with each position.
 import { Line2 } from "three/addons/lines/Line2.js";
 import { LineGeometry } from "three/addons/lines/LineGeometry.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";

@@ -1,4 +1,4 @@
-// The desk in three dimensions. It draws the state that it receives, independent of the plugin and the simulated person.
+// The desk in three dimensions. It draws positions and orientations, and needs neither the plugin nor the simulation.
 import { HapticPlate } from "haptic-retargeting/three";
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -9,7 +9,7 @@ import { colourTargets, colourThings, FeltTip, Finger, Glass, RealCylinder, Star
 import { Ribbon } from "./ribbon";
 
 const fieldOfView_deg = 30; // from top to bottom
-/** View from the visitor's seat: the same in all modes, at the distance at which the plate fills the picture. */
+/** Direction from which the visitor looks, in all modes. The distance is such that the plate fills the picture (`fill`). */
 const seat = new THREE.Vector3(0, 0.85, 0.53);
 const middle = new THREE.Vector3(0, 0, 0.002);
 const fill = 0.97;
@@ -26,7 +26,7 @@ export class Stage {
   readonly scene = new THREE.Scene();
   /** Parent of all objects on and above the plate, in plate coordinates. In a headset it has the pose of the plate. */
   readonly mount = new THREE.Group();
-  /** Rotation of the picture by a drag, except in the view from above. */
+  /** Rotates the view by a drag; disabled in the mode "Try it". */
   readonly orbit: OrbitControls;
   readonly #camera = new THREE.PerspectiveCamera(fieldOfView_deg, 1, 0.01, 5);
   readonly #disc = new THREE.MeshStandardMaterial({ roughness: 0.85 });
@@ -131,6 +131,7 @@ export class Stage {
     }
   }
 
+  /** Shows the view from the visitor's seat. `turns`: a drag rotates it. */
   setView(turns: boolean): void {
     this.orbit.target.copy(middle);
     this.orbit.enabled = turns;
@@ -219,14 +220,14 @@ export class Stage {
     return true;
   }
 
-  /** Writes the point on the canvas, in CSS pixels, that a label names. */
+  /** Writes the position on the canvas, in CSS pixels, of the object that has this label. */
   toCanvas(label: LabelName, out: { x: number; y: number }): void {
     const things = { real: this.#real, glass: this.#glass, finger: this.finger, felt: this.#felt },
       { x, z } = things[label].position;
     this.#toCanvas(x, label === "real" || label === "glass" ? headHeight_m : 0.006, z, out);
   }
 
-  /** Writes the same point for a target of a visitor's scene. */
+  /** Writes the position on the canvas of a point above the plate. */
   targetToCanvas(target: Readonly<Place>, out: { x: number; y: number }, height_m = headHeight_m): void {
     this.#toCanvas(target.right_m, height_m, -target.away_m, out);
   }

@@ -1,5 +1,4 @@
 // The mode "Wear it": requests a headset with hand tracking from the browser, and shows the visitor's reaches in it.
-
 import { Vector3 } from "three";
 import type { Desk } from "../desk";
 import { start } from "../geometry";
@@ -31,9 +30,9 @@ export class HeadsetMode {
   #before_ms = NaN;
   #shift = 0;
   #spoken = "";
-  #message = "Put a headset on, and be the finger. A headset's browser with hand tracking is needed.";
+  #message = "You need a headset that tracks hands. Open this page in its browser, and slide with your own hand.";
   /** Called in each frame of the headset, for a connected plate. */
-  onFrame: (elapsed_ms: number) => void = () => {};
+  onFrame: () => void = () => {};
   /** Called when a headset session has ended and the page must draw again. */
   onLeft: () => void = () => {};
 
@@ -98,10 +97,10 @@ export class HeadsetMode {
         session,
         kind === "immersive-ar",
         (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
-        () => this.#placeAgain("The headset has moved its room, so the plate is placed again. "),
+        () => this.#placeAgain("The headset was recentred, so the plate must be placed again. "),
       );
     } catch (error) {
-      this.#message = `The headset cannot be entered: ${messageOf(error)}${advice(error)}`;
+      this.#message = `The headset cannot show the plate: ${messageOf(error)}${advice(error)}`;
       if (session && this.#session) await session.end().catch(() => this.#left());
       else this.#left();
     }
@@ -130,7 +129,7 @@ export class HeadsetMode {
     return chosen("placement") === "marks";
   }
 
-  /** `now_ms`: time of the frame's callback, because most browsers have no predictedDisplayTime. */
+  /** Processes a frame of the headset. `now_ms`: time of its callback, because most browsers have no predictedDisplayTime. */
   #frameWorn(now_ms: number, frame: XRFrame, space: XRReferenceSpace): void {
     const { stage } = this.desk,
       wear = this.wear;
@@ -139,7 +138,7 @@ export class HeadsetMode {
     const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms,
       phase = wear.phase;
     this.#before_ms = now_ms;
-    this.onFrame(elapsed_ms);
+    this.onFrame();
     const hand = this.#hand(frame, space);
     wear.hasCylinder = this.#cylinder.checked;
     wear.frame(now_ms, frame, hand, space);
@@ -149,8 +148,8 @@ export class HeadsetMode {
     const unfelt = Number.isNaN(wear.plateConnected_deg);
     const title = unfelt ? "SIMULATION: hand drawn where it is felt" : "A plate is connected";
     this.#headset?.say(title, wear.text, wear.phase === "ready" || wear.phase === "arrived");
-    // Without a plate the hand is drawn at its perceived position while it slides, so that a visitor who steers it to the glass
-    // meets an object that is really at the cylinder. Afterwards the drawn hand moves to its true position.
+    // Without a plate, the hand is drawn at its perceived position while it slides, so that a visitor who steers the drawn hand to
+    // the glass touches an object that is really at the cylinder. After the slide the drawn hand moves to its true position.
     this.#shift = wear.phase === "sliding" && unfelt ? 1 : this.#shift * Math.exp(-elapsed_ms / settle_ms);
     const { place } = wear.felt,
       right_m = this.#shift * (place.right_m - wear.finger.right_m),
@@ -160,7 +159,7 @@ export class HeadsetMode {
     this.#show();
   }
 
-  /** Shows the plate level and ahead of the eyes before it is placed. */
+  /** Until the plate is placed, shows it level and in front of the eyes. */
   #standAhead(frame: XRFrame, space: XRReferenceSpace): void {
     const eyes = frame.getViewerPose(space)?.transform,
       { stage } = this.desk;
@@ -175,8 +174,8 @@ export class HeadsetMode {
     stage.mount.rotation.set(0, yaw, 0);
   }
 
-  /** Returns the hand that slides. During a slide: the hand that began it; before: the hand nearer to the ring; while the plate is
-   *  not placed: the hand farther ahead. The other hand may poke the button. */
+  /** Returns the hand to be used. During a slide it is the hand that began it, before a slide the hand nearer to the ring, and
+   *  until the plate is placed the hand farther from the eyes. Both hands may poke the button. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
     const { wear } = this,
       eyes = frame.getViewerPose(space)?.transform.position,
@@ -219,6 +218,6 @@ function advice(error: unknown): string {
   if (name === "NotSupportedError")
     return ". Switch hand tracking on in the headset's settings, put the controllers down, and enter again.";
   if (name === "SecurityError" || name === "NotAllowedError")
-    return ". Allow this page the headset and your hands, in the browser's question or its site settings.";
+    return ". Allow this page to use the headset and to see your hands, when the browser asks or in its site settings.";
   return "";
 }

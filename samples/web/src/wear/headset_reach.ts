@@ -1,5 +1,5 @@
-// Reaches of a hand that a headset tracks: places the plate, waits at the start, steers the slide by the real plugin, and
-// reports its end. Independent of the page and the browser's session, which pass frames to it.
+// Reaches of a hand that a headset tracks: places the plate, waits for the hand in the ring, lets the real plugin control the
+// slide, and reports its end. It needs no document and no session of the browser: the caller passes the frames.
 import { HRT_COMMAND_ARRIVED, HRT_SESSION_REGISTERED, type Library } from "haptic-retargeting";
 import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
@@ -16,12 +16,12 @@ import { RestDetector } from "./rest_detector";
 const startRadius_m = 0.015; // around the start, within the plate's plane
 const startHeight_m = 0.03;
 const startRest_ms = 400;
-const lostLimit_ms = 1000; // a shorter loss is bridged: the plugin keeps its command and continues
-const beyond_m = 0.15;
+const lostLimit_ms = 1000; // after a shorter loss the slide continues; the plugin keeps its command until then
+const beyond_m = 0.15; // from the start: the slide has passed the targets
 const pinch_m = 0.025; // between the tips of thumb and index finger
-const liftHeight_m = 0.05; // without a plate nothing supports the finger
+const liftHeight_m = 0.05; // generous, because without a plate nothing supports the finger
 const maxFrame_ms = 100;
-/** Fields of the configuration that contain the registration of the plate. */
+/** Fields of the session's configuration that contain the registration of the plate. */
 const registered = [
   ...(["plate_position_m", "plate_rotation", "plate_covariance", "registration_time_ns", "flags"] as const),
   ...(["contact_correction", "contact_covariance"] as const),
@@ -68,7 +68,7 @@ export class HeadsetReach extends GuidedReach {
     this.begin(false);
   }
 
-  /** Starts the placement of the plate, for a new headset session or another position. `why` begins the instruction. */
+  /** Begins the placement of the plate. `byMarks`: by touches of its marks; otherwise by a pinch. `why`: begins the instruction. */
   begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
     this.#placing = new Placement(byMarks ? this.session : null);
@@ -79,7 +79,7 @@ export class HeadsetReach extends GuidedReach {
     this.text = why + this.#placing.text;
   }
 
-  /** Applies other settings, with a controller that has learnt nothing of the hand. */
+  /** Applies other settings, with a new session of the plugin that keeps the registration. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
     const { config } = this.session,
@@ -155,7 +155,7 @@ export class HeadsetReach extends GuidedReach {
     this.phase = "ready";
     this.result = null;
     this.lost = false;
-    this.text = "RestDetector your index fingertip in the ring at the start.";
+    this.text = "Rest the tip of your index finger in the ring.";
   }
 
   #atStart(tip: Vector3): boolean {
@@ -181,7 +181,7 @@ export class HeadsetReach extends GuidedReach {
     if (reach.lost) {
       if (this.#time_ms - this.#seen_ms <= lostLimit_ms) return;
       this.restart();
-      this.text = `The hand was not seen for a second. ${this.text}`;
+      this.text = `The headset did not see your hand for a second. ${this.text}`;
       return;
     }
     this.#seen_ms = this.#time_ms;
@@ -199,8 +199,8 @@ export class HeadsetReach extends GuidedReach {
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
-  /** Ends the reach. The controller learns from it, whether the plate is real or the hand is drawn at its perceived position.
-   *  A hand that ends at a real cylinder also corrects the registration of the plate. */
+  /** Ends the reach, from which the controller learns. Over a connected plate, a hand that ends at a real cylinder also corrects
+   *  the registration of the plate. */
   #arrive(): void {
     this.result = slideEnd(this.finger, this.felt.place, pageCourse(this.settings));
     this.session.endReach();
@@ -213,7 +213,7 @@ export class HeadsetReach extends GuidedReach {
     this.#rest.reset();
     const { toCylinder_mm, toGlass_mm, feltToGlass_mm } = this.result;
     this.text =
-      `Your hand ended ${toCylinder_mm.toFixed(0)} mm from the cylinder and ${toGlass_mm.toFixed(0)} mm from the glass; felt, ` +
-      `${feltToGlass_mm.toFixed(0)} mm from the glass. Back to the ring for the next one.`;
+      `Your hand ended ${toCylinder_mm.toFixed(0)} mm from the cylinder and ${toGlass_mm.toFixed(0)} mm from the glass. It felt ` +
+      `${feltToGlass_mm.toFixed(0)} mm from the glass. Return to the ring for the next slide.`;
   }
 }

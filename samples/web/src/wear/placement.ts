@@ -1,4 +1,4 @@
-// Placement of the plate in the headset's world: by touches of its marks in the plugin's set-up, or by a pinch.
+// Places the plate in the headset's world: by touches of its marks, in a set-up of the plugin, or by a pinch.
 import * as hrt from "haptic-retargeting";
 import marksFile from "marks.csv";
 import { Quaternion, Vector3 } from "three";
@@ -19,7 +19,8 @@ const marks_m = marks.flatMap(({ place_m }) => place_m);
 const pointRadius_m = 0.012,
   hold_ms = 1500,
   count_ms = 500;
-const pinch = "Pinch thumb and index finger where slides are to start, and hold. The plate will lie ahead of it.";
+const pinch =
+  "Pinch your thumb and index finger where slides should start, and hold. The plate will lie in front of that point.";
 
 export class Placement {
   /** Instruction to the visitor. */
@@ -38,10 +39,11 @@ export class Placement {
       mark_count: marks.length,
       marks_m: Array.from({ length: hrt.HRT_MARK_NUMBERS }, (_, i) => marks_m[i] ?? 0),
     });
-    this.text = "Touch the marks of the plate, which is at 0.";
+    this.text = "Turn the plate to 0°, then touch its marks.";
   }
 
-  /** Returns true once the plate is placed. `forward`: direction in which the visitor looks. A hand must pinch to place it. */
+  /** Processes a frame, and returns true once the plate is placed. `forward`: direction in which the visitor looks; `pinches`: the
+   *  hand pinches, as it must if there are no marks. */
   update(time_ms: number, tip: Vector3 | null, forward: Vector3, pinches: boolean): boolean {
     if (this.session) return this.#touch(this.session, time_ms, tip);
     const placed = this.#rest.update(time_ms, pinches ? tip : null),

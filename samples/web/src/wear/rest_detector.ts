@@ -1,4 +1,4 @@
-// Detects a fingertip at rest: a touch of a mark, or a hand at the start.
+// Detects a fingertip at rest: a pinch that is held, or a hand in the ring.
 import { Vector3 } from "three";
 
 export class RestDetector {
@@ -15,7 +15,7 @@ export class RestDetector {
     private readonly time_ms: number,
   ) {}
 
-  /** Returns true once for each rest: the fingertip must move away before the next one. Null: the fingertip is not tracked. */
+  /** Returns true once for each rest; the fingertip must move away before the next one. `tip`: null if it is not tracked. */
   update(time_ms: number, tip: Vector3 | null): boolean {
     if (!tip || (this.#count > 0 && tip.distanceTo(this.place) > this.radius_m)) {
       this.reset(tip === null && this.#taken);
@@ -29,11 +29,12 @@ export class RestDetector {
     return true;
   }
 
+  /** Returns for how long the fingertip has rested. */
   held_ms(time_ms: number): number {
     return this.#count === 0 ? 0 : time_ms - this.#since_ms;
   }
 
-  /** Allows the next rest at the position of the last one. */
+  /** Forgets the rest. With `taken` false, the next one may be at the same position. */
   reset(taken = false): void {
     this.#count = 0;
     this.#sum.set(0, 0, 0);
