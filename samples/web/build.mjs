@@ -2,9 +2,10 @@
 // a slash; the preview picture of links to the page needs it.
 //   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm FOLDER_OF_THE_PAGE
 import { createHash } from "node:crypto";
-import { appendFile, cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
+import { appendFile, cp, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import { brotliCompressSync } from "node:zlib";
 import { build } from "esbuild";
 
 const [, , packageFolder, personModule, pageFolder] = process.argv;
@@ -55,3 +56,9 @@ const licences = [["This page and the plugin", join(packageFolder, "LICENSE")],
                   ["uPlot", join(modules, "uplot/LICENSE")]];
 const texts = await Promise.all(licences.map(async ([name, path]) => `# ${name}\n\n${await readFile(path, "utf8")}`));
 await writeFile(join(pageFolder, "licences.txt"), texts.join("\n\n"));
+
+// Compressed copies, at the highest quality, which takes too long for a request. A server may send them instead of the files.
+for (const name of await readdir(pageFolder)) {
+  if (["offline.js", "reveal.gif"].includes(name)) continue;  // not loaded by the page on a server
+  await writeFile(join(pageFolder, `${name}.br`), brotliCompressSync(await readFile(join(pageFolder, name))));
+}

@@ -3,7 +3,6 @@
 import { readdir, readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
-import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 
 const [, , folder, port = "8737"] = process.argv;
 if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
@@ -11,32 +10,20 @@ if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
   process.exit(2);
 }
 
-// Serves only the files of the page's folder, compressed, as any server of static files does.
+// Serves only the files of the page's folder. A browser that accepts Brotli receives the compressed copies.
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
                 ".txt": "text/plain; charset=utf-8", ".wasm": "application/wasm", ".glb": "model/gltf-binary", ".gif": "image/gif" };
-const names = new Set((await readdir(folder)).filter((name) => types[extname(name)]));
-const encoders = {
-  br: (bytes) => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 5 } }),
-  gzip: (bytes) => gzipSync(bytes, { level: 9 }),
-};
-const encoded = new Map();
-
-async function read(name, encoding) {
-  const key = `${encoding} ${name}`;
-  if (!encoded.has(key)) encoded.set(key, encoders[encoding](await readFile(join(folder, name))));
-  return encoded.get(key);
-}
+const names = new Set(await readdir(folder));
 
 const server = createServer(async (request, response) => {
   const { pathname } = new URL(request.url, "http://localhost");
   const name = pathname === "/" ? "index.html" : pathname.slice(1);
-  if (!names.has(name)) return response.writeHead(404).end();
+  if (!names.has(name) || !types[extname(name)]) return response.writeHead(404).end();
   const headers = { "content-type": types[extname(name)], "cache-control": "no-store", "x-content-type-options": "nosniff" };
   try {
-    const accepted = request.headers["accept-encoding"] ?? "",
-      encoding = Object.keys(encoders).find((each) => new RegExp(`\\b${each}\\b`).test(accepted));
-    if (encoding) response.writeHead(200, { ...headers, "content-encoding": encoding }).end(await read(name, encoding));
-    else response.writeHead(200, headers).end(await readFile(join(folder, name)));
+    const compressed = names.has(`${name}.br`) && /\bbr\b/.test(request.headers["accept-encoding"]);
+    if (compressed) headers["content-encoding"] = "br";
+    response.writeHead(200, headers).end(await readFile(join(folder, compressed ? `${name}.br` : name)));
   } catch (error) {
     response.writeHead(500).end(`${name}: ${error.code}`);
   }

@@ -32,7 +32,8 @@ import type { HeadsetReach } from "./wear/headset_reach";
 const maxFrame_ms = 1000;
 
 async function main(): Promise<void> {
-  // The first picture does not need the plugin, which is still being loaded.
+  // The modules are compiled while they are downloaded. The first picture does not need them.
+  const loading = Promise.all([load(pluginModule), createWorld(), createWorld(), createWorld(), createWorld()]);
   const desk = new Desk(),
     still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   desk.nameLabels(true);
@@ -42,13 +43,7 @@ async function main(): Promise<void> {
   desk.resize();
   desk.setView(false);
   desk.draw(0, start, start);
-  const [library, watchWorld, handWorld, sceneWorld, figureWorld] = await Promise.all([
-    load(pluginModule),
-    createWorld(),
-    createWorld(),
-    createWorld(),
-    createWorld(),
-  ]);
+  const [library, watchWorld, handWorld, sceneWorld, figureWorld] = await loading;
   const linked = fromLink(location.hash.slice(1));
   showProblems(linked.problems);
   const watch = new SimulatedReach(library, watchWorld, linked.settings);

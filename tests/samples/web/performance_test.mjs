@@ -1,6 +1,7 @@
-// Tests of what the page costs in headless Chromium: frames and memory at rest, time on a slow processor, sizes, time to the
-// first picture. Limits of times are those of a free machine, and grow with the share of processor time that others use.
+// Costs of the page in headless Chromium: frames and memory at rest, time on a slow processor, sizes, time until it is ready.
+// Limits of times are those of an idle machine. They grow with the share of the processor time that other programs use.
 import assert from "node:assert/strict";
+import { cpus, loadavg } from "node:os";
 import { test } from "node:test";
 import { frames, launch, visit } from "./browser.mjs";
 import { steer } from "./visitor.mjs";
@@ -14,7 +15,7 @@ async function heap(devtools) {
   return (await devtools.send("Runtime.getHeapUsage")).usedSize;
 }
 
-/** Runs in the page: counts its frames, and notes their times. */
+/** Runs in the page: notes the times of its frames. */
 function countFrames() {
   const request = requestAnimationFrame;
   globalThis.frameTimes = [];
@@ -80,6 +81,11 @@ function notePhases() {
   });
 }
 
+/** Runs in the page: notes when it is ready for the visitor. */
+function noteReady() {
+  new MutationObserver(() => { globalThis.readyAt_ms ??= performance.now(); }).observe(document, { subtree: true, attributeFilter: ["data-ready"] });
+}
+
 // A motion of 1.2 s is followed by 0.3 s of tracked rest.
 test("a processor that is six times slower keeps the time of a slide, and skips frames", (t) => visit(async (page) => {
   await page.waitForSelector("#stage[data-hand=yes]");
@@ -119,44 +125,35 @@ function slowdown() {
   return Math.max(1, (performance.now() - began_ms) / work_ms);
 }
 
-/** Opens the visitor's page `count` times in a new browser; returns the shortest time that `measure` returns. */
-async function shortest(count, measure) {
+/** Opens the visitor's page five times, each in a new browser. The shortest of the times that `measure` returns must be below the
+ *  limit, since other programs can only make it longer. */
+async function within(limit_ms, t, measure, before) {
   const times = [];
-  for (let i = 0; i < count; ++i) {
+  for (let i = 0; i < 5; ++i) {
     const browser = await launch();
     try {
-      await visit(async (page) => { times.push(await measure(page)); }, { link: "", motion: "real", from: browser });
+      await visit(async (page) => { times.push(Math.round(await measure(page))); }, { link: "", motion: "real", from: browser, before });
     } finally {
       await browser.close();
     }
   }
-  return Math.min(...times);
+  times.sort((a, b) => a - b);
+  const allowed_ms = Math.round(limit_ms * slowdown());
+  t.diagnostic(`median ${times[2]} ms of ${times}; limit ${allowed_ms} ms; load ${loadavg()[0].toFixed(1)} on ${cpus().length} processors`);
+  assert.ok(times[0] <= allowed_ms, `${times} ms`);
 }
 
-test("the first picture is drawn within 1.5 s on a desktop", async (t) => {
-  const first_ms = await shortest(5, (page) => page.evaluate(() => new Promise((done) => {
-    new PerformanceObserver((list) => done(list.getEntriesByName("first-contentful-paint")[0].startTime)).observe({ type: "paint", buffered: true });
-  })));
-  const limit_ms = 1500 * slowdown();
-  t.diagnostic(`${first_ms.toFixed(0)} ms, limit ${limit_ms.toFixed(0)} ms`);
-  assert.ok(first_ms <= limit_ms, `${first_ms} ms`);
-});
+test("the first picture is drawn within 1.5 s on a desktop", (t) => within(1500, t, (page) => page.evaluate(() => new Promise((done) => {
+  new PerformanceObserver((list) => done(list.getEntriesByName("first-contentful-paint")[0].startTime)).observe({ type: "paint", buffered: true });
+}))));
 
 // 1.6 Mbit/s down, 750 kbit/s up, and 150 ms to the server and back: the "Slow 4G" of Lighthouse.
-test("the page can be used after 5 s on slow 4G", async (t) => {
-  const ready_ms = await shortest(3, async (page) => {
-    const devtools = await tools(page);
-    await devtools.send("Network.enable");
-    await devtools.send("Network.setCacheDisabled", { cacheDisabled: true });
-    await devtools.send("Network.emulateNetworkConditions", { offline: false, latency: 150, downloadThroughput: 200_000, uploadThroughput: 93_750 });
-    await page.reload({ waitUntil: "commit" });
-    await page.waitForSelector("html[data-ready=yes]");
-    return page.evaluate(() => performance.now());
-  });
-  const limit_ms = 5000 * slowdown();
-  t.diagnostic(`${ready_ms.toFixed(0)} ms, limit ${limit_ms.toFixed(0)} ms`);
-  assert.ok(ready_ms <= limit_ms, `${ready_ms} ms`);
-});
+test("the page can be used after 4 s on slow 4G", (t) => within(4000, t, (page) => page.evaluate(() => readyAt_ms), async (page) => {
+  await page.addInitScript(noteReady);
+  const devtools = await tools(page);
+  await devtools.send("Network.enable");
+  await devtools.send("Network.emulateNetworkConditions", { offline: false, latency: 150, downloadThroughput: 200_000, uploadThroughput: 93_750 });
+}));
 
 test("the first picture takes 300 kB, and parts are loaded on demand", () => visit(async (page) => {
   const got = () => page.evaluate(() => Object.fromEntries(performance.getEntriesByType("resource").map(
