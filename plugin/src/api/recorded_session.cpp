@@ -43,7 +43,7 @@ hrt_result RecordedSession::add_scene(const SessionModel& valid_model, std::span
   for (const Target& target : checked_targets) HRT_RETURN_IF_FAILED(targets.add(target, &ids.emplace_back()));
   for (std::size_t i = 0; i < ids.size(); ++i)
     if (const std::uint64_t real = checked_targets[i].served_by; real != 0)
-      targets.set_served_by(ids[i], ids[real - 1]);
+      targets.set_served_by(ids[i], ids[static_cast<std::size_t>(real) - 1]);
   HRT_RETURN_IF_FAILED(set_model(valid_model));
   session_.targets = std::move(targets);
   for (const std::uint64_t id : ids) {
