@@ -63,7 +63,6 @@ void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* 
 void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
   const auto& action = runtime().registry.get<Action>(info->action);
   require_type(action, XR_ACTION_TYPE_POSE_INPUT);
-  require_subaction(action, info->subactionPath);
   const Pose pose = checked_pose(info->poseInActionSpace);
   *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, std::nullopt, pose));
 }

@@ -7,6 +7,15 @@
 namespace hrt::mock {
 namespace {
 
+// True if `name` may be a component of a path: one or more of a-z, 0-9, '-', '_' and '.', but not periods only.
+bool is_path_component(std::string_view name) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), allowed) &&
+         name.find_first_not_of('.') != std::string_view::npos;
+}
+
 void require_well_formed(std::string_view path) {
   const auto require_format = [&](bool holds, const char* rule) {
     require(holds, XR_ERROR_PATH_FORMAT_INVALID, "path \"{}\": {}", path.substr(0, XR_MAX_PATH_LENGTH), rule);
@@ -23,14 +32,6 @@ void require_well_formed(std::string_view path) {
 }
 
 }  // namespace
-
-bool is_path_component(std::string_view name) {
-  const auto allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-  };
-  return !name.empty() && std::all_of(name.begin(), name.end(), allowed) &&
-         name.find_first_not_of('.') != std::string_view::npos;
-}
 
 XrPath PathTable::intern(std::string_view text) {
   require_well_formed(text);

@@ -27,24 +27,6 @@ XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions) {
   return info;
 }
 
-XrActionSetCreateInfo set_info(const char* name, const char* localized) {
-  XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
-  std::snprintf(info.actionSetName, sizeof info.actionSetName, "%s", name);
-  std::snprintf(info.localizedActionSetName, sizeof info.localizedActionSetName, "%s", localized);
-  return info;
-}
-
-XrActionCreateInfo action_info(const char* name, const char* localized, XrActionType type,
-                               const std::vector<XrPath>& subactions) {
-  XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-  std::snprintf(info.actionName, sizeof info.actionName, "%s", name);
-  std::snprintf(info.localizedActionName, sizeof info.localizedActionName, "%s", localized);
-  info.actionType = type;
-  info.countSubactionPaths = static_cast<std::uint32_t>(subactions.size());
-  info.subactionPaths = subactions.data();
-  return info;
-}
-
 const std::vector<const char*>& default_extensions() {
   static const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
                                               XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_MOCK_CONTROL_EXTENSION_NAME};

@@ -48,11 +48,6 @@ Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type
 /// Returns the creation info of an instance with these extensions, which must outlive it.
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions);
 
-XrActionSetCreateInfo set_info(const char* name, const char* localized);
-/// Returns the creation info of an action. `subactions` must outlive it.
-XrActionCreateInfo action_info(const char* name, const char* localized, XrActionType type,
-                               const std::vector<XrPath>& subactions = {});
-
 /// The extensions for headless tests under the manual clock.
 const std::vector<const char*>& default_extensions();
 
