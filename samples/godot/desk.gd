@@ -1,9 +1,9 @@
-## The desk of a glTF file: its objects, and the ridged plate, which the plugin reads from the same file.
+## The desk: the objects of a glTF file, and the ridged plate, which the plugin reads from the same file.
 class_name Desk
 extends Node3D
 
 const RIDGE_PITCH_M := 0.004
-## Layers of drawn objects: for everyone, and only for the experimenter.
+## Layers of drawn objects: visible to everyone, and only to the experimenter.
 const FOR_EVERYONE := 1
 const FOR_EXPERIMENTER := 2
 
@@ -14,11 +14,11 @@ const FOR_EXPERIMENTER := 2
 @onready var plate: HapticRetargeting = $Plate
 @onready var _ridges: MultiMeshInstance3D = $Plate/Ridges
 var _objects: Node3D
-var _seen_from_plate: Transform3D
+var _pose_in_plate: Transform3D
 
 
-## Draws the objects, moves the node Plate to the plate, and adds its targets. Returns an error, or an empty text. The plugin needs
-## a file of the system, which files of an exported project are not.
+## Draws the objects, moves the node Plate to the plate of the file, and adds its targets. Returns an error, or an empty
+## text. Copies the file first, because the plugin cannot read files within an exported project.
 func open() -> String:
 	var copy := "user://desk." + file.get_extension()
 	var written := FileAccess.open(copy, FileAccess.WRITE)
@@ -32,32 +32,32 @@ func open() -> String:
 		return "%s is not a scene with a plate. See the log for the reason." % file
 	_objects = document.generate_scene(state)
 	add_child(_objects)
-	_seen_from_plate = plate.global_transform.affine_inverse()
+	_pose_in_plate = plate.global_transform.affine_inverse()
 	for target in hidden_from_wearer:
 		(object(target) as VisualInstance3D).layers = FOR_EXPERIMENTER
 	_make_ridges()
-	plate.plate_commanded.connect(_turn)
+	plate.plate_commanded.connect(_rotate_ridges)
 	return ""
 
 
-## Returns the object of a target, by the target's name.
+## Returns the object of the target with this name.
 func object(target: String) -> Node3D:
 	return _objects.find_child(target.capitalize(), true, false)
 
 
-## Shows the next position of the finger, in plate coordinates.
-func show_hint(place_m: Vector3) -> void:
-	$Plate/Hint.position = place_m
+## Marks the next position of the finger, in plate coordinates.
+func show_hint(position_m: Vector3) -> void:
+	$Plate/Hint.position = position_m
 
 
-## Moves the desk with the plate, which a set-up may move.
+## Moves the desk with the plate, because a registration moves the plate.
 func _process(_delta: float) -> void:
 	if _objects:
-		_objects.global_transform = plate.global_transform * _seen_from_plate
+		_objects.global_transform = plate.global_transform * _pose_in_plate
 
 
 ## Plate orientation is the direction of the ridges' normal, counter-clockwise from the mid-line.
-func _turn(orientation_deg: float) -> void:
+func _rotate_ridges(orientation_deg: float) -> void:
 	_ridges.rotation_degrees.y = orientation_deg
 
 

@@ -1,5 +1,5 @@
-## The tip of the index finger of a hand that OpenXR tracks, with the hand's joints and bones. This node must be a child of the
-## origin of tracking.
+## The tip of the index finger of a hand that OpenXR tracks. Draws the joints and bones of the hand. This node must be a
+## child of the XROrigin3D.
 class_name HandFinger
 extends Finger
 
@@ -43,7 +43,7 @@ func _draw(tracker: XRHandTracker, joint: int) -> void:
 	_bones.set_instance_transform(joint, Transform3D(along.scaled_local(Vector3(2 * radius, bone.length(), 2 * radius)), at + bone / 2))
 
 
-## Returns the parent of a joint: the first bone of each finger begins at the wrist.
+## Returns the joint at the other end of the bone of a joint. The first bone of each finger begins at the wrist.
 func _parent(joint: int) -> int:
 	const FIRST: Array[int] = [XRHandTracker.HAND_JOINT_PALM, XRHandTracker.HAND_JOINT_WRIST, XRHandTracker.HAND_JOINT_THUMB_METACARPAL,
 			XRHandTracker.HAND_JOINT_INDEX_FINGER_METACARPAL, XRHandTracker.HAND_JOINT_MIDDLE_FINGER_METACARPAL,

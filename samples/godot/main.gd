@@ -1,6 +1,6 @@
-## A session: after a guided set-up the user reaches for virtual objects and arrives at real ones.
+## A session: after a guided set-up, the user reaches for virtual objects and arrives at a real one.
 ##
-##     godot --path . -- --person       a simulated person, also with a headset
+##     godot --path . -- --person       a simulated person instead of the user of a headset
 ##     godot --path . -- --mouse        a finger that follows the mouse
 ##     godot --path . -- --out=FOLDER   writes results.csv, experimenter.png and wearer.png to FOLDER and ends
 ##     godot --path . -- --reaches=20   sets a property of the node: a number, a text, or texts with commas
@@ -10,15 +10,16 @@ signal ended
 
 enum State { SETTING_UP, GOING_TO_START, REACHING, OVER }
 
-## Maximum distance from the start of the tracked joint of a finger that touches it.
-const NEAR_M := 0.03
-## Maximum motion of a resting finger, due to tracker noise.
-const STILL_M := 0.008
+## Largest distance of the tracked joint from the start while the finger touches the start.
+const START_RADIUS_M := 0.03
+## Largest motion of the tracked joint while the finger rests, due to tracker noise.
+const MAX_REST_MOTION_M := 0.008
+## Time after which a device that has failed is opened again.
 const REOPENING_S := 3.0
 
-## The device that turns the plate, such as serial:/dev/ttyACM0; empty: the plate is only drawn.
+## Name of the device that turns the plate, such as serial:/dev/ttyACM0; empty: the plate is only drawn.
 @export var device := ""
-## Parts of the set-up. Without any, the plate has the pose of the scene's file.
+## Parts of the set-up. Without any part, the plate has the pose in the file of the scene.
 @export_flags("Fingertip:1", "Registration:2", "Guides:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
@@ -30,9 +31,9 @@ var finger: Finger
 var time_ns := 0
 var _state := State.OVER
 var _to_set_up: Array[int] = []
-var _served := PackedStringArray()
+var _feasible := PackedStringArray()
 var _gap := {}
-var _rest_place := Vector3.INF
+var _rest_position := Vector3.INF
 var _rested_s := 0.0
 var _failed_s := 0.0
 var _notice := ""
@@ -55,13 +56,13 @@ func _ready() -> void:
 		elif property in self:
 			set(property, value.split(",") if property == "virtual_targets" else type_convert(value, typeof(get(property))))
 		elif "=" in argument:
-			_wearer.warn("%s is not an option." % argument)
+			_wearer.warn("%s is not an option. README.md lists the options." % argument)
 	var headset := _wearer.start()
 	for problem: String in [_results.open(_folder.path_join("results.csv")), _desk.open()]:
 		if problem:
 			return _stop(problem)
 	finger = _make_finger(headset)
-	_wearer.recentred.connect(_place_again)
+	_wearer.recentred.connect(_register_again)
 	_wearer.taken_off.connect(_finish)
 	_plate.setup_step.connect(_on_setup_step)
 	_plate.setup_finished.connect(_on_setup_finished)
@@ -87,7 +88,7 @@ func _process(delta: float) -> void:
 		State.SETTING_UP:
 			_send()
 		State.GOING_TO_START:
-			if _rests_at_start_for(delta) >= rest_s:
+			if _rest_at_start(delta) >= rest_s:
 				_begin_reach()
 		State.REACHING:
 			_reach()
@@ -150,24 +151,24 @@ func _on_setup_finished(_result: Dictionary) -> void:
 		_go_to_start()
 
 
-## Chooses virtual targets. Targets without a feasible real object are omitted: the gap is limited for users with a small tactile weight.
+## Assigns real targets. Omits virtual targets whose gap is not feasible for this user, who may have a small tactile weight.
 func _choose_targets() -> void:
 	_plate.assign_targets(false)
-	var served := PackedStringArray()
-	var unserved := PackedStringArray()
+	var feasible := PackedStringArray()
+	var infeasible := PackedStringArray()
 	for virtual_target in virtual_targets:
 		var gap := _plate.get_assigned(_plate.find_target(virtual_target))
-		(served if gap.get("reachable") else unserved).append(virtual_target)
-	if unserved:
-		_notice = "No real object is feasible for %s." % ", ".join(unserved)
-	_served = served
+		(feasible if gap.get("reachable") else infeasible).append(virtual_target)
+	if infeasible:
+		_notice = "No real object is feasible for %s. These targets are omitted." % ", ".join(infeasible)
+	_feasible = feasible
 
 
-## Called when the headset has moved its space: places the plate again, then repeats the interrupted set-up or reach.
-func _place_again() -> void:
+## Called when the headset has moved the origin of its space. Registers the plate again, then repeats the interrupted set-up or reach.
+func _register_again() -> void:
 	if _state == State.OVER:
 		return
-	_notice = "The view was recentred: the plate is placed again."
+	_notice = "The view was recentred. The plate must be registered again."
 	_cancel()
 	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION)
 
@@ -182,7 +183,7 @@ func _cancel() -> void:
 
 
 func _go_to_start() -> void:
-	if not _served:
+	if not _feasible:
 		return _stop(_notice)
 	if _results.count == reaches:
 		_finish()
@@ -196,7 +197,7 @@ func _go_to_start() -> void:
 
 
 func _target_name() -> String:
-	return _served[_results.count % _served.size()]
+	return _feasible[_results.count % _feasible.size()]
 
 
 func _begin_reach() -> void:
@@ -220,23 +221,25 @@ func _reach() -> void:
 		return
 	if finger.seen:
 		_experimenter.follow(finger.global_position, command.perceived_direction_deg)
-	_experimenter.report("%s: plate %.1f°, felt error %.1f°, %.0f mm to go" % [_target_name(), command.plate_orientation_deg,
-			command.felt_error_deg, command.distance_to_go_m * 1000])
+	_experimenter.report("%s: plate %.1f°, perceived-direction error %.1f°, %.0f mm to go" % [_target_name(),
+			command.plate_orientation_deg, command.felt_error_deg, command.distance_to_go_m * 1000])
 	if command.flags & HapticRetargeting.COMMAND_ARRIVED and _plate.end() == OK:
 		_results.add(_target_name(), _gap, _plate.get_summary())
 		_go_to_start()
 
 
-func _rests_at_start_for(delta: float) -> float:
+func _rest_at_start(delta: float) -> float:
 	var start := _plate.to_global(_plate.start_position_m)
 	_rested_s += delta
-	if not finger.seen or finger.global_position.distance_to(_rest_place) > STILL_M or _rest_place.distance_to(start) > NEAR_M:
-		_rest_place = finger.global_position
+	var rests := finger.seen and finger.global_position.distance_to(_rest_position) <= MAX_REST_MOTION_M
+	if not rests or _rest_position.distance_to(start) > START_RADIUS_M:
+		_rest_position = finger.global_position
 		_rested_s = 0.0
 	return _rested_s
 
 
-## Returns true if the device is ready. Reopens a failed device periodically; an interrupted reach is repeated.
+## Returns true if there is no device or the device is ready. Opens a failed device again periodically, and repeats the
+## interrupted reach.
 func _device_is_ready(delta: float) -> bool:
 	if not device:
 		return true
@@ -245,7 +248,7 @@ func _device_is_ready(delta: float) -> bool:
 		return true
 	if report.state != HapticRetargeting.PLATE_STATE_FAILED:
 		return false
-	_wearer.warn("The plate does not answer: %s. Is it plugged in?" % report.message)
+	_wearer.warn("The plate does not answer: %s. It is opened again every 3 s." % report.message)
 	if _state == State.REACHING:
 		_cancel()
 		_go_to_start()

@@ -1,11 +1,11 @@
-## A finger for trials without a headset. It follows the mouse in the experimenter's view from above, or the arrow keys, and touches
-## the plate while the left button or the space bar is pressed.
+## A finger for trials without a headset. It follows the mouse in the view from above, or the arrow keys. It touches the
+## plate while the left button or the space bar is pressed.
 class_name MouseFinger
 extends Finger
 
 const TOUCHING_M := 0.002
 const LIFTED_M := 0.05
-## Speed by keys, on the screen.
+## Speed on the screen while an arrow key is pressed.
 const PIXELS_S := 150.0
 
 var _plate: HapticRetargeting

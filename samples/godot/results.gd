@@ -1,4 +1,4 @@
-## Results of a session as CSV. The line of a reach is written as soon as it has ended.
+## Results of a session as CSV. The row of a reach is written as soon as the reach has ended.
 class_name Results
 extends RefCounted
 

@@ -1,8 +1,8 @@
-## The user's view: in a headset if OpenXR finds one, otherwise in a picture beside the experimenter's.
+## The view of the user: in a headset if OpenXR finds one, otherwise in an inset of the experimenter's view.
 class_name Wearer
 extends SubViewport
 
-## The headset has moved its space, so the plate's pose is outdated.
+## Emitted when the headset has moved the origin of its space: the pose of the plate is then wrong.
 signal recentred
 signal taken_off
 
@@ -12,7 +12,7 @@ var _instruction := ""
 var _problem := ""
 
 
-## Starts the view. Returns true if a headset shows it.
+## Starts the view. Returns true if a headset shows the view.
 func start() -> bool:
 	var xr := XRServer.find_interface("OpenXR") as OpenXRInterface
 	if xr == null or not xr.is_initialized():
@@ -32,7 +32,7 @@ func say(instruction: String) -> void:
 	_show()
 
 
-## Shows a problem, until it is called with an empty text.
+## Shows a problem until this function is called with an empty text.
 func warn(problem: String) -> void:
 	if problem and problem != _problem:
 		push_warning(problem)

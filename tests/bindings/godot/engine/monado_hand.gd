@@ -26,7 +26,7 @@ func _ready() -> void:
 	person = SimulatedFinger.new($Main/Desk/Plate, 1)
 	person.visible = false
 	add_child(person)
-	session.finger.asked_for_step.connect(person.do_step)
+	session.finger.asked_for_step.connect(person.follow_step)
 	session.finger.asked_to_touch.connect(func(place: Vector3) -> void: person.asked_to_touch.emit(place))
 	session.finger.asked_to_slide.connect(person.slide)
 
