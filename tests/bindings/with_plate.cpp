@@ -24,11 +24,11 @@ struct HomedBoard : hrt::plate::EmulatedBoard {
       : EmulatedBoard(
             hrt::plate::eeprom_with(hrt::plate::settings_with({{SETTING_MIN_DEG, -90}, {SETTING_MAX_DEG, 90}}))) {
     run_for(50ms);
-    say("HELLO 2");
-    say(hrt::plate::set_body(0.0, 1, "HOME"));
+    receive_line("HELLO 2");
+    receive_line(hrt::plate::motion_body(0.0, 1, "HOME"));
     while (now() < 8200ms) {
       run_for(100ms);
-      say(hrt::plate::beat_body("BEAT", 2));
+      receive_line(hrt::plate::with_number("BEAT", 2));
     }
     take_output();
   }

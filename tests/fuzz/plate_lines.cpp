@@ -37,20 +37,21 @@ void check_message(const PlateMessage& message) {
 }
 
 void read_as_host(std::string_view bytes) {
-  LineReader reader;
+  LineBuffer buffer{};
+  LineError error = LINE_OK;
   for (const char byte : bytes) {
-    const auto line = reader.take(byte);
-    const auto decoded = line ? decode_line(*line) : std::nullopt;
-    const auto message = decoded ? parse_plate_message(*decoded) : std::nullopt;
-    if (message) check_message(*message);
+    if (!line_receive(&buffer, byte, &error) || error != LINE_OK) continue;
+    if (const auto message = parse_plate_message(buffer.text)) check_message(*message);
   }
 }
 
 // Checks that the host understands every line of the firmware.
 bool send(const char* line, std::uint8_t length) {
   require(length > 0 && length <= LINE_SIZE && line[length - 1] == '\n');
-  const auto decoded = decode_line(std::string_view(line, length - 1U));
-  require(decoded && parse_plate_message(*decoded));
+  LineBuffer buffer{};
+  LineError error = LINE_BAD_SUM;
+  for (std::uint8_t i = 0; i < length; ++i) line_receive(&buffer, line[i], &error);
+  require(error == LINE_OK && parse_plate_message(buffer.text));
   return true;
 }
 
@@ -72,7 +73,7 @@ void run_as_plate(std::string_view bytes) {
     require(settings_valid(&plate.settings));
     require(std::abs(plate.position_microdeg) <= 180'000'000);
     const std::uint16_t ticks = plate_pulse_ticks(&plate);
-    require(ticks == 0 || (ticks >= 2 * PULSE_LEAST_US && ticks <= 2 * PULSE_MOST_US));
+    require(ticks == 0 || (ticks >= 2 * PULSE_MIN_US && ticks <= 2 * PULSE_MAX_US));
     require(ticks == 0 || plate.greeted);
   }
 }
@@ -81,7 +82,7 @@ std::string with_sums(std::string_view bytes) {
   std::string lines;
   while (!bytes.empty()) {
     const std::size_t end = bytes.find('\n');
-    lines += encode_line(bytes.substr(0, end));
+    lines += encode_line(std::string(bytes.substr(0, end)));
     bytes.remove_prefix(end == std::string_view::npos ? bytes.size() : end + 1);
   }
   return lines;
@@ -104,10 +105,10 @@ std::string with_crcs(std::string_view bytes) {
 
 void read_packets(std::string_view bytes) {
   dynamixel::PacketReader reader;
-  reader.take(bytes);
+  reader.append(bytes);
   while (const auto packet = reader.next()) {
     dynamixel::PacketReader again;
-    again.take(dynamixel::encode(*packet));
+    again.append(dynamixel::encode(*packet));
     const auto same = again.next();
     require(same && same->id == packet->id && same->parameters == packet->parameters);
   }
@@ -152,7 +153,7 @@ void drive(const char* name, const std::string& bytes) {
     for (const std::string& line : device->details()) require(!line.empty());
     require(std::isfinite(device->zero_deg()));
     device->set_zero(1.0);
-    device->hurry();
+    device->begin_measurement();
     require(device->sensor_filter().count() >= 0);
   } catch (const PlateFailure& failure) {
     require(failure.what()[0] != '\0');

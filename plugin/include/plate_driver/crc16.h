@@ -1,4 +1,4 @@
-/* CRC-16, most significant bit first and without reflection. C11 and C++. */
+/* Checksums of 16 bits: cyclic redundancy checks, most significant bit first, without reflection. C11 and C++. */
 #pragma once
 
 #include <stddef.h>
@@ -12,8 +12,8 @@ static inline unsigned crc16(const char* bytes, size_t count, unsigned polynomia
   return crc;
 }
 
-/** CRC-16/CCITT-FALSE, of the line protocol and of the firmware's settings; 0x29B1 for "123456789". */
+/** Returns the CRC-16/CCITT-FALSE, which the line protocol and the stored settings use: 0x29B1 for "123456789". */
 static inline unsigned crc16_ccitt(const char* bytes, size_t count) { return crc16(bytes, count, 0x1021, 0xFFFF); }
 
-/** CRC-16/UMTS, of Dynamixel packets; 0xFEE8 for "123456789". */
+/** Returns the CRC-16/UMTS, which Dynamixel packets use: 0xFEE8 for "123456789". */
 static inline unsigned crc16_umts(const char* bytes, size_t count) { return crc16(bytes, count, 0x8005, 0); }

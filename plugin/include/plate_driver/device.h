@@ -1,4 +1,4 @@
-// Interface of a device that turns the plate, for any protocol.
+// Interface of the devices that turn a plate, independent of their protocols.
 #pragma once
 
 #include <chrono>
@@ -16,19 +16,20 @@
 
 namespace hrt::plate {
 
-/// Limits of a device, as reported or observed.
+/// Limits of a device, as the device reports them or as they were observed.
 struct DeviceLimits {
   double min_deg;                    ///< lower stop; both stops are 0 if the device turns freely
   double max_deg;                    ///< upper stop
   double speed_deg_s;                ///< speed that the device reports, or the observed one if that is lower
-  std::chrono::nanoseconds latency;  ///< time from a command to the motion
+  std::chrono::nanoseconds latency;  ///< time from a command to the start of the motion
 };
 
-/// Behaviour of a device after opening: hold its position, or exert no force and answer queries only.
-enum class Start { hold, quiet };
+/// Behaviour of a device after it was opened. `hold`: it holds its position and accepts commands. `passive`: it exerts
+/// no force and only answers queries.
+enum class Start { hold, passive };
 
-/// Settings that a board with the line protocol stores (samples/plate/firmware/README.md). All calls may throw
-/// PlateFailure.
+/// Settings that a board with the line protocol stores (samples/plate/firmware/README.md). All functions throw
+/// PlateFailure if the board does not answer.
 class BoardSettings {
  public:
   virtual double setting(const std::string& name) = 0;
@@ -36,16 +37,16 @@ class BoardSettings {
   virtual void change_setting(const std::string& name, double value) = 0;
   /// Saves all settings across power-off. The plate stops first.
   virtual void save_settings() = 0;
-  /// Mean of ten readings of the sensor's converter, 0 to 1023.
+  /// Returns the mean of ten readings of the sensor by the analogue-to-digital converter, 0 to 1023.
   virtual double sensor_reading() = 0;
 
  protected:
   ~BoardSettings() = default;
 };
 
-/// Device that turns a plate. To add one, write a derived class in a file of its own, and one line in devices.cpp. If
-/// the device has failed, each call stops it, if it is still connected, and throws PlateFailure. The destructor stops
-/// it. All calls are made on one thread.
+/// Device that turns a plate. To add a kind of device, write a derived class in a file of its own, and add one line to
+/// devices.cpp. If the device has failed, each function stops it, if it is still connected, and throws PlateFailure.
+/// The destructor stops it. All calls are made on one thread.
 class Device {
  public:
   Device() = default;
@@ -53,47 +54,51 @@ class Device {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /// Protocol, firmware and serial number in one line.
+  /// Returns protocol, firmware and serial number in one line.
   virtual std::string description() const = 0;
   virtual DeviceLimits limits() const = 0;
   /// True if a sensor measures the orientation; false if it is assumed from the commands.
   virtual bool is_measured() const = 0;
-  /// Time from a message to its answer.
+  /// Median time from a message to its answer; nullopt before the first answer.
   virtual std::optional<std::chrono::nanoseconds> round_trip() const = 0;
-  /// Last reported orientation, and the time of the report.
+  /// Last reported orientation; nullopt if it is unknown. reported() is the time of that report.
   virtual std::optional<double> orientation_deg() const = 0;
   virtual Line::Time reported() const = 0;
-  /// Number of messages that were refused, or damaged in transmission.
+  /// Number of messages that the device refused or that were damaged in transmission.
   virtual std::uint64_t refusals() const = 0;
-  /// The clock of the line.
+  /// Time of the clock of the serial line.
   virtual Line::Time now() const = 0;
 
-  /// Waits up to `limit` for the device's next bytes, and sends what is due. Call it at least every 50 ms.
+  /// Waits up to `limit` for the device's next bytes, processes them, and sends the messages that are due. Call it at
+  /// least every 50 ms, otherwise the watchdog of the device stops it.
   virtual void wait(std::chrono::milliseconds limit) = 0;
-  /// Turns the plate. @p orientation_deg is within the limits. An equal command is not sent again.
+  /// Turns the plate. @p orientation_deg must be within the limits. An equal command is not sent again.
   virtual void turn_to(double orientation_deg) = 0;
-  /// Stops the plate, and holds its present orientation.
+  /// Stops the plate, which then holds its present orientation.
   virtual void stop() = 0;
 
   // ---- For measuring and commissioning.
 
-  /// Until it is closed, the device reports as often as the line allows and turns as fast as its servo can.
-  virtual void hurry() = 0;
-  /// Resolution of the reported orientation.
+  /// Prepares measurements: until it is closed, the device reports as often as the serial line allows and turns as fast
+  /// as its servo can.
+  virtual void begin_measurement() = 0;
+  /// Resolution of the reported orientation in degrees.
   virtual double report_step_deg() const = 0;
-  /// Time constant of the first-order filter of the sensor.
+  /// Time constant of the first-order filter that the device applies to its sensor; 0 without a filter.
   virtual std::chrono::nanoseconds sensor_filter() const = 0;
 
   /// Settings of a board with the line protocol; null for any other device.
   virtual BoardSettings* board_settings() { return nullptr; }
-  /// Returns the settings, as lines that begin with "setting ", and the result of a self-test. The plate does not move.
+  /// Returns lines of text: the settings, each of which begins with "setting ", and the result of a self-test. The
+  /// plate does not move.
   virtual std::vector<std::string> details() = 0;
-  /// Position of orientation 0 in the device's own scale, counter-clockwise positive.
+  /// Position of orientation 0 on the device's own scale, in degrees, counter-clockwise positive.
   virtual double zero_deg() = 0;
-  /// Moves orientation 0 to this position; a device that holds 0 turns with it. Throws PlateFailure if it cannot.
+  /// Moves orientation 0 to this position. A device that holds orientation 0 turns by the same angle. Throws
+  /// PlateFailure if the position is out of range.
   virtual void set_zero(double zero_deg) = 0;
-  /// Saves the position of 0 across power-off. Stops the device.
-  virtual void keep_zero() = 0;
+  /// Saves the position of orientation 0 across power-off. Stops the device.
+  virtual void save_zero() = 0;
 };
 
 /// Parts of a device name "kind:path?option=value&option=value".
@@ -103,14 +108,14 @@ struct DeviceName {
   std::vector<std::pair<std::string, std::string>> options;
 
   /// Throws std::invalid_argument, which names the option, if an option is not in `known` or is given twice.
-  void allow(std::initializer_list<std::string_view> known) const;
-  /// Value of an integer option, or `otherwise`. Throws std::invalid_argument, which names the range, if the value is
-  /// not an integer in it.
-  int number(std::string_view option, int otherwise, int min, int max) const;
+  void check_options(std::initializer_list<std::string_view> known) const;
+  /// Returns the value of an integer option; `default_value` if it is not given. Throws std::invalid_argument, which
+  /// names the range, if the value is not an integer in the range.
+  int integer(std::string_view option, int default_value, int min, int max) const;
 };
 
 using LineOpener = std::function<std::unique_ptr<Line>(const std::string& path, int baud)>;
-/// Opens the device, which takes seconds. Throws PlateFailure.
+/// Opens the device, which takes seconds. Throws PlateFailure if the device does not answer or is not supported.
 using DeviceMaker = std::function<std::unique_ptr<Device>(const LineOpener& open, Start start)>;
 
 /// Checks the name of a device, and returns a function that opens it. Throws std::invalid_argument with one line that

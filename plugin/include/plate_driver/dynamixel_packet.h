@@ -22,38 +22,38 @@ enum class StatusError : std::uint8_t {
   data_limit,
   access
 };
-/// Name of the error in the protocol; "unknown error" for an unknown number.
+/// Returns the name that the protocol gives to the error; "unknown error" for an unknown number.
 const char* name_of(StatusError error);
 
 struct Packet {
   std::uint8_t id = 0;
   std::uint8_t instruction = 0;
   std::uint8_t error = 0;  ///< error of a status packet: StatusError, and the alert bit
-  std::string parameters;  ///< without stuffing
+  std::string parameters;  ///< without the byte stuffing of the protocol
 
   static constexpr std::uint8_t alert = 0x80;  ///< the servo has a hardware error
   bool is_alert() const { return (error & alert) != 0; }
   StatusError status_error() const { return static_cast<StatusError>(error & ~alert); }
 };
 
-/// Returns the bytes of a packet; adds header, stuffing and CRC.
+/// Returns the bytes of a packet, with header, byte stuffing and CRC.
 std::string encode(const Packet& packet);
 
 /// Converts a number to `count` bytes, the least significant one first, and back.
 std::string little_endian(std::int64_t value, int count);
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 
-/// Splits a stream of bytes into packets, in bounded memory. Bytes between packets are skipped; after a damaged packet
-/// the search continues after its header.
+/// Splits a stream of bytes into packets, in bounded memory. Skips bytes between packets. After a damaged packet it
+/// searches for the next one behind the header of the damaged packet.
 class PacketReader {
  public:
   static constexpr std::size_t max_length = 250;  ///< limit of the length field
 
   /// Appends received bytes.
-  void take(std::string_view bytes) { bytes_ += bytes; }
+  void append(std::string_view bytes) { bytes_ += bytes; }
   /// Returns the next complete packet; nullopt if more bytes are needed.
   std::optional<Packet> next();
-  /// Drops an incomplete packet, after the time limit for the rest of it.
+  /// Drops an incomplete packet. Call it when the time limit for the rest of the packet has passed.
   void drop_partial();
   /// Number of packets with a wrong length or CRC so far.
   std::uint64_t damaged() const { return damaged_; }

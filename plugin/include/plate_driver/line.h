@@ -1,4 +1,4 @@
-// A connection that carries bytes to and from a device, for example a serial port.
+// Serial line: a connection that carries bytes to and from a device.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,8 @@
 
 namespace hrt::plate {
 
-/// Line to a device. Only wait() blocks. All calls throw PlateFailure if the line has failed, and are made on one
-/// thread.
+/// Serial line to a device. Only wait() blocks. All functions throw PlateFailure if the line has failed. All calls are
+/// made on one thread.
 class Line {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -19,17 +19,17 @@ class Line {
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
 
-  /// Time of the line's clock: real time, or the time of a simulated device.
+  /// Returns the time of the clock that the driver uses: real time, or the time of a simulated device.
   virtual Time now() const { return std::chrono::steady_clock::now(); }
 
-  /// Appends the received bytes, at most some kilobytes.
+  /// Appends the bytes that were received since the last call, at most some kilobytes.
   virtual void receive(std::string& bytes) = 0;
-  /// Copies `bytes`, and sends as many as the line accepts now. flush() sends the rest.
+  /// Copies `bytes`, and sends as many of them as the line accepts now. flush() sends the rest.
   virtual void send(std::string_view bytes) = 0;
   virtual void flush() = 0;
   virtual bool has_unsent() const = 0;
 
-  /// Waits up to `limit` until bytes arrive, or, with unsent bytes, until the line accepts some.
+  /// Waits up to `limit` until bytes arrive or, if there are unsent bytes, until the line accepts some of them.
   virtual void wait(std::chrono::milliseconds limit) = 0;
 };
 

@@ -1,4 +1,4 @@
-// Failures of a plate, and error texts that several devices share.
+// Failures of a plate, and the texts of failures that several kinds of devices share.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class Fault : std::uint32_t {
   internal,
 };
 
-/// Failure of a plate. what() is a sentence without its subject, which is the plate: "is unplugged".
+/// Failure of a plate. what() is a sentence without its subject "the plate", such as "is unplugged".
 class PlateFailure : public std::runtime_error {
  public:
   PlateFailure(Fault fault, const std::string& sentence) : std::runtime_error(sentence), fault_(fault) {}
@@ -33,8 +33,9 @@ class PlateFailure : public std::runtime_error {
   Fault fault_;
 };
 
-inline constexpr const char* silent_text = "has not been heard for half a second; check its cable and supply";
-inline constexpr const char* restarted_text = "has restarted: its supply or its line failed; check both";
+inline constexpr const char* silent_text = "has not answered for half a second; check its cable and supply";
+inline constexpr const char* restarted_text =
+    "has restarted: its supply or its serial line failed; check both, and open it again";
 inline constexpr const char* second_program_text = "receives commands from another program. Close that program";
 
 }  // namespace hrt::plate

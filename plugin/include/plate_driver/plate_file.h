@@ -1,4 +1,4 @@
-// File of `hrt-plate commission` with the measured properties of a plate, which hrt_plate_open() reads.
+// Plate file: the measured properties of a plate. `hrt-plate commission` writes it, and hrt_plate_open() reads it.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 namespace hrt::plate {
 
 struct PlateFile {
-  std::string device;                 ///< name to open
+  std::string device;                 ///< device name, such as "serial:/dev/ttyACM0"
   std::string description;            ///< description of the measured device, with firmware and serial number
-  std::vector<std::string> settings;  ///< settings of Device::details() that the device stores
+  std::vector<std::string> settings;  ///< settings that the device had when it was measured
   double speed_deg_s = 0.0;
   double acceleration_deg_s2 = 0.0;
-  double latency_ms = 0.0;  ///< latency of the plate, without that of the line
-  double error_deg = 0.0;   ///< largest error of a plate at rest that is consistent with the measurements
+  double latency_ms = 0.0;  ///< latency of the plate, without the time on the serial line
+  double error_deg = 0.0;   ///< largest difference from the command at rest that is consistent with the measurements
 };
 
-/// Returns the lines of Device::details() that are settings, which a device stores.
+/// Returns the lines of Device::details() that are settings.
 std::vector<std::string> settings_of(const std::vector<std::string>& details);
 
-/// Returns the text with its checksum appended as the file's last member.
+/// Returns the text of a plate file: `text`, which is the file without its last member and end, and the checksum.
 std::string with_checksum(std::string_view text);
 
 /// True for a name that ends with ".json".

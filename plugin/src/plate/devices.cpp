@@ -1,11 +1,11 @@
-// Table of device kinds, and parser of device names.
+// Table of the kinds of devices, and parser of device names such as "dynamixel:/dev/ttyUSB0?id=1&speed=200".
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
 #include "plugin/include/plate_driver/device.h"
 
-// A new device is one more X(kind) here, and a file that defines kind_device().
+// To add a kind of device, add X(kind) here, and a file that defines kind_device().
 #define HRT_DEVICES(X) \
   X(serial)            \
   X(dynamixel)
@@ -45,13 +45,13 @@ DeviceName parts_of(std::string_view text) {
   const std::size_t question = std::min(text.find('?', colon), text.size());
   DeviceName name{std::string(text.substr(0, colon)), std::string(text.substr(colon + 1, question - colon - 1)), {}};
   if (name.path.empty())
-    refuse("device \"" + name.kind + ":\" has no line; add one, as in " + name.kind + ":/dev/ttyACM0");
+    refuse("device \"" + name.kind + ":\" names no serial line; add one, as in " + name.kind + ":/dev/ttyACM0");
   for (std::string_view rest = text.substr(question); !rest.empty();) {
     rest.remove_prefix(1);
     const std::string_view option = rest.substr(0, rest.find('&'));
     const std::size_t equals = option.find('=');
     if (equals == std::string_view::npos || equals == 0)
-      refuse("option \"" + std::string(option) + "\" of the device must have the form name=value");
+      refuse("option \"" + std::string(option) + "\" of the device must have the form name=value, as in id=1");
     name.options.emplace_back(option.substr(0, equals), option.substr(equals + 1));
     rest.remove_prefix(option.size());
   }
@@ -60,17 +60,17 @@ DeviceName parts_of(std::string_view text) {
 
 }  // namespace
 
-void DeviceName::allow(std::initializer_list<std::string_view> known) const {
+void DeviceName::check_options(std::initializer_list<std::string_view> known) const {
   for (auto option = options.begin(); option != options.end(); ++option) {
     const std::string& word = option->first;
     if (std::find(known.begin(), known.end(), word) == known.end())
       refuse(kind + ": has no option \"" + word + "\"; allowed: " + list_of(known));
     if (std::any_of(options.begin(), option, [&](const auto& other) { return other.first == word; }))
-      refuse("option " + word + " is given twice; give it once");
+      refuse("option " + word + " is given twice; remove one of them");
   }
 }
 
-int DeviceName::number(std::string_view option, int otherwise, int min, int max) const {
+int DeviceName::integer(std::string_view option, int default_value, int min, int max) const {
   for (const auto& [word, text] : options) {
     if (word != option) continue;
     int value = 0;
@@ -79,7 +79,7 @@ int DeviceName::number(std::string_view option, int otherwise, int min, int max)
       refuse("option " + word + " is \"" + text + "\"; allowed: " + std::to_string(min) + " to " + std::to_string(max));
     return value;
   }
-  return otherwise;
+  return default_value;
 }
 
 std::vector<std::string> device_kinds() {

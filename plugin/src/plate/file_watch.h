@@ -1,4 +1,4 @@
-// Compares the behaviour of a plate with the measurements of its commissioning.
+// Compares the behaviour of a plate with its plate file.
 #pragma once
 
 #include <deque>
@@ -10,17 +10,18 @@
 
 namespace hrt::plate {
 
-/// Detects a plate that is slower, later or less accurate than its file. Reads no clock. One thread.
+/// Detects a plate that is slower, later or less accurate than its plate file states. Reads no clock. One thread.
 class FileWatch {
  public:
   using Time = Line::Time;
 
   explicit FileWatch(PlateFile file) : file_(std::move(file)) {}
 
-  /// Call after each Device::wait(). `command_deg`: nullopt while the plate has no command.
-  void look(Time now, const Device& device, std::optional<double> command_deg);
-  /// True if the plate is slower than 80 % of the file's speed, rests farther from its command than the file's error,
-  /// or follows 40 ms later than the file says.
+  /// Processes the present state of the device. Call it after each Device::wait(). `command_deg` is nullopt while the
+  /// plate has no command.
+  void update(Time now, const Device& device, std::optional<double> command_deg);
+  /// True if the plate has less than 80 % of the speed in the file, rests farther from its command than the error in
+  /// the file, or is late. It is late if it follows its commands 40 ms later than the latency in the file.
   bool deviates() const { return deviates_; }
 
  private:
@@ -28,18 +29,18 @@ class FileWatch {
     Time acts;
     double orientation_deg;
   };
-  void follow(Time now, const Device& device);
+  void compare_with_model(Time now, const Device& device);
 
   PlateFile file_;
   std::optional<double> command_deg_;
-  Time commanded_, near_;  // time of the last change of the command, and of the last position near it
+  Time command_changed_, near_command_at_;  // time of the last change of the command, and of the last position near it
   bool deviates_ = false;
   // Model of a plate that follows its commands as in the file; lateness of the reported plate against it.
-  std::deque<Command> coming_;
+  std::deque<Command> pending_;
   std::optional<double> goal_deg_;
   double model_deg_ = 0.0;
-  Time looked_, reported_;
-  double late_sum_ = 0.0, square_sum_ = 0.0, way_deg_ = 0.0;
+  Time updated_, reported_;
+  double late_sum_ = 0.0, square_sum_ = 0.0, travelled_deg_ = 0.0;
 };
 
 }  // namespace hrt::plate

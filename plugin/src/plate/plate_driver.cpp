@@ -13,27 +13,28 @@
 
 #include "plugin/src/abi/signals_blocked.h"
 #include "plugin/src/abi/text.h"
-#include "plugin/src/plate/same_feel.h"
+#include "plugin/src/plate/same_ridges.h"
 
 namespace hrt::plate {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto pickup_period = 5ms;  // period in which new commands are read
-constexpr double arrived_deg = 5.0;  // largest distance from the command at arrival
-constexpr double stay = std::numeric_limits<double>::quiet_NaN();
+constexpr auto update_period = 5ms;  // longest time until a new command is sent
+constexpr double arrived_deg = 5.0;  // a plate that is nearer to its command has reached it
+constexpr double no_command = std::numeric_limits<double>::quiet_NaN();
 
 std::atomic<std::uint32_t> forks{0};
 
-// Counts forks in the child, so that no call needs the system to identify its process.
+// Counts forks in the child process, so that is_inherited() needs no system call to detect that it runs in a child.
 void count_forks() {
 #if !defined(_WIN32)
   [[maybe_unused]] static const int counted = pthread_atfork(nullptr, nullptr, [] { ++forks; });
 #endif
 }
 
-// Line whose wait() throws when the plate is closed while it is being opened. An open plate still sends its last bytes.
+// Serial line whose wait() throws if the plate is closed while it is being opened. After it is open, closing still
+// sends the STOP command.
 class InterruptibleLine : public Line {
  public:
   InterruptibleLine(std::unique_ptr<Line> line, std::function<bool()> is_interrupted)
@@ -53,7 +54,7 @@ class InterruptibleLine : public Line {
   std::function<bool()> is_interrupted_;
 };
 
-// Writes a text for the host, without incomplete characters and control characters.
+// Writes a text for the host. Removes control characters and, at the end, an incomplete UTF-8 character.
 template <std::size_t size, class... Parts>
 void write_text(char (&to)[size], const Parts&... parts) {
   plugin::Text<size> text;
@@ -72,12 +73,12 @@ PlateDriver::PlateDriver(DeviceMaker maker, LineOpener opener, std::string path,
       file_(std::move(file)),
       options_(options),
       forks_(forks),
-      wanted_deg_(stay) {
+      wanted_deg_(no_command) {
   static_assert(std::atomic<double>::is_always_lock_free && std::atomic<std::uint64_t>::is_always_lock_free);
   count_forks();
-  now_known_.report.struct_size = sizeof(hrt_plate_report);
-  now_known_.report.state = HRT_PLATE_STATE_OPENING;
-  published_.publish(now_known_);
+  state_.report.struct_size = sizeof(hrt_plate_report);
+  state_.report.state = HRT_PLATE_STATE_OPENING;
+  published_.publish(state_);
   thread_ = std::make_unique<std::thread>(start_thread_with_signals_blocked([this] { run(); }));
 }
 
@@ -86,7 +87,7 @@ PlateDriver::~PlateDriver() {
     static_cast<void>(thread_.release());  // the thread runs in the parent only
     return;
   }
-  ending_ = true;
+  is_closing_ = true;
   thread_->join();
 }
 
@@ -95,7 +96,7 @@ void PlateDriver::set(double orientation_deg) {
   calls_.fetch_add(1, std::memory_order_release);
 }
 
-void PlateDriver::stop() { set(stay); }
+void PlateDriver::stop() { set(no_command); }
 
 bool PlateDriver::is_inherited() const { return forks_ != forks.load(std::memory_order_relaxed); }
 
@@ -112,80 +113,81 @@ void PlateDriver::run() noexcept {
   try {
     bool opened = false;
     const auto open_line = [&](const std::string& path, int baud) -> std::unique_ptr<Line> {
-      return std::make_unique<InterruptibleLine>(opener_(path, baud), [&] { return ending_ && !opened; });
+      return std::make_unique<InterruptibleLine>(opener_(path, baud), [&] { return is_closing_ && !opened; });
     };
     const std::unique_ptr<Device> device = maker_(open_line, Start::hold);
     opened = true;
-    serve(*device);
+    operate(*device);
   } catch (const PlateFailure& failure) {
     fail(failure.fault(), failure.what());
   } catch (const std::bad_alloc&) {
-    fail(Fault::internal, "cannot be operated: memory is exhausted");
+    fail(Fault::internal, "cannot be operated: memory is exhausted. Free memory, and open it again");
   } catch (const std::exception& error) {
     fail(Fault::internal, error.what());
   } catch (...) {
-    fail(Fault::internal, "cannot be operated: an exception of unknown type");
+    fail(Fault::internal, "cannot be operated: an unknown exception occurred. Open it again");
   }
 }
 
-void PlateDriver::serve(Device& device) {
-  write_text(now_known_.report.description, std::string_view(device.description()));
+void PlateDriver::operate(Device& device) {
+  write_text(state_.report.description, std::string_view(device.description()));
   if (file_) check_file(device);
   if (file_) watch_.emplace(*file_);
-  host_heard_ = now();
-  while (!ending_) {
+  last_call_ = now();
+  while (!is_closing_) {
     publish(device);
-    device.wait(pickup_period);
-    follow_host(device, now());
-    if (watch_) watch_->look(now(), device, holds_ ? std::nullopt : std::optional(now_known_.report.command_deg));
+    device.wait(update_period);
+    update_command(device, now());
+    if (watch_) watch_->update(now(), device, is_holding_ ? std::nullopt : std::optional(state_.report.command_deg));
   }
 }
 
-void PlateDriver::follow_host(Device& device, Time now) {
+void PlateDriver::update_command(Device& device, Time now) {
   const std::uint32_t calls = calls_.load(std::memory_order_acquire);
   if (calls != calls_seen_) {
     calls_seen_ = calls;
-    host_heard_ = now;
+    last_call_ = now;
     host_is_silent_ = false;
-  } else if (now - host_heard_ > std::chrono::nanoseconds(options_.host_timeout_ns) && !host_is_silent_) {
+  } else if (now - last_call_ > std::chrono::nanoseconds(options_.host_timeout_ns) && !host_is_silent_) {
     host_is_silent_ = true;
     double before = wanted_deg_.load();
-    wanted_deg_.compare_exchange_strong(before, stay);  // unless a command arrives at this moment
+    wanted_deg_.compare_exchange_strong(before, no_command);  // has no effect if a command arrives at this moment
   }
   const double wanted_deg = wanted_deg_.load(std::memory_order_acquire);
   if (!std::isnan(wanted_deg)) {
     const DeviceLimits limits = device.limits();
-    const std::optional<double> place_deg = device.orientation_deg();
+    const std::optional<double> present_deg = device.orientation_deg();
     const double within_deg =
-        orientation_within(limits.min_deg, limits.max_deg, wanted_deg, place_deg.value_or(wanted_deg));
+        nearest_with_same_ridges(limits.min_deg, limits.max_deg, wanted_deg, present_deg.value_or(wanted_deg));
     device.turn_to(within_deg);
-    if (place_deg && std::abs(*place_deg - within_deg) <= arrived_deg) has_arrived_ = true;
-    now_known_.report.command_deg = within_deg;
-    holds_ = false;
-  } else if (!holds_) {
+    if (present_deg && std::abs(*present_deg - within_deg) <= arrived_deg) has_arrived_ = true;
+    state_.report.command_deg = within_deg;
+    is_holding_ = false;
+  } else if (!is_holding_) {
     device.stop();
-    holds_ = true;
+    is_holding_ = true;
   }
 }
 
 void PlateDriver::check_file(Device& device) const {
   if (file_->description != device.description())
     throw PlateFailure(Fault::no_answer, "is \"" + device.description() + "\", but its file describes \"" +
-                                             file_->description + "\". Commission it, or connect the other one");
+                                             file_->description +
+                                             "\". Commission this plate, or connect the one of the file");
   const std::vector<std::string> settings = settings_of(device.details());
   for (const std::string& line : file_->settings)
     if (std::find(settings.begin(), settings.end(), line) == settings.end())
-      throw PlateFailure(Fault::no_answer, "does not have \"" + line + "\", which is in its file. Commission it again");
+      throw PlateFailure(Fault::no_answer, "does not have \"" + line + "\", which its file lists. Commission it again");
 }
 
 void PlateDriver::publish(const Device& device) {
-  hrt_plate_report& report = now_known_.report;
+  hrt_plate_report& report = state_.report;
   const DeviceLimits limits = device.limits();
   report.state = HRT_PLATE_STATE_READY;
   report.flags =
       (device.orientation_deg() ? HRT_PLATE_REPORT_ORIENTATION : HRT_PLATE_REPORT_UNHOMED) |
       (has_arrived_ ? 0U : HRT_PLATE_REPORT_FIRST_MOTION) | (device.is_measured() ? HRT_PLATE_REPORT_MEASURED : 0U) |
-      (device.round_trip() ? HRT_PLATE_REPORT_ROUND_TRIP : 0U) | (holds_ ? 0U : HRT_PLATE_REPORT_COMMANDED) |
+      (device.round_trip() ? HRT_PLATE_REPORT_ROUND_TRIP : 0U) | (is_holding_ ? 0U : HRT_PLATE_REPORT_COMMANDED) |
       (file_ ? HRT_PLATE_REPORT_COMMISSIONED : 0U) | (watch_ && watch_->deviates() ? HRT_PLATE_REPORT_DEVIATES : 0U) |
       (host_is_silent_ ? HRT_PLATE_REPORT_HOST_SILENT : 0U);
   report.orientation_deg = device.orientation_deg().value_or(0.0);
@@ -197,18 +199,18 @@ void PlateDriver::publish(const Device& device) {
   report.lower_stop_deg = limits.min_deg;
   report.upper_stop_deg = limits.max_deg;
   report.refused_messages = device.refusals();
-  now_known_.reported_ns = device.reported().time_since_epoch() / 1ns;
-  published_.publish(now_known_);
+  state_.reported_ns = device.reported().time_since_epoch() / 1ns;
+  published_.publish(state_);
 }
 
 void PlateDriver::fail(Fault fault, const char* sentence) noexcept {
-  hrt_plate_report& report = now_known_.report;
+  hrt_plate_report& report = state_.report;
   report.state = HRT_PLATE_STATE_FAILED;
   report.fault = static_cast<std::uint32_t>(fault);
   report.flags &= ~(HRT_PLATE_REPORT_COMMANDED | HRT_PLATE_REPORT_HOST_SILENT);
   write_text(report.message, std::string_view("the plate at "), plugin::Shown{path_}, std::string_view(" "),
              std::string_view(sentence));
-  published_.publish(now_known_);
+  published_.publish(state_);
 }
 
 }  // namespace hrt::plate

@@ -1,4 +1,4 @@
-// Driver of a plate with its own thread. The threads of the host never wait for it.
+// Driver of a plate. A thread of its own communicates with the device, so that calls of the host never wait.
 #pragma once
 
 #include <atomic>
@@ -22,11 +22,11 @@ namespace hrt::plate {
 /// and make no system call.
 class PlateDriver {
  public:
-  /// Starts to open the device. `path` is for messages, `file` has the measured properties. Throws std::system_error if
-  /// no thread can be started.
+  /// Starts to open the device. Messages name `path`; `file` has the measured properties of the plate. Throws
+  /// std::system_error if no thread can be started.
   PlateDriver(DeviceMaker maker, LineOpener opener, std::string path, std::optional<PlateFile> file,
               const hrt_plate_options& options);
-  /// Stops the plate within half a second. In the child of a fork, only releases the memory.
+  /// Stops the plate and waits for the thread, at most half a second. In the child of a fork, only releases memory.
   ~PlateDriver();
   PlateDriver(const PlateDriver&) = delete;
   PlateDriver& operator=(const PlateDriver&) = delete;
@@ -47,8 +47,8 @@ class PlateDriver {
   using Time = Line::Time;
 
   void run() noexcept;
-  void serve(Device& device);
-  void follow_host(Device& device, Time now);
+  void operate(Device& device);
+  void update_command(Device& device, Time now);
   void publish(const Device& device);
   void check_file(Device& device) const;
   void fail(Fault fault, const char* sentence) noexcept;
@@ -61,18 +61,18 @@ class PlateDriver {
   hrt_plate_options options_;
   std::uint32_t forks_;  // number of forks of this process and its parents when the plate was opened
 
-  // Written by the host: wanted orientation (not a number: hold the present one), and a counter of its calls.
+  // Written by the host: wanted orientation (NaN: hold the present one), and a counter of its calls.
   std::atomic<double> wanted_deg_;
   mutable std::atomic<std::uint32_t> calls_{0};
-  std::atomic<bool> ending_{false};
+  std::atomic<bool> is_closing_{false};
 
-  // Used by the thread only.
-  Published now_known_{};
+  // Used only by the thread of the driver.
+  Published state_{};
   std::uint32_t calls_seen_ = 0;
-  Time host_heard_;
+  Time last_call_;
   bool host_is_silent_ = false;
-  bool holds_ = true;
-  bool has_arrived_ = false;  // the plate has reached a command
+  bool is_holding_ = true;    // the plate has no command
+  bool has_arrived_ = false;  // the plate has reached a command since it was opened
   std::optional<FileWatch> watch_;
 
   Snapshot<Published> published_;

@@ -33,7 +33,7 @@ std::string hash_of(std::string_view text) {
   throw std::invalid_argument("plate file " + path + " " + why);
 }
 
-// C stream, because C++ streams depend on the locale.
+// A C stream, because the locale of the host affects C++ streams.
 using OpenFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
 // Opens a file without blocking, also if it is a pipe, which is then empty or cannot be read.
@@ -52,7 +52,8 @@ std::string content_of(const std::string& path) {
   if (file) text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   if (!file || std::ferror(file.get()) != 0)
     throw std::system_error(errno, std::generic_category(), "plate file " + path + " cannot be read");
-  if (text.size() > max_bytes) refuse(path, "has more than 1000000 bytes; name a file of hrt-plate commission");
+  if (text.size() > max_bytes)
+    refuse(path, "has more than 1000000 bytes; give a file that hrt-plate commission has written");
   return text;
 }
 
@@ -74,12 +75,13 @@ bool is_plate_file(std::string_view name) { return name.ends_with(".json"); }
 PlateFile read_plate_file(const std::string& path) {
   const std::string text = content_of(path);
   const std::size_t end = text.rfind(mark);
-  if (end == std::string::npos) refuse(path, "has no checksum; name a file of hrt-plate commission");
+  if (end == std::string::npos) refuse(path, "has no checksum; give a file that hrt-plate commission has written");
   if (with_checksum(std::string_view(text).substr(0, end)) != text)
-    refuse(path, "was changed: its checksum is wrong. Commission the plate again");
+    refuse(path, "has a wrong checksum, so it was changed. Commission the plate again");
   const auto json = nlohmann::json::parse(text, nullptr, false);
   try {
-    if (json.at("format") != "haptic plate 1") refuse(path, "is not of format 'haptic plate 1'; commission it again");
+    if (json.at("format") != "haptic plate 1")
+      refuse(path, "has another format than 'haptic plate 1'; commission the plate again");
     PlateFile file{.device = json.at("device"), .description = json.at("description")};
     file.settings = settings_of(json.at("details"));
     const auto& session = json.at("session");
@@ -90,10 +92,10 @@ PlateFile read_plate_file(const std::string& path) {
     const auto is_within = [](double value, double low, double high) { return value >= low && value <= high; };
     if (!is_within(file.speed_deg_s, 0.1, 1e5) || !is_within(file.acceleration_deg_s2, 1.0, 1e8) ||
         !is_within(file.latency_ms, 0.0, 1000.0) || !is_within(file.error_deg, 0.0, 360.0))
-      refuse(path, "has a number out of range; commission the plate again");
+      refuse(path, "has a number that is out of range; commission the plate again");
     return file;
   } catch (const nlohmann::json::exception& wrong) {
-    refuse(path, std::string("lacks a member, or one has a wrong type; commission it again: ") + wrong.what());
+    refuse(path, std::string("lacks a member or has one of a wrong type; commission the plate again: ") + wrong.what());
   }
 }
 

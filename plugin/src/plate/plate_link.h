@@ -1,4 +1,4 @@
-// Host's side of the line protocol (plugin/src/plate/protocol.md) with a plate on a serial line.
+// Host's side of the line protocol (plugin/src/plate/protocol.md): a plate at a serial line.
 #pragma once
 
 #include <functional>
@@ -7,19 +7,21 @@
 #include <string>
 
 #include "plugin/include/plate_driver/device.h"
+#include "plugin/include/plate_driver/plate_text.h"
 #include "plugin/src/plate/plate_line.h"
 #include "plugin/src/plate/plate_watch.h"
 
 namespace hrt::plate {
 
-/// Plate with the line protocol. limits() has the reported speed, or the observed one if that is lower, and the
-/// reported latency plus half of the measured round trip. Calls return immediately, except the constructor, wait(),
-/// ask() and calls that use ask(). All throw PlateFailure when the plate has failed, after they stopped it if it is
-/// still connected. One thread.
+/// Plate with the line protocol. The speed of limits() is the reported one, or the observed one if that is lower; the
+/// latency is the reported one plus half of the measured round trip. Only the constructor, wait() and functions that
+/// call ask() wait. If the plate has failed, each function stops it, if it is still connected, and throws PlateFailure.
+/// All calls are made on one thread.
 class PlateLink : public Device, public BoardSettings {
  public:
-  /// Greets the plate, waits up to five seconds for its answer (boards start when their line is opened), and measures
-  /// the round trip. Moves nothing. With Start::quiet, an open emergency stop or a missing supply is not a failure.
+  /// Sends HELLO, waits up to five seconds for the answer (boards restart when their serial line is opened), and
+  /// measures the round trip. Moves nothing. With Start::passive, an open emergency stop or a missing supply is not a
+  /// failure.
   explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
   /// Stops the plate if it is still connected.
   ~PlateLink() override;
@@ -32,26 +34,22 @@ class PlateLink : public Device, public BoardSettings {
   DeviceLimits limits() const override;
   bool is_measured() const override { return greeting_->is_measured; }
   const PlateGreeting& greeting() const { return *greeting_; }
-  /// Last reported orientation; nullopt before the first report.
   std::optional<double> orientation_deg() const override { return orientation_deg_; }
   Line::Time reported() const override { return reported_; }
-  /// Time from a line to its echo, measured at the start.
+  /// Median time from a line to the report that echoes its sequence number.
   std::optional<std::chrono::nanoseconds> round_trip() const override { return round_trips_.median(); }
   std::uint64_t refusals() const override { return refusals_; }
 
-  /// Reads the plate's messages and sends heartbeats. Call at least every 50 ms, or the plate's watchdog stops it.
-  void service();
-  /// Waits up to `limit` for the plate's next bytes, then calls service().
+  /// Waits up to `limit` for the plate's next bytes, processes them, and sends a heartbeat if it is due.
   void wait(std::chrono::milliseconds limit) override;
-  /// Turns the plate. @p orientation_deg is within the greeting's limits. An equal command is not sent again.
   void turn_to(double orientation_deg) override;
   void stop() override;
 
   std::vector<std::string> details() override;
   double zero_deg() override;
   void set_zero(double zero_deg) override;
-  void keep_zero() override { save_settings(); }
-  void hurry() override;
+  void save_zero() override { save_settings(); }
+  void begin_measurement() override;
   double report_step_deg() const override { return 0.01; }
   /// Time constant of the filter that the firmware applies to its readings.
   std::chrono::nanoseconds sensor_filter() const override;
@@ -62,30 +60,29 @@ class PlateLink : public Device, public BoardSettings {
   void save_settings() override;
   double sensor_reading() override;
 
-  /// Sends a service command, and passes each message to `take` until it returns true. Throws PlateFailure after
-  /// `limit`.
-  void ask(const std::string& body, const std::function<bool(const PlateMessage&)>& take,
+  /// Sends `body`, and passes each message to `handler` until it returns true. Throws PlateFailure after `limit`.
+  void ask(const std::string& body, const std::function<bool(const PlateMessage&)>& handler,
            std::chrono::milliseconds limit = std::chrono::milliseconds(1000));
 
  private:
-  void greet();
-  void measure_line();
+  void start_session();
+  void measure_round_trip();
   double pulse_setting(const std::string& name);
-  void serve_for(std::chrono::milliseconds time);
-  void listen();
-  void take(const PlateMessage& message);
-  void take_greeting(const PlateGreeting& greeting);
-  void take_report(const PlateReport& report);
-  void take_stop(StopReason reason);
-  void take_refusal(const PlateRefusal& refusal);
-  void drive(std::string_view word);
-  void say(std::string_view body);
-  void stop_if_heard();
+  void run_for(std::chrono::milliseconds time);
+  void receive();
+  void handle(const PlateMessage& message);
+  void handle_greeting(const PlateGreeting& greeting);
+  void handle_report(const PlateReport& report);
+  void handle_stop(StopReason reason);
+  void handle_refusal(const PlateRefusal& refusal);
+  void send_command(std::string_view word);
+  void send_body(std::string_view body);
+  void try_to_stop();
 
   std::unique_ptr<Line> line_;
   Start start_;
-  std::uint16_t session_;  // token that marks the lines of this host
-  LineReader reader_;
+  std::uint16_t token_;  // number at the end of each line of this host
+  LineBuffer buffer_{};
   std::optional<PlateGreeting> greeting_;
   std::optional<PlateInfo> info_;
   std::optional<PlateWatch> watch_;
@@ -93,14 +90,14 @@ class PlateLink : public Device, public BoardSettings {
   std::optional<double> orientation_deg_;
   std::optional<double> command_deg_;
   std::uint16_t sequence_ = 0;
-  int unanswered_hellos_ = 0;
-  bool is_taken_ = false;  // another host uses the plate
+  int expected_greetings_ = 0;  // HELLOs that were not answered yet
+  bool has_other_host_ = false;
   std::uint64_t refusals_ = 0;
-  const std::function<bool(const PlateMessage&)>* asked_ = nullptr;
-  bool answered_ = false;
-  Line::Time heard_, reported_;
-  Line::Time said_;
-  std::chrono::milliseconds beat_period_{50};  // half of the protocol's limit
+  const std::function<bool(const PlateMessage&)>* handler_ = nullptr;
+  bool is_answered_ = false;
+  Line::Time received_at_, reported_;
+  Line::Time sent_at_;
+  std::chrono::milliseconds heartbeat_period_{50};  // half of the longest period that the protocol allows
 };
 
 }  // namespace hrt::plate

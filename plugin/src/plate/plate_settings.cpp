@@ -1,4 +1,4 @@
-// Part of PlateLink that reads and changes the settings of a board, for hrt-plate.
+// Functions of PlateLink for hrt-plate, which read and change the settings of a board.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,12 +22,11 @@ std::string shown(double value) {
   return text.data();
 }
 
-// Formats a value with a decimal point in every locale.
 std::string hundredths(double value) {
-  const long number = std::lround(value * 100.0), size = std::abs(number);
-  const std::string cents = std::to_string(size % 100);
-  return (number < 0 ? "-" : "") + std::to_string(size / 100) +
-         (size % 100 == 0 ? "" : (size % 100 < 10 ? ".0" : ".") + cents);
+  std::array<char, 16> text{};
+  line_append_hundredths(text.data(), static_cast<std::int32_t>(std::lround(value * 100.0)));
+  const std::string_view digits = text.data();
+  return std::string(digits.ends_with(".00") ? digits.substr(0, digits.size() - 3) : digits);
 }
 
 }  // namespace
@@ -47,13 +46,15 @@ std::vector<std::string> PlateLink::details() {
   return lines;
 }
 
-void PlateLink::hurry() {
-  beat_period_ = 5ms;
-  drive("FAST");
+void PlateLink::begin_measurement() {
+  heartbeat_period_ = 5ms;
+  send_command("FAST");
 }
 
 std::chrono::nanoseconds PlateLink::sensor_filter() const {
-  return greeting_->is_measured ? 7489us : 0us;  // each millisecond takes an eighth of the difference: 1 ms / ln(8/7)
+  return greeting_->is_measured
+             ? 7489us
+             : 0us;  // the firmware adds an eighth of the difference every millisecond: 1 ms / ln(8/7)
 }
 
 double PlateLink::sensor_reading() {
@@ -88,19 +89,21 @@ void PlateLink::change_setting(const std::string& name, double value) {
   });
   if (why == "step")
     why =
-        "it would move the servo by more than 20 us while it holds its position, or put that position beyond the "
-        "limits; change it after power-on, before the first turn";
+        "it would change the pulse by more than 20 us while the servo holds its position, or move that position beyond "
+        "the "
+        "limits; change it after power-on, before the first command";
   if (why == "range")
     why =
-        "the value is out of range or does not fit the other settings; samples/plate/firmware/README.md has the ranges";
-  if (why == "word") why = "the firmware has no setting of this name; hrt-plate show lists them";
-  if (why == "busy") why = "the plate is in motion; try again when it rests";
+        "the value is out of range or inconsistent with other settings; samples/plate/firmware/README.md has the "
+        "ranges";
+  if (why == "word") why = "the firmware has no setting of this name; hrt-plate show lists the names";
+  if (why == "busy") why = "the plate is in motion; try again when it is at rest";
   if (!why.empty()) throw PlateFailure(Fault::protocol, "refuses " + body + ": " + why);
 }
 
 void PlateLink::save_settings() {
   stop();
-  serve_for(50ms);
+  run_for(50ms);
   ask("SAVE", [](const PlateMessage& message) { return std::holds_alternative<PlateSaved>(message); }, 3000ms);
 }
 
@@ -108,20 +111,20 @@ double PlateLink::pulse_setting(const std::string& name) {
   const double width_us = setting(name);
   if (std::abs(width_us) < min_pulse_us || std::abs(width_us) > max_pulse_us)
     throw PlateFailure(Fault::protocol, "has a " + name + " of " + shown(width_us) +
-                                            " us; allowed: 500 to 2500, and negative. Commission it again");
+                                            " us; allowed: 500 to 2500 or -2500 to -500. Commission it again");
   return width_us;
 }
 
 double PlateLink::zero_deg() { return pulse_setting("zero") / pulse_setting("span") * 180.0; }
 
-// Moves 0 in small steps, so that the servo does not jump.
+// Moves orientation 0 in small steps, because the firmware refuses a larger one while the servo gets pulses.
 void PlateLink::set_zero(double zero_deg) {
   double at_us = pulse_setting("zero");
   const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);
   for (int steps = static_cast<int>(std::ceil(std::abs(to_us - at_us) / max_zero_step_us)); steps > 0; --steps) {
     at_us += std::clamp(to_us - at_us, -max_zero_step_us, max_zero_step_us);
     change_setting("zero", at_us);
-    serve_for(50ms);
+    run_for(50ms);
   }
 }
 

@@ -15,12 +15,12 @@ using namespace std::chrono_literals;
 
 constexpr auto report_limit = 500ms;
 constexpr double limit_slack_deg = 3.0;  // tolerance of a sensor
-constexpr double far_deg = 10.0;         // distance from the command at which a plate has to move
+constexpr double moving_deg = 10.0;      // a plate that is farther from its command has to move
 constexpr auto stuck_limit = 1000ms;
-constexpr double moved_deg = 1.0;  // smallest motion in stuck_limit; less for a slow plate: a quarter of its speed
-constexpr auto max_pause = 250ms;
-// Angle or duration of a motion after which its speed is measured; the onset is left out.
-constexpr double seen_deg = 20.0;
+constexpr double moved_deg = 1.0;  // smallest motion in stuck_limit; for a slow plate, a quarter of its speed
+constexpr auto max_pause = 250ms;  // motion during a longer pause of the host is not observed
+// A speed is measured over a part of a motion that has at least this angle and duration, or the longer duration.
+constexpr double min_run_deg = 20.0;
 constexpr auto min_motion = 60ms, max_motion = 1000ms;
 
 std::string degrees(double angle_deg) {
@@ -31,7 +31,7 @@ std::string degrees(double angle_deg) {
 
 }  // namespace
 
-void PlateWatch::commanded(double orientation_deg) {
+void PlateWatch::note_command(double orientation_deg) {
   if (command_deg_ == orientation_deg) return;
   const bool turns_back =
       command_deg_ && !motion_.empty() &&
@@ -40,13 +40,13 @@ void PlateWatch::commanded(double orientation_deg) {
   command_deg_ = orientation_deg;
 }
 
-void PlateWatch::stopped() {
+void PlateWatch::note_stop() {
   command_deg_.reset();
   motion_.clear();
   moved_.reset();
 }
 
-void PlateWatch::reported(Time time, std::optional<double> known_deg) {
+void PlateWatch::note_report(Time time, std::optional<double> known_deg) {
   // After a pause of the host, the reports of the pause arrive together: their times are unknown.
   if (time - reported_ > max_pause) {
     motion_.clear();
@@ -60,7 +60,7 @@ void PlateWatch::reported(Time time, std::optional<double> known_deg) {
     throw PlateFailure(Fault::limits, "reports " + degrees(orientation_deg) + " deg, outside its limits of " +
                                           degrees(greeting_.min_deg) + " to " + degrees(greeting_.max_deg) +
                                           " deg. Check its sensor and settings");
-  const bool far = command_deg_ && std::abs(*command_deg_ - orientation_deg) > far_deg;
+  const bool far = command_deg_ && std::abs(*command_deg_ - orientation_deg) > moving_deg;
   if (!far) {
     motion_.clear();
     moved_.reset();
@@ -72,30 +72,31 @@ void PlateWatch::reported(Time time, std::optional<double> known_deg) {
 
 void PlateWatch::check(Time now) const {
   if (now - reported_ <= report_limit) return;
-  throw PlateFailure(Fault::no_report, has_reported_
-                                           ? "has not reported its orientation for half a second; open it again"
-                                           : "never reports its orientation; check its firmware");
+  throw PlateFailure(Fault::no_report,
+                     has_reported_
+                         ? "has not reported its orientation for half a second; check its cable, and open it again"
+                         : "never reports its orientation; check its firmware");
 }
 
-void PlateWatch::measure_speed(const Place& now) {
-  const auto way_deg = [&](const Place& from) { return std::abs(now.orientation_deg - from.orientation_deg); };
-  const auto is_seen = [&](const Place& from) {
+void PlateWatch::measure_speed(const Position& now) {
+  const auto travelled_deg = [&](const Position& from) { return std::abs(now.orientation_deg - from.orientation_deg); };
+  const auto is_long_enough = [&](const Position& from) {
     const auto time = now.time - from.time;
-    return (time >= min_motion && way_deg(from) >= seen_deg) || time >= max_motion;
+    return (time >= min_motion && travelled_deg(from) >= min_run_deg) || time >= max_motion;
   };
   motion_.push_back(now);
-  while (motion_.size() > 1 && is_seen(motion_[1])) motion_.pop_front();
-  const Place& from = motion_.front();
-  if (!is_seen(from) || way_deg(from) <= moved_deg) return;
-  const double speed_deg_s = way_deg(from) / std::chrono::duration<double>(now.time - from.time).count();
+  while (motion_.size() > 1 && is_long_enough(motion_[1])) motion_.pop_front();
+  const Position& from = motion_.front();
+  if (!is_long_enough(from) || travelled_deg(from) <= moved_deg) return;
+  const double speed_deg_s = travelled_deg(from) / std::chrono::duration<double>(now.time - from.time).count();
   speed_deg_s_ = std::max(speed_deg_s_.value_or(0.0), speed_deg_s);
 }
 
-void PlateWatch::expect_motion(const Place& now) {
+void PlateWatch::expect_motion(const Position& now) {
   const double min_deg = std::min(moved_deg, 0.25 * greeting_.speed_deg_s);
   if (!moved_ || std::abs(now.orientation_deg - moved_->orientation_deg) >= min_deg) moved_ = now;
   if (now.time - moved_->time > stuck_limit)
-    throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) + " deg; it was commanded to " +
+    throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) + " deg; it was note_command to " +
                                          degrees(*command_deg_) + " deg. Remove the obstacle, and open it again");
 }
 

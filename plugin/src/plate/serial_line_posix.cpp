@@ -19,7 +19,7 @@ namespace hrt::plate {
 namespace {
 
 constexpr std::size_t max_unsent = 1024;
-constexpr int max_reads = 16;  // limit of reads in one call, for a plate that sends without end
+constexpr int max_reads = 16;  // limit for a device that sends endlessly
 
 std::string reason() { return std::strerror(errno); }
 
@@ -41,7 +41,7 @@ speed_t speed_of(int baud) {
   }
 }
 
-// Lines that the child of a fork closes; otherwise it would keep their locks after its parent has ended.
+// Descriptors that the child of a fork closes. Otherwise it would keep their locks after its parent has ended.
 std::array<std::atomic<int>, 64> open_lines;  // descriptor plus 1; 0: free
 
 void replace(int before, int after) {
@@ -67,7 +67,7 @@ class SerialLine : public Line {
     replace(0, line_ + 1);
   }
 
-  // Drops the unsent bytes of a dead line first: close() on Linux waits for them, up to half a minute.
+  // Waits shortly for unsent bytes, then drops them: close() on Linux would wait for up to half a minute.
   ~SerialLine() override {
     int unsent = 0;
     for (int i = 0; i < 10 && ioctl(line_, TIOCOUTQ, &unsent) == 0 && unsent > 0; ++i) poll(nullptr, 0, 10);
@@ -86,7 +86,7 @@ class SerialLine : public Line {
       const ssize_t count = read(line_, some.data(), some.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && must_wait()) return;
-      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged");
+      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged; connect it, and open it again");
       bytes.append(some.data(), static_cast<std::size_t>(count));
     }
   }
@@ -102,7 +102,7 @@ class SerialLine : public Line {
       const ssize_t count = write(line_, unsent_.data(), unsent_.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && must_wait()) return;
-      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged");
+      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged; connect it, and open it again");
       unsent_.erase(0, static_cast<std::size_t>(count));
     }
   }
@@ -118,7 +118,7 @@ class SerialLine : public Line {
   void set_up(speed_t speed) {
     if (tcgetattr(line_, &before_) != 0)
       throw PlateFailure(Fault::line, "is not a serial line; name a serial device, such as /dev/ttyACM0");
-    // TIOCEXCL does not exclude root, or a program that has opened the line before: therefore flock() too.
+    // TIOCEXCL does not exclude root, or a program that has opened the line before. flock() excludes both.
     if (flock(line_, LOCK_EX | LOCK_NB) != 0 || ioctl(line_, TIOCEXCL) != 0)
       throw PlateFailure(Fault::line, "is in use by another program. Close that program");
     termios settings = before_;

@@ -17,10 +17,10 @@ constexpr std::size_t max_unsent = 1024;
 
 std::string reason() { return "Windows error " + std::to_string(GetLastError()); }
 
-// Full name of a device. COM10 and above can be opened by it only.
+// Returns the full name of a device, without which COM10 and higher numbers cannot be opened.
 std::wstring full_name(const std::string& device) {
   const int size = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, device.c_str(), -1, nullptr, 0);
-  if (size <= 0) throw PlateFailure(Fault::line, "cannot be opened: its name is not UTF-8");
+  if (size <= 0) throw PlateFailure(Fault::line, "cannot be opened: its name is not valid UTF-8");
   std::wstring name(static_cast<std::size_t>(size), L'\0');
   MultiByteToWideChar(CP_UTF8, 0, device.c_str(), -1, name.data(), size);
   name.pop_back();
@@ -36,45 +36,45 @@ class Transfer {
   Transfer& operator=(const Transfer&) = delete;
 
   HANDLE event() const { return state_.hEvent; }
-  bool is_on_its_way() const { return on_its_way_; }
+  bool is_running() const { return running_; }
   void read(HANDLE line) {
     check(ReadFile(line, buffer_.data(), static_cast<DWORD>(buffer_.size()), nullptr, &state_));
   }
   void write(HANDLE line, std::size_t count) {
     check(WriteFile(line, buffer_.data(), static_cast<DWORD>(count), nullptr, &state_));
   }
-  /// Number of transferred bytes after its end; -1 while it is running.
+  /// Returns the number of transferred bytes; -1 while the transfer is running.
   int result(HANDLE line) {
     DWORD count = 0;
     if (GetOverlappedResult(line, &state_, &count, FALSE)) {
-      on_its_way_ = false;
+      running_ = false;
       return static_cast<int>(count);
     }
     if (GetLastError() == ERROR_IO_INCOMPLETE) return -1;
-    on_its_way_ = false;
-    throw PlateFailure(Fault::unplugged, "is unplugged");
+    running_ = false;
+    throw PlateFailure(Fault::unplugged, "is unplugged; connect it, and open it again");
   }
   /// Ends the transfer, so that the buffer may be reused.
   void cancel(HANDLE line) {
-    if (!on_its_way_) return;
+    if (!running_) return;
     CancelIoEx(line, &state_);
     DWORD count = 0;
     GetOverlappedResult(line, &state_, &count, TRUE);
-    on_its_way_ = false;
+    running_ = false;
   }
   std::array<char, 256>& buffer() { return buffer_; }
 
  private:
   void check(BOOL done) {
-    on_its_way_ = true;
+    running_ = true;
     if (done || GetLastError() == ERROR_IO_PENDING) return;
-    on_its_way_ = false;
-    throw PlateFailure(Fault::unplugged, "is unplugged");
+    running_ = false;
+    throw PlateFailure(Fault::unplugged, "is unplugged; connect it, and open it again");
   }
 
   OVERLAPPED state_{};
   std::array<char, 256> buffer_{};
-  bool on_its_way_ = false;
+  bool running_ = false;
 };
 
 HANDLE opened(const std::string& device) {
@@ -126,7 +126,7 @@ class SerialLine : public Line {
   }
 
   void flush() override {
-    if (writing_.is_on_its_way()) {
+    if (writing_.is_running()) {
       const int count = writing_.result(line_);
       if (count < 0) return;
       unsent_.erase(0, static_cast<std::size_t>(count));
@@ -141,7 +141,7 @@ class SerialLine : public Line {
 
   void wait(std::chrono::milliseconds limit) override {
     const std::array<HANDLE, 2> events = {reading_.event(), writing_.event()};
-    WaitForMultipleObjects(writing_.is_on_its_way() ? 2 : 1, events.data(), FALSE, static_cast<DWORD>(limit.count()));
+    WaitForMultipleObjects(writing_.is_running() ? 2 : 1, events.data(), FALSE, static_cast<DWORD>(limit.count()));
   }
 
  private:

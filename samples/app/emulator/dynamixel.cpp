@@ -48,7 +48,7 @@ void EmulatedDynamixel::restart() {
   set(present_position, 4, present(motor.plate_deg()));
 }
 
-// Homing offset. In position mode, offsets of more than a quarter turn are ignored.
+// Returns the effective homing offset. In position mode the servo ignores offsets of more than a quarter turn.
 std::int64_t EmulatedDynamixel::homing() const {
   const std::int64_t offset = get(homing_offset, 4);
   return get(11, 1) == 3 && std::abs(offset) > 1024 ? 0 : offset;
@@ -76,7 +76,7 @@ std::string EmulatedDynamixel::take_output() { return std::exchange(output_, {})
 
 void EmulatedDynamixel::receive(std::string_view bytes, Time now) {
   run_until(now);
-  reader_.take(bytes);
+  reader_.append(bytes);
   if (echoes) output_ += bytes;
   while (const auto packet = reader_.next()) {
     if (packet->id != id_ || packet->instruction == status) continue;
@@ -131,7 +131,7 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   const auto found =
       std::find_if(writable.begin(), writable.end(), [&](const Writable& entry) { return entry.address == address; });
   if (found == writable.end()) return StatusError::access;
-  if (size > found->size) {  // writes several entries, which must be adjacent
+  if (size > found->size) {  // a write of several adjacent entries
     const std::string_view rest = parameters.substr(static_cast<std::size_t>(2 + found->size));
     const StatusError error = write(parameters.substr(0, static_cast<std::size_t>(2 + found->size)));
     return error != StatusError::none ? error : write(little_endian(address + found->size, 2) + std::string(rest));
@@ -164,10 +164,10 @@ void EmulatedDynamixel::run_until(Time now) {
   const auto profile = static_cast<double>(get(profile_velocity, 4));
   const double sign = (get(10, 1) & 1) != 0 ? -1.0 : 1.0;
   const auto goal_steps = sign * static_cast<double>(get(goal_position, 4) - homing() + turns_ * 4096 - 2048);
-  const double way_deg = std::abs(goal_steps * 360.0 / 4096.0 - motor.plate_deg());
+  const double travel_deg = std::abs(goal_steps * 360.0 / 4096.0 - motor.plate_deg());
   if (get(goal_position, 4) != std::exchange(last_goal_, get(goal_position, 4)) || (get(10, 1) & 4) == 0)
     motor.limit_speed(profile == 0.0          ? 1e9
-                      : (get(10, 1) & 4) != 0 ? way_deg / profile * 1000.0
+                      : (get(10, 1) & 4) != 0 ? travel_deg / profile * 1000.0
                                               : profile * 0.229 * 6.0);
   motor.set_goal(get(torque_enable, 1) == 1 ? std::optional(goal_steps * 360.0 / 4096.0) : std::nullopt, now);
   motor.run_until(now);

@@ -1,5 +1,5 @@
-// Emulator of a servo on a Dynamixel bus, written from the published control table of the XL330-M288 and the page of
-// Protocol 2.0. It was not compared with a servo.
+// Emulator of a servo on a Dynamixel bus, written from the published control table of the XL330-M288 and the
+// specification of Protocol 2.0. It was not compared with a real servo.
 #pragma once
 
 #include <array>
@@ -17,29 +17,29 @@ class EmulatedDynamixel {
   using Time = std::chrono::nanoseconds;
 
   /// Properties of an XL330-M288 at 5 V without a load: 618 degrees a second.
-  static constexpr ServoTraits own = {.speed_deg_s = 618.0,
-                                      .acceleration_deg_s2 = 20'000.0,
-                                      .dead_time = std::chrono::microseconds(2000),
-                                      .dead_band_deg = 0.0,
-                                      .lower_stop_deg = -1e4,
-                                      .upper_stop_deg = 1e4};
+  static constexpr ServoTraits xl330_m288 = {.speed_deg_s = 618.0,
+                                             .acceleration_deg_s2 = 20'000.0,
+                                             .dead_time = std::chrono::microseconds(2000),
+                                             .dead_band_deg = 0.0,
+                                             .lower_stop_deg = -1e4,
+                                             .upper_stop_deg = 1e4};
 
-  explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const ServoTraits& traits = own);
+  explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const ServoTraits& traits = xl330_m288);
 
   /// Receives bytes from the bus.
   void receive(std::string_view bytes, Time now);
   /// Returns the bytes sent since the last call.
   std::string take_output();
-  /// Sends bytes of another device on the bus.
+  /// Sends bytes to the host, as another device on the bus would.
   void send(std::string_view bytes) { output_ += bytes; }
-  /// Advances the simulated time; the watchdog may stop the servo.
+  /// Advances the simulated time. The watchdog stops the servo if the host was silent.
   void run_until(Time now);
 
   /// Orientation of the shaft, without the homing offset.
   double orientation_deg() const { return motor.plate_deg(); }
   std::int64_t get(int address, int size) const;
   void set(int address, int size, std::int64_t value);
-  /// Simulates a power cycle: the RAM gets its initial values.
+  /// Simulates a power cycle, after which the RAM has its initial values.
   void restart();
   Time now() const { return now_; }
   /// Duration of a byte at 57600 baud. Only one end of the bus sends at a time.
@@ -51,9 +51,9 @@ class EmulatedDynamixel {
   bool is_silent = false;
   bool echoes = false;                 ///< the adapter echoes the host's bytes
   std::chrono::milliseconds delay{0};  ///< additional delay of every answer
-  bool damages_answers = false;        ///< damages every second answer
-  int damages_length = 0;              ///< length field of every 25th answer; 0: right
-  std::uint8_t forced_error = 0;       ///< error in every status packet; 0: none
+  bool damages_answers = false;        ///< every second answer is damaged
+  int damages_length = 0;              ///< value of the length field of every 25th answer; 0: the correct value
+  std::uint8_t forced_error = 0;       ///< error number in every status packet; 0: no forced error
 
  private:
   std::int64_t homing() const;
@@ -65,7 +65,7 @@ class EmulatedDynamixel {
   std::array<std::uint8_t, 256> table_{};
   std::string output_;
   Time now_{0};
-  Time received_{0};
+  Time received_{0};  // time of the last packet
   std::int64_t turns_ = 0;
   int writes_to_eeprom_ = 0;
   int answers_ = 0;

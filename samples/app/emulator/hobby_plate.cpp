@@ -7,15 +7,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto frame = 20ms;
+constexpr auto frame = 20ms;            // period of the pulses
+constexpr std::size_t number_size = 6;  // a space and five digits
 
-thread_local HobbyPlate* active_plate = nullptr;  // plate whose firmware is running
+// The plate whose firmware is running: the callbacks of the firmware have no user data.
+thread_local HobbyPlate* active_plate = nullptr;
 
 }  // namespace
 
 std::string line_of(const std::string& body) {
   std::array<char, LINE_SIZE> line{};
-  return {line.data(), line_seal(line.data(), body.c_str())};
+  return {line.data(), line_encode(line.data(), body.c_str())};
 }
 
 bool HobbyPlate::send_line(const char* line, std::uint8_t length) {
@@ -23,10 +25,11 @@ bool HobbyPlate::send_line(const char* line, std::uint8_t length) {
   const std::string_view text(line, length);
   if (text.starts_with("STOPPED heartbeat")) ++active_plate->heartbeat_stops_;
   const Traits& traits = active_plate->traits_;
-  if (!traits.answers || (!traits.reports && text.starts_with("AT "))) return true;
+  if (!traits.answers) return true;
   constexpr std::string_view own = "INFO " PLATE_FIRMWARE_VERSION;
   if (text.starts_with(own)) {
-    active_plate->send("INFO " + traits.firmware + std::string(text.substr(own.size(), 7)));  // with the serial number
+    active_plate->send("INFO " + traits.firmware +
+                       std::string(text.substr(own.size(), 7)));  // a space and the serial number
   } else {
     active_plate->output_ += text;
   }
@@ -39,7 +42,7 @@ void HobbyPlate::save(const std::uint8_t*) {
 }
 
 HobbyPlate::HobbyPlate(Traits traits)
-    : servo(traits.servo, traits.place_deg), traits_(std::move(traits)), output_(traits_.noise) {
+    : servo(traits.servo, traits.orientation_deg), traits_(std::move(traits)), output_(traits_.noise) {
   restart();
 }
 
@@ -50,15 +53,16 @@ void HobbyPlate::restart() {
 
 void HobbyPlate::receive(std::string_view bytes, Time now) {
   run_until(now);
-  if (now < traits_.boot) return;
+  if (now < traits_.boot_time) return;
   active_plate = this;
   for (const char byte : bytes) {
     plate_receive(&plate_, byte);
     LineError error = LINE_OK;
-    if (!line_take(&reader_, byte, &error) || error != LINE_OK) continue;
-    std::string_view words = reader_.text;  // without sequence number and token, which are cut off
-    while (words.size() > 9 && words[words.size() - 6] == ' ') words.remove_suffix(6);
-    received_.emplace_back(words);
+    if (!line_receive(&reader_, byte, &error) || error != LINE_OK) continue;
+    // Removes the numbers at the end: the sequence number and the token. A HELLO keeps them.
+    std::string_view body = reader_.text;
+    while (body.size() > 9 && body[body.size() - number_size] == ' ') body.remove_suffix(number_size);
+    received_.emplace_back(body);
   }
 }
 
@@ -68,7 +72,7 @@ void HobbyPlate::run_until(Time now) {
     const bool ticks = next <= now;
     now_ = std::min(now, next);
     servo.run_until(now_);
-    if (ticks && now_ >= traits_.boot) tick();
+    if (ticks && now_ >= traits_.boot_time) tick();
   }
 }
 
@@ -76,7 +80,7 @@ void HobbyPlate::tick() {
   active_plate = this;
   const double pin_mv = has_sensor ? servo.sensor_mv() : 0.0;
   inputs_.adc = static_cast<std::int16_t>(std::clamp(std::lround(pin_mv * 1023.0 / 5000.0), 0L, 1023L));
-  inputs_.adc = static_cast<std::int16_t>(inputs_.adc - inputs_.adc % codes);
+  inputs_.adc = static_cast<std::int16_t>(inputs_.adc - inputs_.adc % converter_step);
   inputs_.supply_adc = static_cast<std::int16_t>(std::lround(servo.supply * 5.0 / 2.0 * 1023.0 / 5.0));
   plate_tick(&plate_, &inputs_);
   if (std::exchange(is_saving_, false)) {
@@ -84,7 +88,7 @@ void HobbyPlate::tick() {
     plate_saved(&plate_, true);
   }
   const std::uint16_t ticks = plate_pulse_ticks(&plate_);
-  if (now_ % frame == 0ms && ticks != 0) servo.take_pulse(ticks / 2.0, now_);
+  if (now_ % frame == 0ms && ticks != 0) servo.receive_pulse(ticks / 2.0, now_);
 }
 
 std::vector<std::string> HobbyPlate::take_lines() {
@@ -92,7 +96,7 @@ std::vector<std::string> HobbyPlate::take_lines() {
   LineBuffer reader{};
   LineError error = LINE_OK;
   for (const char byte : take_output())
-    if (line_take(&reader, byte, &error) && error == LINE_OK) lines.emplace_back(reader.text);
+    if (line_receive(&reader, byte, &error) && error == LINE_OK) lines.emplace_back(reader.text);
   return lines;
 }
 

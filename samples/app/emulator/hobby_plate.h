@@ -1,4 +1,4 @@
-// Emulator of a plate with a hobby servo: the firmware, compiled for this machine, with an emulated servo at its pin.
+// Emulator of a plate with a hobby servo: the firmware, compiled for this machine, and an emulated servo at its pins.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ inline Settings settings_with(const std::vector<std::pair<Setting, std::int32_t>
 inline Settings commissioned() {
   return settings_with({{SETTING_MIN_DEG, -90},
                         {SETTING_MAX_DEG, 90},
-                        {SETTING_ADC_LEAST, 205},
-                        {SETTING_ADC_MOST, 818},
+                        {SETTING_ADC_AT_MIN, 205},
+                        {SETTING_ADC_AT_MAX, 818},
                         {SETTING_SERIAL, 7}});
 }
 
@@ -37,19 +37,18 @@ class HobbyPlate {
   struct Traits {
     Settings settings = commissioned();
     ServoTraits servo = {};
-    double place_deg = 0.0;
-    std::string noise;                  ///< bytes sent before the first answer
-    bool answers = true;                ///< false: sends nothing
-    bool reports = true;                ///< false: does not report its orientation
-    std::chrono::milliseconds boot{0};  ///< time from power-on to the start of the firmware
-    std::chrono::nanoseconds byte_time{87'000};
+    double orientation_deg = 0.0;                   ///< initial orientation
+    std::string noise;                              ///< bytes sent before the first answer
+    bool answers = true;                            ///< false: the plate sends nothing
+    std::chrono::milliseconds boot_time{0};         ///< time from power-on to the start of the firmware
+    std::chrono::nanoseconds byte_time{87'000};     ///< duration of a byte on the serial line
     std::string firmware = PLATE_FIRMWARE_VERSION;  ///< reported version
   };
 
   HobbyPlate() : HobbyPlate(Traits{}) {}
   explicit HobbyPlate(Traits traits);
 
-  // ---- For a line.
+  // ---- Functions that a simulated serial line calls.
   void receive(std::string_view bytes, Time now);
   void run_until(Time now);
   std::string take_output() { return std::exchange(output_, {}); }
@@ -57,21 +56,22 @@ class HobbyPlate {
   static Time answer_delay() { return {}; }
   Time now() const { return now_; }
 
-  // ---- For tests without a line.
-  void say(const std::string& body) { receive(line_of(body), now_); }
+  // ---- Functions for tests without a serial line.
+  /// Receives a line with this body from the host.
+  void receive_line(const std::string& body) { receive(line_of(body), now_); }
   void run_for(Time time) { run_until(now_ + time); }
   /// Returns the bodies of the lines sent since the last call.
   std::vector<std::string> take_lines();
 
-  /// Sends this body as a line.
+  /// Sends a line with this body to the host.
   void send(const std::string& body) { output_ += line_of(body); }
-  void fall_silent() { traits_.answers = false; }
-  /// Simulates a reset: the firmware forgets its host and its orientation.
+  void stop_answering() { traits_.answers = false; }
+  /// Simulates a reset, after which the firmware has no host and no known orientation.
   void restart();
-  void press(bool pressed) { inputs_.emergency_open = pressed; }
+  void press_emergency_stop(bool pressed) { inputs_.emergency_open = pressed; }
 
-  /// Bodies of the valid lines received so far, without sequence numbers.
-  const std::vector<std::string>& heard() const { return received_; }
+  /// Bodies of the valid lines that the host has sent so far, without sequence numbers.
+  const std::vector<std::string>& received_lines() const { return received_; }
   bool is_following() const { return plate_.state == PLATE_FOLLOWING; }
   bool has_pulses() const { return plate_.pulses; }
   int heartbeat_stops() const { return heartbeat_stops_; }
@@ -82,7 +82,7 @@ class HobbyPlate {
   HobbyServo servo;
   bool has_room = true;    ///< false: the send buffer is full
   bool has_sensor = true;  ///< false: the sensor's pin is open
-  int codes = 1;           ///< the converter returns multiples of this only
+  int converter_step = 1;  ///< the analogue-to-digital converter returns multiples of this number only
 
  private:
   static bool send_line(const char* line, std::uint8_t length);

@@ -1,4 +1,4 @@
-// Pseudo-terminal, which programs use as a serial line or as a terminal.
+// Pseudo-terminal, which a program opens as a serial line or uses as its terminal.
 #pragma once
 
 #include <fcntl.h>
@@ -7,23 +7,26 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace hrt::plate {
 
 class Pty {
  public:
-  /// Opens a raw line, or with `columns` a terminal of that width.
+  /// Opens a raw serial line; with `columns`, a terminal of that width.
   explicit Pty(unsigned short columns = 0) {
     std::array<char, 128> name{};
     termios raw{};
     cfmakeraw(&raw);
     const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
     if (openpty(&own_, &other_, name.data(), columns == 0 ? &raw : nullptr, columns == 0 ? nullptr : &size) != 0)
-      throw std::runtime_error("no pseudo-terminal");
+      throw std::runtime_error("no pseudo-terminal can be opened: mount /dev/pts");
     fcntl(own_, F_SETFL, O_NONBLOCK);
-    // Programs that a test starts must not keep the line open.
+    // Programs that a test starts must not keep the terminal open.
     for (const int end : {own_, other_}) fcntl(end, F_SETFD, FD_CLOEXEC);
     device_ = name.data();
   }
@@ -34,7 +37,7 @@ class Pty {
   Pty(const Pty&) = delete;
   Pty& operator=(const Pty&) = delete;
 
-  /// Device name of the other end.
+  /// Path of the other end.
   const std::string& device() const { return device_; }
   /// Descriptor of the other end, as the input or output of a program.
   int descriptor() const { return other_; }
@@ -50,7 +53,7 @@ class Pty {
     }
     return text;
   }
-  /// Sends bytes to the other end. Returns false if the terminal has no space for all of them.
+  /// Sends bytes to the other end. Returns false if the terminal did not accept all of them.
   bool type(const std::string& bytes) const {
     return write(own_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
   }
@@ -62,6 +65,31 @@ class Pty {
  private:
   int own_ = -1, other_ = -1;
   std::string device_;
+};
+
+/// Symbolic link to a pseudo-terminal, with a path that is known in advance.
+class PtyLink {
+ public:
+  /// Replaces an existing file only if it is a link to another pseudo-terminal. An empty path makes no link. Throws
+  /// std::invalid_argument, whose text begins with `option`, if the link cannot be created.
+  PtyLink(const std::string& option, std::filesystem::path path, const std::string& device) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::error_code error;
+    if (std::filesystem::read_symlink(path_, error).parent_path() == "/dev/pts") std::filesystem::remove(path_, error);
+    std::filesystem::create_symlink(device, path_, error);
+    if (error)
+      throw std::invalid_argument(option + " " + path_.string() + " cannot be created: " + error.message() +
+                                  ". Choose a path in a writable folder where no file exists");
+  }
+  ~PtyLink() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove(path_, ignored);
+  }
+  PtyLink(const PtyLink&) = delete;
+  PtyLink& operator=(const PtyLink&) = delete;
+
+ private:
+  std::filesystem::path path_;
 };
 
 }  // namespace hrt::plate

@@ -1,4 +1,4 @@
-// Runs emulated devices on a pseudo-terminal, in real time.
+// Emulated devices behind a pseudo-terminal, in real time.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@ class PtyDevice {
  public:
   template <class... Arguments>
   explicit PtyDevice(Arguments&&... arguments) : emulated_(std::forward<Arguments>(arguments)...) {
-    thread_ = std::thread([this] { live(); });
+    thread_ = std::thread([this] { simulate(); });
   }
   ~PtyDevice() {
     ending_ = true;
@@ -27,7 +27,7 @@ class PtyDevice {
   PtyDevice(const PtyDevice&) = delete;
   PtyDevice& operator=(const PtyDevice&) = delete;
 
-  /// Device name of the line, for the host.
+  /// Path of the pseudo-terminal, which the host opens as a serial line.
   const std::string& device() const { return pty_.device(); }
   /// Simulates an unplugged line.
   void unplug() {
@@ -43,9 +43,9 @@ class PtyDevice {
   }
 
  private:
-  // If this machine was busy for longer than a slice, the simulation skips that time. Otherwise a watchdog of the
-  // device would stop it before it receives the bytes that have arrived meanwhile.
-  void live() {
+  // If this machine was busy for longer than max_slice, the simulation skips the rest of that time. Otherwise the
+  // watchdog of the device would stop it before it receives the bytes that have arrived meanwhile.
+  void simulate() {
     using Clock = std::chrono::steady_clock;
     constexpr auto max_slice = std::chrono::milliseconds(20);
     auto began = Clock::now() - emulated_.now();
@@ -74,11 +74,11 @@ class PtyPlate : public PtyDevice<HobbyPlate> {
  public:
   explicit PtyPlate(const HobbyPlate::Traits& traits = {}) : PtyDevice(traits) {}
 
-  /// These calls are those of HobbyPlate.
+  /// These functions call those of HobbyPlate.
   void send(const std::string& body) {
     with([&](HobbyPlate& board) { board.send(body); });
   }
-  std::vector<std::string> heard() { return with(&HobbyPlate::heard); }
+  std::vector<std::string> received_lines() { return with(&HobbyPlate::received_lines); }
   bool is_following() { return with(&HobbyPlate::is_following); }
   double orientation_deg() { return with(&HobbyPlate::orientation_deg); }
 };

@@ -1,113 +1,113 @@
-/* Sends lines to the host. */
+/* Lines that the plate sends to the host. */
 #include "samples/app/firmware/plate.h"
 
 enum { REPORT_MS = 20, ERROR_MS = 10 };
 
+/* Words of ERROR lines, in the order of LineError. */
+static const char* const error_words[] = {"none",  "length",   "byte", "sum",  "word",   "number",
+                                          "range", "greeting", "busy", "step", "session"};
+/* Words of STOPPED lines, in the order of PlateStop. */
 static const char* const stop_words[PLATE_STOP_COUNT] = {"host",  "heartbeat", "limit",   "fault", "emergency",
                                                          "stuck", "sensor",    "unhomed", "supply"};
 
 static bool send(Plate* plate, const char* body) {
   char line[LINE_SIZE];
-  return plate->board->send(line, line_seal(line, body));
+  return plate->board->send(line, line_encode(line, body));
 }
 
 static bool send_words(Plate* plate, const char* verb, const char* word) {
   char body[LINE_SIZE];
-  char* end = line_put_text(body, verb);
+  char* end = line_append_text(body, verb);
   *end++ = ' ';
-  line_put_text(end, word);
+  line_append_text(end, word);
   return send(plate, body);
 }
 
 static bool send_greeting(Plate* plate) {
   const Settings* settings = &plate->settings;
   char body[LINE_SIZE];
-  char* end = line_put_text(body, "PLATE 2 ");
-  end = line_put_hundredths(end, settings_least(settings));
+  char* end = line_append_text(body, "PLATE 2 ");
+  end = line_append_hundredths(end, settings_lower_limit(settings));
   *end++ = ' ';
-  end = line_put_hundredths(end, settings_most(settings));
+  end = line_append_hundredths(end, settings_upper_limit(settings));
   *end++ = ' ';
-  end = line_put_hundredths(end, settings_speed(settings));
+  end = line_append_hundredths(end, settings_speed(settings));
   *end++ = ' ';
-  end = line_put_hundredths(end, settings->value[SETTING_LATENCY_MS]);
-  line_put_text(end, settings_has_feedback(settings) ? " measured" : " assumed");
+  end = line_append_hundredths(end, settings->value[SETTING_LATENCY_MS]);
+  line_append_text(end, settings_has_feedback(settings) ? " measured" : " assumed");
   return send(plate, body);
 }
 
-static bool send_place(Plate* plate) {
-  const int32_t millideg = plate_place_millideg(plate);
-  const int32_t place = (millideg + (millideg < 0 ? -5 : 5)) / 10;
+static bool send_orientation(Plate* plate) {
+  const int32_t millideg = plate_orientation_millideg(plate);
+  const int32_t hundredths = (millideg + (millideg < 0 ? -5 : 5)) / 10;
   char body[LINE_SIZE];
-  char* end = line_put_text(body, "AT ");
-  end = plate_knows_place(plate) ? line_put_fixed_angle(end, place) : line_put_text(end, "unknown");
+  char* end = line_append_text(body, "AT ");
+  end = plate_orientation_is_known(plate) ? line_append_angle(end, hundredths) : line_append_text(end, "unknown");
   *end++ = ' ';
-  line_put_digits(end, plate->sequence, 5);
+  line_append_digits(end, plate->sequence, 5);
   return send(plate, body);
 }
+
+/* Readings are negative before the first one. */
+static int32_t at_least_0(int32_t value) { return value < 0 ? 0 : value; }
 
 static bool send_info(Plate* plate) {
   char words[32];
-  char* end = line_put_text(words, PLATE_FIRMWARE_VERSION " ");
-  line_put_digits(end, (uint32_t)plate->settings.value[SETTING_SERIAL] / 100, 6);
+  char* end = line_append_text(words, PLATE_FIRMWARE_VERSION " ");
+  line_append_digits(end, (uint32_t)plate->settings.value[SETTING_SERIAL] / 100, 6);
   return send_words(plate, "INFO", words);
 }
 
 static bool send_setting(Plate* plate, Setting setting) {
   char words[32];
-  char* end = line_put_text(words, setting_name(setting));
+  char* end = line_append_text(words, setting_name(setting));
   *end++ = ' ';
-  line_put_hundredths(end, plate->settings.value[setting]);
+  line_append_hundredths(end, plate->settings.value[setting]);
   return send_words(plate, "CONF", words);
 }
 
 static bool send_test(Plate* plate, uint8_t number) {
   char words[32];
-  char* end = words;
   switch (number) {
     case 0:
-      line_put_text(end, plate->settings_preset ? "settings default" : "settings saved");
+      line_append_text(words, plate->settings_preset ? "settings default" : "settings saved");
       break;
     case 1:
-      end = line_put_text(end, "emergency ");
-      line_put_text(end, plate->settings.value[SETTING_EMERGENCY] == 0 ? "unused"
-                         : plate->emergency_open                       ? "open"
-                                                                       : "closed");
+      line_append_text(line_append_text(words, "emergency "), plate->settings.value[SETTING_EMERGENCY] == 0 ? "unused"
+                                                              : plate->emergency_open                       ? "open"
+                                                                                                            : "closed");
       break;
     case 2:
-      end = line_put_text(end, "adc ");
-      line_put_digits(end, plate->reading_256ths < 0 ? 0 : (uint32_t)plate->reading_256ths / 256, 1);
+      line_append_digits(line_append_text(words, "adc "), (uint32_t)at_least_0(plate->reading_256ths) / 256, 1);
       break;
-    case 3:
-      end = line_put_text(end, "supply ");
-      if (plate->settings.value[SETTING_SUPPLY] == 0) {
-        line_put_text(end, "unused");
-      } else { /* hundredths of a volt: twice 5 V over 1023 */
-        line_put_hundredths(end, plate->supply_adc < 0 ? 0 : (int32_t)plate->supply_adc * 1000 / 1023);
-      }
+    case 3: /* in hundredths of a volt: twice 5 V over 1023 */
+      if (plate->settings.value[SETTING_SUPPLY] == 0)
+        line_append_text(words, "supply unused");
+      else
+        line_append_hundredths(line_append_text(words, "supply "), at_least_0(plate->supply_adc) * 1000 / 1023);
       break;
     case 4:
-      end = line_put_text(end, "pulse ");
-      line_put_hundredths(end, (int32_t)plate_pulse_ticks(plate) * 50);
+      line_append_hundredths(line_append_text(words, "pulse "), (int32_t)plate_pulse_ticks(plate) * 50);
       break;
     case 5:
-      end = line_put_text(end, "loop ");
-      line_put_digits(end, plate->loop_ms, 1);
+      line_append_digits(line_append_text(words, "loop "), plate->loop_ms, 1);
       break;
     default:
-      line_put_text(end, "end");
+      line_append_text(words, "end");
       break;
   }
   return send_words(plate, "TEST", words);
 }
 
-void answer(Plate* plate) {
+void send_due_lines(Plate* plate) {
   if (plate->report_ms < REPORT_MS) ++plate->report_ms;
   if ((plate->due & DUE_BOOT) != 0) {
     if (!send(plate, "BOOT")) return;
     plate->due &= (uint16_t)~DUE_BOOT;
   }
   if (plate->error_ms > 0) --plate->error_ms;
-  if (plate->error != LINE_OK && plate->error_ms == 0 && send_words(plate, "ERROR", line_error_word(plate->error))) {
+  if (plate->error != LINE_OK && plate->error_ms == 0 && send_words(plate, "ERROR", error_words[plate->error])) {
     plate->error = LINE_OK;
     plate->error_ms = ERROR_MS;
   }
@@ -122,7 +122,7 @@ void answer(Plate* plate) {
     plate->stops_due = (uint16_t)(plate->stops_due & ~(1U << why));
   }
   if ((plate->due & DUE_AT) != 0 || plate->report_ms >= REPORT_MS) {
-    if (!send_place(plate)) return;
+    if (!send_orientation(plate)) return;
     plate->due &= (uint16_t)~DUE_AT;
     plate->report_ms = 0;
   }

@@ -1,6 +1,7 @@
 #include "samples/app/firmware/plate.h"
 
 #include <stddef.h>
+#include <string.h>
 
 enum {
   /* The protocol's limit is 300 ms, of which up to 20 ms pass until the next pulse carries the stop. */
@@ -13,14 +14,15 @@ enum {
   HOME_MS = 8000,
   SETTLE_PERIOD_MS = 160,
   FRAME_MS = 20,
-  /* Largest lead of the pulse over the sensor: MIN_LEAD_MILLIDEG plus the speed times the sum of the setting `latency`
-   * and LEAD_MS (a frame, and the sensor's filter). After `FAST`: FAST_LEAD_MILLIDEG. */
+  /* Largest angle by which the pulse may be ahead of the measured orientation: MIN_LEAD_MILLIDEG plus the speed times
+   * the sum of the setting `latency` and LEAD_MS (a frame, and the sensor's filter). After `FAST`: FAST_LEAD_MILLIDEG.
+   */
   LEAD_MS = 30,
   MIN_LEAD_MILLIDEG = 2000,
   FAST_LEAD_MILLIDEG = 60000,
-  HELD_MILLIDEG = 1000, /* a stop keeps the pulse if the servo is nearer to it than this, */
-  AT_REST_MS = 1000,    /* or if the pulse has been at rest for this time */
-  BLOCKED_MS = 500,     /* limit of the time at the largest lead with a motion below MOVED_MILLIDEG */
+  HELD_MILLIDEG = 1000, /* a stop does not change the pulse if the servo is nearer to it than this angle, */
+  AT_REST_MS = 1000,    /* or if the pulse has been constant for this time */
+  BLOCKED_MS = 500,     /* a servo that moves by less than MOVED_MILLIDEG in this time at the largest lead is stuck */
   MOVED_MILLIDEG = 3000,
   MAX_SETTLE_MILLIDEG = 6000, /* largest motion away from the first pulse, which is at the measured position */
   SETTLED_MILLIDEG = 400,     /* largest motion between two pulses of a settled servo */
@@ -29,13 +31,14 @@ enum {
 
 static int32_t clamp(int32_t value, int32_t min, int32_t max) { return value < min ? min : value > max ? max : value; }
 
-static int32_t apart(int32_t a, int32_t b) { return a < b ? b - a : a - b; }
+static int32_t distance(int32_t a, int32_t b) { return a < b ? b - a : a - b; }
 
 static bool is_measured(const Plate* plate) {
   return settings_has_feedback(&plate->settings) && plate->reading_256ths >= 0;
 }
 
-/* Updates step and lead. Called only when a setting changes, because divisions are slow on the board. */
+/* Computes the step and the largest lead from the settings. Called only when a setting changes, because divisions are
+ * slow on the board. */
 static void plan_motion(Plate* plate) {
   const int32_t speed = settings_speed(&plate->settings);
   plate->step_microdeg = plate->fast ? 360000000 : speed * 10;
@@ -47,30 +50,31 @@ static void plan_motion(Plate* plate) {
 static bool is_homing(const Plate* plate) { return plate->pulses && !plate->homed; }
 
 static void keep_within_limits(Plate* plate) {
-  plate->position_microdeg = clamp(plate->position_microdeg, settings_least(&plate->settings) * 10000,
-                                   settings_most(&plate->settings) * 10000);
+  plate->position_microdeg = clamp(plate->position_microdeg, settings_lower_limit(&plate->settings) * 10000,
+                                   settings_upper_limit(&plate->settings) * 10000);
   plate->target_microdeg = plate->position_microdeg;
 }
 
 static bool is_settled(const Plate* plate) { return plate->pulses && plate->settle_ms == 0; }
 
-/* Holds the servo at its measured position, if the pulse leads it. */
+/* Sets the pulse to the measured position if it is ahead of it, so that the servo stops. */
 static void hold(Plate* plate) {
   const bool may_turn = is_settled(plate) && plate->at_rest_ms < AT_REST_MS;
   if (may_turn && is_measured(plate) &&
-      apart(plate->measured_millideg, plate->position_microdeg / 1000) > HELD_MILLIDEG)
+      distance(plate->measured_millideg, plate->position_microdeg / 1000) > HELD_MILLIDEG)
     plate->position_microdeg = plate->measured_millideg * 1000;
   keep_within_limits(plate);
 }
 
 static void stop(Plate* plate, PlateStop why) {
   hold(plate);
-  if (is_homing(plate)) plate->pulses = false; /* its position is unknown */
+  if (is_homing(plate)) plate->pulses = false; /* a servo that was not homed completely has an unknown position */
   if (plate->state == PLATE_FOLLOWING) plate->state = PLATE_RESTING;
   plate->stops_due = (uint16_t)(plate->stops_due | 1U << why);
 }
 
-/* Stops, and ends the pulses until the next HELLO. A hand may turn the plate meanwhile. */
+/* Stops, and ends the pulses until the next HELLO. The orientation is then unknown, because a hand may turn the plate.
+ */
 static void latch(Plate* plate, PlateStop why) {
   stop(plate, why);
   plate->state = PLATE_LATCHED;
@@ -85,7 +89,7 @@ static void start_pulses(Plate* plate, int32_t home_microdeg) {
   keep_within_limits(plate);
   plate->settle_ms = plate->homed ? SETTLE_PERIOD_MS : HOME_MS;
   plate->blocked_ms = 0;
-  plate->near_millideg = plate->moved_from_millideg = plate_place_millideg(plate);
+  plate->near_millideg = plate->moved_from_millideg = plate_orientation_millideg(plate);
   plate->near_pulse_millideg = plate->position_microdeg / 1000;
   plate->pulses = true;
 }
@@ -93,9 +97,10 @@ static void start_pulses(Plate* plate, int32_t home_microdeg) {
 static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   if (plate->state == PLATE_LATCHED) {
     stop(plate, plate->latched_by);
-  } else if (orientation < settings_least(&plate->settings) || orientation > settings_most(&plate->settings)) {
+  } else if (orientation < settings_lower_limit(&plate->settings) ||
+             orientation > settings_upper_limit(&plate->settings)) {
     stop(plate, PLATE_STOP_LIMIT);
-  } else if (!plate_knows_place(plate) && !plate->pulses && !may_home) {
+  } else if (!plate_orientation_is_known(plate) && !plate->pulses && !may_home) {
     stop(plate, PLATE_STOP_UNHOMED);
   } else {
     if (!plate->pulses) start_pulses(plate, orientation * 10000);
@@ -104,16 +109,17 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   }
 }
 
-/* Handles the first pulses, which hold a servo with a sensor at its position. If the settings of the sensor's two
- * readings are exchanged, they turn it to the other side, slowly, until this is detected. */
+/* Processes a millisecond of the first pulses. They hold a servo with a sensor at its measured position. If the
+ * settings adc_least and adc_most are exchanged, they turn it slowly to the opposite side, until this function detects
+ * it. */
 static void settle(Plate* plate) {
   --plate->settle_ms;
   if (is_measured(plate) && !is_homing(plate)) {
     const int32_t measured = plate->measured_millideg;
-    if (apart(measured, plate->near_pulse_millideg) >
-        apart(plate->near_millideg, plate->near_pulse_millideg) + MAX_SETTLE_MILLIDEG) {
+    if (distance(measured, plate->near_pulse_millideg) >
+        distance(plate->near_millideg, plate->near_pulse_millideg) + MAX_SETTLE_MILLIDEG) {
       latch(plate, PLATE_STOP_SENSOR);
-    } else if (plate->settle_ms == 0 && apart(measured, plate->moved_from_millideg) > SETTLED_MILLIDEG) {
+    } else if (plate->settle_ms == 0 && distance(measured, plate->moved_from_millideg) > SETTLED_MILLIDEG) {
       plate->moved_from_millideg = measured;
       plate->settle_ms = SETTLE_PERIOD_MS;
     }
@@ -121,53 +127,54 @@ static void settle(Plate* plate) {
   if (plate->settle_ms == 0) plate->homed = plate->pulses;
 }
 
-static void move(Plate* plate) {
+static void move_pulse(Plate* plate) {
   if (plate->settle_ms > 0) {
     settle(plate);
     return;
   }
   const int32_t step = plate->step_microdeg;
-  const int32_t way = plate->target_microdeg - plate->position_microdeg;
-  plate->at_rest_ms = way != 0 ? 0 : plate->at_rest_ms < AT_REST_MS ? plate->at_rest_ms + 1 : AT_REST_MS;
-  const int32_t position = plate->position_microdeg + clamp(way, -step, step);
+  const int32_t remaining = plate->target_microdeg - plate->position_microdeg;
+  plate->at_rest_ms = remaining != 0 ? 0 : plate->at_rest_ms < AT_REST_MS ? plate->at_rest_ms + 1 : AT_REST_MS;
+  const int32_t position = plate->position_microdeg + clamp(remaining, -step, step);
   if (!is_measured(plate)) {
     plate->position_microdeg = position;
     return;
   }
-  /* The pulse waits for a servo that it leads by too much; it does not move back to it. */
+  /* A pulse that is too far ahead of the servo waits for it, but does not move back. */
   const int32_t measured = plate->measured_millideg, lead = plate->max_lead_millideg;
-  const int32_t least = (measured - lead) * 1000, most = (measured + lead) * 1000, now = plate->position_microdeg;
-  const int32_t bounded = clamp(position, now < least ? now : least, now > most ? now : most);
+  const int32_t min = (measured - lead) * 1000, max = (measured + lead) * 1000, now = plate->position_microdeg;
+  const int32_t bounded = clamp(position, now < min ? now : min, now > max ? now : max);
   plate->is_held_back = bounded != position;
   plate->position_microdeg = bounded;
 }
 
-/* True if the measured position has moved against the pulse since both were near: the two readings are exchanged. */
-static bool runs_against(const Plate* plate, int32_t measured) {
+/* True if the measured position has moved away from the pulse since the two were near each other: then the settings
+ * adc_least and adc_most are exchanged. */
+static bool moves_against_pulse(const Plate* plate, int32_t measured) {
   const int32_t turned = measured - plate->near_millideg;
   const int32_t wanted = plate->position_microdeg / 1000 - plate->near_pulse_millideg;
   return (turned > MOVED_MILLIDEG && wanted < 0) || (turned < -MOVED_MILLIDEG && wanted > 0);
 }
 
-static void watch_servo(Plate* plate) {
+static void check_servo(Plate* plate) {
   if (!is_settled(plate) || !is_measured(plate)) return;
   const int32_t measured = plate->measured_millideg, pulse = plate->position_microdeg / 1000;
-  const bool is_astray = plate->is_held_back || apart(measured, pulse) > plate->max_lead_millideg;
-  if (apart(measured, pulse) < MOVED_MILLIDEG) {
+  const bool is_off = plate->is_held_back || distance(measured, pulse) > plate->max_lead_millideg;
+  if (distance(measured, pulse) < MOVED_MILLIDEG) {
     plate->near_millideg = measured;
     plate->near_pulse_millideg = pulse;
   }
-  if (!is_astray || apart(measured, plate->moved_from_millideg) > MOVED_MILLIDEG) {
+  if (!is_off || distance(measured, plate->moved_from_millideg) > MOVED_MILLIDEG) {
     plate->moved_from_millideg = measured;
     plate->blocked_ms = 0;
   } else if (++plate->blocked_ms >= BLOCKED_MS) {
-    latch(plate, runs_against(plate, measured) ? PLATE_STOP_SENSOR : PLATE_STOP_STUCK);
+    latch(plate, moves_against_pulse(plate, measured) ? PLATE_STOP_SENSOR : PLATE_STOP_STUCK);
   }
 }
 
-bool plate_knows_place(const Plate* plate) { return is_measured(plate) || plate->homed; }
+bool plate_orientation_is_known(const Plate* plate) { return is_measured(plate) || plate->homed; }
 
-int32_t plate_place_millideg(const Plate* plate) {
+int32_t plate_orientation_millideg(const Plate* plate) {
   return is_measured(plate) ? plate->measured_millideg : plate->position_microdeg / 1000;
 }
 
@@ -178,7 +185,7 @@ uint16_t plate_pulse_ticks(const Plate* plate) {
   return settings_pulse_ticks(&plate->settings, (position + (position < 0 ? -500 : 500)) / 1000);
 }
 
-static void greet(Plate* plate, uint16_t session) {
+static void start_session(Plate* plate, uint16_t session) {
   plate->greeted = true;
   plate->session = session;
   plate->fast = false;
@@ -196,17 +203,17 @@ static void greet(Plate* plate, uint16_t session) {
   plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
 }
 
-/* Changes a setting. Refuses a change that would move a servo with pulses by more than TRIM_TICKS. */
+/* Changes a setting. Refuses a change that would move the pulse of a servo that has pulses by more than TRIM_TICKS. */
 static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
   const Settings before = plate->settings;
   const uint16_t pulse = plate_pulse_ticks(plate);
   plate->settings.value[setting] = value;
-  const int32_t place = plate->position_microdeg / 10000;
+  const int32_t orientation = plate->position_microdeg / 10000;
   LineError error = settings_valid(&plate->settings) ? LINE_OK : LINE_OUT_OF_RANGE;
   if (error == LINE_OK && plate->pulses) {
     const int32_t jump = (int32_t)plate_pulse_ticks(plate) - (int32_t)pulse;
-    if (jump < -TRIM_TICKS || jump > TRIM_TICKS || place < settings_least(&plate->settings) ||
-        place > settings_most(&plate->settings))
+    if (jump < -TRIM_TICKS || jump > TRIM_TICKS || orientation < settings_lower_limit(&plate->settings) ||
+        orientation > settings_upper_limit(&plate->settings))
       error = LINE_STEP;
   }
   if (error != LINE_OK) {
@@ -220,11 +227,11 @@ static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
   return LINE_OK;
 }
 
-static bool is_still(const Plate* plate) {
+static bool is_at_rest(const Plate* plate) {
   return plate->position_microdeg == plate->target_microdeg && plate->settle_ms == 0;
 }
 
-static LineError hear_conf(Plate* plate, const char* name, const char* value) {
+static LineError execute_conf(Plate* plate, const char* name, const char* value) {
   if (name == NULL) {
     plate->conf_next = 0;
     plate->conf_end = SETTING_COUNT;
@@ -233,120 +240,123 @@ static LineError hear_conf(Plate* plate, const char* name, const char* value) {
   const Setting setting = setting_named(name);
   if (setting == SETTING_COUNT || value == NULL) return LINE_BAD_WORD;
   int32_t number = 0;
-  if (!line_hundredths(value, &number)) return LINE_BAD_NUMBER;
-  if (!is_still(plate)) return LINE_BUSY;
+  if (!line_parse_hundredths(value, &number)) return LINE_BAD_NUMBER;
+  if (!is_at_rest(plate)) return LINE_BUSY;
   return change_setting(plate, setting, number);
 }
 
-static LineError hear_save(Plate* plate) {
-  if (plate->state == PLATE_FOLLOWING || !is_still(plate)) return LINE_BUSY;
+static LineError execute_save(Plate* plate) {
+  if (plate->state == PLATE_FOLLOWING || !is_at_rest(plate)) return LINE_BUSY;
   uint8_t bytes[SETTINGS_BYTES];
   settings_pack(&plate->settings, bytes);
   plate->board->save(bytes);
   return LINE_OK;
 }
 
-/* Reads an angle within a turn. */
-static LineError read_angle(const char* word, int32_t* out) {
+/* Parses an angle of at most a whole turn. */
+static LineError parse_angle(const char* word, int32_t* out) {
   if (word == NULL) return LINE_BAD_WORD;
-  if (!line_fixed_angle(word, out)) return LINE_BAD_NUMBER;
+  if (!line_parse_angle(word, out)) return LINE_BAD_NUMBER;
   return *out < -36000 || *out > 36000 ? LINE_OUT_OF_RANGE : LINE_OK;
 }
 
-static bool is_word(const char* word, const char* wanted) {
-  if (word == NULL) return false;
-  while (*word != 0 && *word == *wanted) {
-    ++word;
-    ++wanted;
+/* Returns the next word of `rest`, which then points behind it. Null at the end, or if words are not separated by
+ * exactly one space. */
+static char* next_word(char** rest) {
+  char* word = *rest;
+  if (word == NULL || *word == 0 || *word == ' ') return NULL;
+  char* end = word;
+  while (*end != 0 && *end != ' ') ++end;
+  if (*end == ' ') {
+    if (end[1] == 0) return NULL; /* a space ends the body */
+    *end++ = 0;
   }
-  return *word == *wanted;
+  *rest = end;
+  return word;
 }
 
+static bool equals(const char* word, const char* wanted) { return word != NULL && strcmp(word, wanted) == 0; }
+
 /* Executes SET, HOME, BEAT, FAST or STOP, which end with a sequence number. */
-static LineError hear_drive(Plate* plate, const char* verb, char* rest) {
-  const bool homes = is_word(verb, "HOME"), sets = homes || is_word(verb, "SET"), stops = is_word(verb, "STOP");
-  const bool hurries = is_word(verb, "FAST");
-  if (!sets && !stops && !hurries && !is_word(verb, "BEAT")) return LINE_BAD_WORD;
+static LineError execute_motion(Plate* plate, const char* verb, char* rest) {
+  const bool homes = equals(verb, "HOME"), sets = homes || equals(verb, "SET"), stops = equals(verb, "STOP");
+  const bool goes_fast = equals(verb, "FAST");
+  if (!sets && !stops && !goes_fast && !equals(verb, "BEAT")) return LINE_BAD_WORD;
   int32_t angle = 0;
   uint16_t sequence = 0;
   if (sets) {
-    const LineError error = read_angle(line_word(&rest), &angle);
+    const LineError error = parse_angle(next_word(&rest), &angle);
     if (error != LINE_OK) return error;
   }
-  const char* word = line_word(&rest);
+  const char* word = next_word(&rest);
   if (word == NULL) return LINE_BAD_WORD;
-  if (!line_sequence(word, &sequence)) return LINE_BAD_NUMBER;
+  if (!line_parse_sequence(word, &sequence)) return LINE_BAD_NUMBER;
   if (*rest != 0) return LINE_BAD_WORD;
   plate->sequence = sequence;
   plate->due |= DUE_AT;
   if (sets) turn_to(plate, angle, homes);
-  if (hurries) plate->fast = true;
-  if (hurries) plan_motion(plate);
+  if (goes_fast) plate->fast = true;
+  if (goes_fast) plan_motion(plate);
   if (stops) stop(plate, PLATE_STOP_HOST);
   return LINE_OK;
 }
 
 /* Executes CONF, SAVE, INFO or TEST. */
-static LineError hear_service(Plate* plate, const char* verb, char* rest) {
-  const char* first = *rest != 0 ? line_word(&rest) : NULL;
-  const char* second = *rest != 0 ? line_word(&rest) : NULL;
+static LineError execute_service(Plate* plate, const char* verb, char* rest) {
+  const char* first = *rest != 0 ? next_word(&rest) : NULL;
+  const char* second = *rest != 0 ? next_word(&rest) : NULL;
   if (*rest != 0) return LINE_BAD_WORD;
-  if (is_word(verb, "CONF")) return hear_conf(plate, first, second);
+  if (equals(verb, "CONF")) return execute_conf(plate, first, second);
   if (first != NULL) return LINE_BAD_WORD;
-  if (is_word(verb, "SAVE")) return hear_save(plate);
-  if (is_word(verb, "INFO")) {
-    plate->due |= DUE_INFO;
-  } else if (is_word(verb, "TEST")) {
-    plate->test_next = 0;
-  } else {
-    return LINE_BAD_WORD;
-  }
+  if (equals(verb, "SAVE")) return execute_save(plate);
+  if (equals(verb, "INFO")) plate->due |= DUE_INFO;
+  if (equals(verb, "TEST")) plate->test_next = 0;
   return LINE_OK;
 }
 
 static bool is_service(const char* verb) {
-  return is_word(verb, "CONF") || is_word(verb, "SAVE") || is_word(verb, "INFO") || is_word(verb, "TEST");
+  return equals(verb, "CONF") || equals(verb, "SAVE") || equals(verb, "INFO") || equals(verb, "TEST");
 }
 
-/* Executes HELLO. After a host has been silent, another host may greet the plate. */
-static LineError hear_hello(Plate* plate, char* rest) {
-  const char* version = line_word(&rest);
-  const char* token = *rest != 0 ? line_word(&rest) : NULL;
+/* Executes HELLO. Another host may start a session after the present host has been silent. */
+static LineError execute_hello(Plate* plate, char* rest) {
+  const char* version = next_word(&rest);
+  const char* token = *rest != 0 ? next_word(&rest) : NULL;
   uint16_t session = 0;
-  if (!is_word(version, "2") || *rest != 0) return LINE_BAD_WORD;
-  if (token != NULL && !line_sequence(token, &session)) return LINE_BAD_NUMBER;
+  if (!equals(version, "2") || *rest != 0) return LINE_BAD_WORD;
+  if (token != NULL && !line_parse_sequence(token, &session)) return LINE_BAD_NUMBER;
   if (plate->greeted && session != plate->session && plate->silent_ms < HEARTBEAT_MS) return LINE_SESSION;
-  greet(plate, session);
+  start_session(plate, session);
   return LINE_OK;
 }
 
-/* Removes the session's token from the end of a body. Returns false if the body has another token. */
-static bool cut_token(const Plate* plate, char* body) {
+/* Removes the token of the session from the end of a body. Returns false if the body does not end with this token. */
+static bool remove_token(const Plate* plate, char* body) {
   if (plate->session == 0) return true;
   char* end = body;
   while (*end != 0) ++end;
   while (end != body && *end != ' ') --end;
   uint16_t token = 0;
-  if (!line_sequence(end == body ? body : end + 1, &token) || token != plate->session) return false;
+  if (!line_parse_sequence(end == body ? body : end + 1, &token) || token != plate->session) return false;
   *end = 0;
   return true;
 }
 
-static LineError hear_line(Plate* plate, char* body) {
+static LineError execute_line(Plate* plate, char* body) {
   char* rest = body;
-  char* verb = line_word(&rest);
+  char* verb = next_word(&rest);
   if (verb == NULL) return LINE_BAD_WORD;
-  if (is_word(verb, "HELLO")) return hear_hello(plate, rest);
+  if (equals(verb, "HELLO")) return execute_hello(plate, rest);
   if (!plate->greeted) return LINE_NOT_GREETED;
-  if (!cut_token(plate, rest)) return LINE_SESSION;
-  if (is_service(verb)) return hear_service(plate, verb, rest);
-  return hear_drive(plate, verb, rest);
+  if (!remove_token(plate, rest)) return LINE_SESSION;
+  if (is_service(verb)) return execute_service(plate, verb, rest);
+  return execute_motion(plate, verb, rest);
 }
 
 void plate_receive(Plate* plate, char byte) {
   LineError error;
-  if (!line_take(&plate->buffer, byte, &error)) return;
-  if (error == LINE_OK) error = hear_line(plate, plate->buffer.text);
+  if (!line_receive(&plate->buffer, byte, &error)) return;
+  if (error == LINE_OK) error = execute_line(plate, plate->buffer.text);
   if (error == LINE_OK) {
     plate->silent_ms = 0;
   } else if (plate->greeted || error == LINE_NOT_GREETED) {
@@ -396,9 +406,9 @@ void plate_tick(Plate* plate, const PlateInputs* inputs) {
   read_inputs(plate, inputs);
   if (plate->silent_ms < HEARTBEAT_MS) ++plate->silent_ms;
   if (plate->state == PLATE_FOLLOWING && plate->silent_ms >= HEARTBEAT_MS) stop(plate, PLATE_STOP_HEARTBEAT);
-  if (plate->pulses) move(plate);
-  watch_servo(plate);
-  answer(plate);
+  if (plate->pulses) move_pulse(plate);
+  check_servo(plate);
+  send_due_lines(plate);
 }
 
 void plate_saved(Plate* plate, bool whole) {

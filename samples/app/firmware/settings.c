@@ -1,10 +1,12 @@
 #include "samples/app/firmware/settings.h"
 
+#include <string.h>
+
 #include "plugin/include/plate_driver/crc16.h"
 
 typedef struct Range {
   char name[10];
-  bool whole; /* no decimals */
+  bool whole; /* without decimals */
   int32_t min, max, preset;
 } Range;
 
@@ -33,17 +35,9 @@ enum { VERSION = 2 };
 
 const char* setting_name(Setting setting) { return ranges[setting].name; }
 
-static bool equal(const char* a, const char* b) {
-  while (*a != 0 && *a == *b) {
-    ++a;
-    ++b;
-  }
-  return *a == *b;
-}
-
 Setting setting_named(const char* name) {
   uint8_t setting = 0;
-  while (setting < SETTING_COUNT && !equal(name, ranges[setting].name)) ++setting;
+  while (setting < SETTING_COUNT && strcmp(name, ranges[setting].name) != 0) ++setting;
   return (Setting)setting;
 }
 
@@ -62,7 +56,7 @@ bool settings_valid(const Settings* settings) {
   const int32_t span = settings->value[SETTING_SPAN_US];
   if (span > -min_span && span < min_span) return false;
   if (settings->value[SETTING_MAX_DEG] - settings->value[SETTING_MIN_DEG] < 100) return false;
-  const int32_t adc = settings->value[SETTING_ADC_MOST] - settings->value[SETTING_ADC_LEAST];
+  const int32_t adc = settings->value[SETTING_ADC_AT_MAX] - settings->value[SETTING_ADC_AT_MIN];
   return adc == 0 || adc <= -min_adc_span || adc >= min_adc_span;
 }
 
@@ -103,27 +97,27 @@ uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_mill
   const int32_t product = orientation_millideg * ticks_per_half_turn;
   const int32_t turned = (product + (product < 0 ? -90000 : 90000)) / 180000;
   const int32_t ticks = settings->value[SETTING_ZERO_US] / 50 + turned;
-  if (ticks < 2 * PULSE_LEAST_US) return 2 * PULSE_LEAST_US;
-  if (ticks > 2 * PULSE_MOST_US) return 2 * PULSE_MOST_US;
+  if (ticks < 2 * PULSE_MIN_US) return 2 * PULSE_MIN_US;
+  if (ticks > 2 * PULSE_MAX_US) return 2 * PULSE_MAX_US;
   return (uint16_t)ticks;
 }
 
-/* Orientation, in hundredths of a degree, at which the pulse is `pulse_us`. */
-static int32_t reach_of(const Settings* settings, int32_t pulse_us) {
+/* Returns the orientation, in hundredths of a degree, at which the pulse has this width. */
+static int32_t orientation_at(const Settings* settings, int32_t pulse_us) {
   const int32_t zero_us = settings->value[SETTING_ZERO_US] / 100;
   return (pulse_us - zero_us) * 18000 / (settings->value[SETTING_SPAN_US] / 100);
 }
 
-int32_t settings_least(const Settings* settings) {
-  const int32_t set = settings->value[SETTING_MIN_DEG];
-  const int32_t reach = reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_LEAST_US : PULSE_MOST_US);
-  return reach > set ? reach : set;
+int32_t settings_lower_limit(const Settings* settings) {
+  const int32_t limit = settings->value[SETTING_MIN_DEG];
+  const int32_t at_pulse = orientation_at(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_MIN_US : PULSE_MAX_US);
+  return at_pulse > limit ? at_pulse : limit;
 }
 
-int32_t settings_most(const Settings* settings) {
-  const int32_t set = settings->value[SETTING_MAX_DEG];
-  const int32_t reach = reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_MOST_US : PULSE_LEAST_US);
-  return reach < set ? reach : set;
+int32_t settings_upper_limit(const Settings* settings) {
+  const int32_t limit = settings->value[SETTING_MAX_DEG];
+  const int32_t at_pulse = orientation_at(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_MAX_US : PULSE_MIN_US);
+  return at_pulse < limit ? at_pulse : limit;
 }
 
 int32_t settings_speed(const Settings* settings) {
@@ -132,10 +126,11 @@ int32_t settings_speed(const Settings* settings) {
 }
 
 bool settings_has_feedback(const Settings* settings) {
-  return settings->value[SETTING_ADC_LEAST] != settings->value[SETTING_ADC_MOST];
+  return settings->value[SETTING_ADC_AT_MIN] != settings->value[SETTING_ADC_AT_MAX];
 }
 
-/* Error of the sensor's line at `part` of `whole`, in hundredths of a degree. */
+/* Returns the bend of the sensor, in hundredths of a degree, at the fraction part / whole of the range of its readings.
+ * Interpolates linearly between the settings bend_0 to bend_8. */
 static int32_t bend_at(const Settings* settings, int32_t part, int32_t whole) {
   if (whole < 0) {
     part = -part;
@@ -148,13 +143,13 @@ static int32_t bend_at(const Settings* settings, int32_t part, int32_t whole) {
 }
 
 int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16ths) {
-  const int32_t at_least = settings->value[SETTING_ADC_LEAST] / 100 * 16;
-  const int32_t at_most = settings->value[SETTING_ADC_MOST] / 100 * 16;
+  const int32_t at_min = settings->value[SETTING_ADC_AT_MIN] / 100 * 16;
+  const int32_t at_max = settings->value[SETTING_ADC_AT_MAX] / 100 * 16;
   const int32_t min = settings->value[SETTING_MIN_DEG];
   const int32_t width = settings->value[SETTING_MAX_DEG] - min;
   /* In hundredths, the product is at most 16368 * 36000 = 6e8, which fits. */
-  const int32_t part = (int32_t)reading_16ths - at_least, whole = at_most - at_least;
-  const int32_t place = min + part * width / whole - bend_at(settings, part, whole);
+  const int32_t part = (int32_t)reading_16ths - at_min, whole = at_max - at_min;
+  const int32_t orientation = min + part * width / whole - bend_at(settings, part, whole);
   const int32_t turn = 36000;
-  return (place < -turn ? -turn : place > turn ? turn : place) * 10;
+  return (orientation < -turn ? -turn : orientation > turn ? turn : orientation) * 10;
 }

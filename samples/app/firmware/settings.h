@@ -1,4 +1,4 @@
-/* Settings of a plate, which are stored in EEPROM. C11 without a library. */
+/* Settings of a plate, which are stored in EEPROM. C11. */
 #pragma once
 
 #include <stdbool.h>
@@ -8,22 +8,22 @@
 extern "C" {
 #endif
 
-/** Shortest and longest pulse of the board. */
-enum { PULSE_LEAST_US = 500, PULSE_MOST_US = 2500 };
+/** Widths of the shortest and of the longest pulse that the board sends. */
+enum { PULSE_MIN_US = 500, PULSE_MAX_US = 2500 };
 
-/** Settings. settings.c has their names in CONF lines, ranges and defaults. */
+/** Settings of a plate. settings.c has their names in CONF lines, their ranges and their defaults. */
 typedef enum Setting {
-  SETTING_ZERO_US,     /**< pulse at orientation 0: the trim */
-  SETTING_SPAN_US,     /**< change of the pulse over 180 degrees; negative: the servo turns clockwise */
+  SETTING_ZERO_US,     /**< width of the pulse at orientation 0; changing it trims the plate */
+  SETTING_SPAN_US,     /**< change of the pulse over 180 degrees; negative for a servo that turns clockwise */
   SETTING_MIN_DEG,     /**< lower limit of the orientation */
   SETTING_MAX_DEG,     /**< upper limit of the orientation */
   SETTING_SPEED_DEG_S, /**< speed of the motion */
   SETTING_LATENCY_MS,  /**< time from a line to the servo's motion: half of a frame and the servo's dead time */
-  SETTING_ADC_LEAST,   /**< reading of the sensor at the lower limit */
-  SETTING_ADC_MOST,    /**< reading at the upper limit; equal to the other one if there is no sensor */
+  SETTING_ADC_AT_MIN,  /**< reading of the sensor at the lower limit */
+  SETTING_ADC_AT_MAX,  /**< reading at the upper limit; equal to that at the lower limit if there is no sensor */
   SETTING_EMERGENCY,   /**< 1: the emergency stop's contact must be closed; 0: there is no emergency stop */
-  SETTING_SUPPLY,      /**< 1: the servo's supply is measured, and must be present; 0: it is not measured */
-  SETTING_BEND_0,      /**< error of the sensor's line at `least` + (`most` - `least`) * i / BEND_PARTS, subtracted */
+  SETTING_SUPPLY,      /**< 1: the servo's supply is measured at A1 and must be present; 0: it is not measured */
+  SETTING_BEND_0,      /**< bend i: error of the sensor, to be subtracted, at min + (max - min) * i / BEND_PARTS */
   SETTING_BEND_LAST = SETTING_BEND_0 + 8,
   SETTING_SERIAL, /**< serial number */
   SETTING_COUNT
@@ -31,7 +31,7 @@ typedef enum Setting {
 
 enum { BEND_PARTS = SETTING_BEND_LAST - SETTING_BEND_0 };
 
-/** Values in hundredths of each setting's unit. */
+/** Values of all settings, in hundredths of the unit of each. */
 typedef struct Settings {
   int32_t value[SETTING_COUNT];
 } Settings;
@@ -44,22 +44,23 @@ const char* setting_name(Setting setting);
 Setting setting_named(const char* name);
 
 Settings settings_default(void);
-/** True if every value is in its range and the values fit together. */
+/** True if every value is in its range and the values are consistent. */
 bool settings_valid(const Settings* settings);
 
+/** Converts the settings to the bytes that EEPROM stores, and back. */
 void settings_pack(const Settings* settings, uint8_t bytes[SETTINGS_BYTES]);
-/** Returns false, and keeps `settings`, unless checksum and settings are valid. */
+/** Returns false and leaves `settings` unchanged unless checksum and settings are valid. */
 bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]);
 
 /** Returns the pulse for an orientation, in half microseconds, rounded and within the range of pulses. */
 uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_millideg);
 
 /** Limits in hundredths of a degree: those of the settings, or those of the pulses if they are narrower. */
-int32_t settings_least(const Settings* settings);
-int32_t settings_most(const Settings* settings);
+int32_t settings_lower_limit(const Settings* settings);
+int32_t settings_upper_limit(const Settings* settings);
 
 /** Speed of the motion, in hundredths of a degree a second. Without a sensor it is at most 60 degrees a second, which
- * every hobby servo can follow: the pulse would lead a slower servo, which would continue after a stop. */
+ * every hobby servo can follow: the pulse would be ahead of a slower servo, which would continue after a stop. */
 int32_t settings_speed(const Settings* settings);
 
 bool settings_has_feedback(const Settings* settings);

@@ -33,7 +33,8 @@ Function fetch_creator(const Info& info, VkInstance vulkan, const char* name) {
   require_valid(info.pfnGetInstanceProcAddr != nullptr, "pfnGetInstanceProcAddr is null");
   require_pointer(info.vulkanCreateInfo, "vulkanCreateInfo");
   const auto create = reinterpret_cast<Function>(info.pfnGetInstanceProcAddr(vulkan, name));
-  require(create != nullptr, XR_ERROR_RUNTIME_FAILURE, "pfnGetInstanceProcAddr finds no {}", name);
+  require(create != nullptr, XR_ERROR_RUNTIME_FAILURE,
+          "pfnGetInstanceProcAddr has no function {}; install the Vulkan loader", name);
   return create;
 }
 

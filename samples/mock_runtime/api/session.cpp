@@ -2,31 +2,59 @@
 #include "samples/mock_runtime/api/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace hrt::mock {
+
+namespace {
+
+// Returns the board of a plate whose servo has this speed and latency, a sensor, and stops at -90 and 90 degrees.
+plate::HobbyPlate::Traits board_of(const PlateDynamics& servo) {
+  constexpr double min_speed_deg_s = 1.0, max_speed_deg_s = 1000.0, max_latency_ms = 200.0;  // limits of the firmware
+  constexpr double immediate_deg_s2 = 1e6;
+  const double speed_deg_s = std::clamp(servo.max_speed_deg_s, min_speed_deg_s, max_speed_deg_s);
+  const double latency_ms = std::min(static_cast<double>(servo.latency_ns) * 1e-6, max_latency_ms);
+  plate::HobbyPlate::Traits board;
+  board.settings.value[SETTING_SPEED_DEG_S] = 100 * static_cast<std::int32_t>(std::lround(speed_deg_s));
+  board.settings.value[SETTING_LATENCY_MS] = 100 * static_cast<std::int32_t>(std::lround(latency_ms));
+  board.settings.value[SETTING_EMERGENCY] = board.settings.value[SETTING_SUPPLY] = 0;
+  board.servo = {.speed_deg_s = speed_deg_s,
+                 .acceleration_deg_s2 = immediate_deg_s2,
+                 .dead_time = std::chrono::microseconds(servo.latency_ns / 1000),
+                 .dead_band_deg = 0.0,
+                 .lower_stop_deg = -90.0,
+                 .upper_stop_deg = 90.0};
+  return board;
+}
+
+bool has_board(const WorldSettings& world) { return world.plate && !world.plate->terminal.empty(); }
+
+// A board simulates the servo, so that the plate of the world follows its orientation immediately.
+WorldSettings world_of(WorldSettings world) {
+  if (has_board(world)) world.servo = {};
+  return world;
+}
+
+}  // namespace
 
 Session::Session(Instance* instance, const Script& script, std::shared_ptr<GraphicsDevice> device)
     : Object(object_type, instance),
       graphics(std::move(device)),
       created_(instance->clock.now()),
-      world_(script.world, created_) {
+      world_(world_of(script.world), created_) {
   const std::uint64_t number = runtime().sessions + 1;
   std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(events_),
                [&](const ScriptEvent& event) { return event.session == 0 || event.session == number; });
-  if (!script.world.plate || script.world.plate->terminal.empty()) return;
-  plate_.emplace(script.world.plate->terminal, script.world.servo, created_);
+  if (!has_board(script.world)) return;
+  board_.emplace(board_of(script.world.servo));
+  board_link_.emplace("script.plate.terminal:", script.world.plate->terminal, board_->device());
   // Uses try_lock(): the thread that destroys the session holds the lock while it waits for this thread to end.
-  firmware_thread_ = std::jthread([this](const std::stop_token& end) {
+  board_thread_ = std::jthread([this](const std::stop_token& end) {
     for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(1)))
-      if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) run_firmware();
+      if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock)
+        world().command_plate(board_->orientation_deg());
   });
-}
-
-void Session::run_firmware() {
-  const XrTime now = instance().clock.now();
-  if (const auto target_deg = plate_->run_until(now, world().plate_orientation_deg(now)))
-    world().command_plate(*target_deg);
 }
 
 World& Session::world() {

@@ -6,9 +6,9 @@
 #include <set>
 #include <thread>
 
+#include "samples/app/emulator/pty_device.h"
 #include "samples/mock_runtime/api/actions.h"
 #include "samples/mock_runtime/graphics/device.h"
-#include "samples/mock_runtime/live/plate_terminal.h"
 #include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {
@@ -70,14 +70,13 @@ class Session : public Object {
   std::optional<std::set<std::uint64_t>> action_sets;
 
  private:
-  void run_firmware();
-
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   XrTime created_;
   std::vector<ScriptEvent> events_;  // pending events
   World world_;
-  std::optional<PlateTerminal> plate_;
-  std::jthread firmware_thread_;
+  std::optional<plate::PtyPlate> board_;  // board of the plate, if the script gives the plate a terminal
+  std::optional<plate::PtyLink> board_link_;
+  std::jthread board_thread_;
 };
 
 /// Returns the graphics device of a new session; null for a headless one. Throws an Error for an invalid binding.

@@ -28,8 +28,9 @@ struct VulkanFunctions {
 
 void check_vulkan(VkResult result, const char* what) {
   const bool memory = result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
-  require(result == VK_SUCCESS, memory ? XR_ERROR_OUT_OF_MEMORY : XR_ERROR_RUNTIME_FAILURE, "{} returns VkResult {}",
-          what, static_cast<int>(result));
+  require(result == VK_SUCCESS, memory ? XR_ERROR_OUT_OF_MEMORY : XR_ERROR_RUNTIME_FAILURE,
+          "{} fails with VkResult {}, which vulkan_core.h names; try another Vulkan driver", what,
+          static_cast<int>(result));
 }
 
 // All formats have four bytes per pixel. Depth images are never read, but Godot begins no session without a depth
@@ -65,7 +66,8 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
   VulkanDevice(const XrGraphicsBindingVulkanKHR& binding, PFN_vkGetInstanceProcAddr get)
       : physical_(binding.physicalDevice), device_(binding.device) {
     const auto fetch = [](auto& function, PFN_vkVoidFunction found, const char* name) {
-      require(found != nullptr, XR_ERROR_GRAPHICS_DEVICE_INVALID, "the Vulkan device has no function {}", name);
+      require(found != nullptr, XR_ERROR_GRAPHICS_DEVICE_INVALID,
+              "the Vulkan device has no function {}; install a complete Vulkan driver", name);
       function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(found);
     };
 #define HRT_VULKAN_FETCH(name) fetch(vk.name, get(binding.instance, #name), #name);

@@ -1,4 +1,4 @@
-/* The board: ATmega328P at 16 MHz (Arduino Uno, Nano). Pins: README.md. */
+/* Code of the board: an ATmega328P at 16 MHz (Arduino Uno, Nano). README.md lists its pins. */
 #include <avr/eeprom.h>
 #include <avr/interrupt.h>
 #include <avr/io.h>
@@ -9,13 +9,13 @@
 
 #include "samples/app/firmware/plate.h"
 
-/* Fuses for a programmer; a bootloader cannot set them. Reset below 4.3 V, because 16 MHz need 3.8 V; crystal; a chip
- * erase keeps the EEPROM. */
+/* Fuses, which only a programmer can set: the clock is a crystal, a chip erase keeps the EEPROM, and the chip is reset
+ * below 4.3 V, because 16 MHz needs 3.8 V. */
 FUSES = {.low = 0xFF, .high = HFUSE_DEFAULT & FUSE_EESAVE, .extended = FUSE_BODLEVEL1 & FUSE_BODLEVEL0};
 
 enum { FRAME_TICKS = 40000 }; /* time between two pulses, 20 ms: timer 1 counts half microseconds */
 
-/* Serial line with 115200 baud, with a ring buffer in each direction. */
+/* Serial line with 115200 baud, and a ring buffer for each direction. */
 
 enum { RING = 128, RING_MASK = RING - 1 };
 
@@ -27,7 +27,7 @@ static volatile uint8_t unsent_head, unsent_tail;
 ISR(USART_RX_vect) {
   const uint8_t status = UCSR0A;
   char byte = (char)UDR0;
-  if ((status & (_BV(FE0) | _BV(DOR0))) != 0) byte = 0; /* no line with this byte is valid */
+  if ((status & (_BV(FE0) | _BV(DOR0))) != 0) byte = 0; /* makes the line invalid */
   const uint8_t next = (received_head + 1) & RING_MASK;
   if (next == received_tail) return;
   received[received_head] = byte;
@@ -43,7 +43,7 @@ ISR(USART_UDRE_vect) {
   unsent_tail = (unsent_tail + 1) & RING_MASK;
 }
 
-static void start_line(void) {
+static void start_serial_line(void) {
   UCSR0A = _BV(U2X0);
   UBRR0 = 16; /* 117647 baud: 2.1 % too fast, as on all boards with 16 MHz */
   UCSR0C = _BV(UCSZ01) | _BV(UCSZ00);
@@ -62,15 +62,15 @@ static bool send(const char* line, uint8_t length) {
 }
 
 /* Servo pulses. The compare unit sets and clears pin OC1A itself, so that the delay of an interrupt does not move an
- * edge. The interrupt after an edge prepares the next edge, at least 500 us ahead. */
+ * edge. The interrupt after each edge prepares the next edge, which is at least 500 us later. */
 
-static volatile uint16_t wanted_ticks; /* 0: no pulse */
+static volatile uint16_t wanted_ticks; /* width of the next pulse; 0: no pulse */
 
 ISR(TIMER1_COMPA_vect) {
   static uint16_t width_ticks = 0;
-  static bool rising = false; /* the last edge was the start of a pulse */
+  static bool rising = false; /* the edge that caused this interrupt was the start of a pulse */
   if (rising) {
-    /* A started pulse is completed: a shortened one would be another angle. */
+    /* Completes a pulse that has begun, because a shorter pulse would command another angle. */
     if (wanted_ticks != 0) width_ticks = wanted_ticks;
     TCCR1A = _BV(COM1A1); /* the next edge clears the pin */
     OCR1A += width_ticks;
@@ -80,7 +80,8 @@ ISR(TIMER1_COMPA_vect) {
   const uint16_t rest_ticks = FRAME_TICKS - width_ticks;
   width_ticks = wanted_ticks;
   rising = width_ticks != 0;
-  TCCR1A = rising ? _BV(COM1A1) | _BV(COM1A0) : 0; /* the next edge sets the pin; or the port keeps it low */
+  TCCR1A =
+      rising ? _BV(COM1A1) | _BV(COM1A0) : 0; /* the next edge sets the pin; without a pulse, the port keeps it low */
   OCR1A += rest_ticks;
   if (!rising) width_ticks = 0;
 }
@@ -92,7 +93,7 @@ static void start_pulses(void) {
   TCCR1B = _BV(CS11);
 }
 
-static volatile uint8_t ticks;
+static volatile uint8_t ticks; /* milliseconds that the main loop has not processed yet */
 
 ISR(TIMER0_COMPA_vect) {
   if (ticks < 255) ++ticks;
@@ -105,7 +106,7 @@ static void start_clock(void) {
   TCCR0B = _BV(CS01) | _BV(CS00);
 }
 
-/* Settings in EEPROM: two copies, so that one is complete after a power failure at any time. */
+/* Settings in EEPROM: two copies, so that a power failure at any time leaves a complete one. */
 
 enum { COPIES = 2, COPY_BYTES = 128 };
 
@@ -136,7 +137,7 @@ static bool is_saved(void) {
   return true;
 }
 
-/* Writes one byte. The write takes 3.4 ms, in which the main loop continues. */
+/* Starts to write the next byte, which takes 3.4 ms. The main loop continues meanwhile. */
 static void continue_to_save(Plate* plate) {
   if (save_copy == COPIES || !eeprom_is_ready()) return;
   if (save_at < SETTINGS_BYTES) {
@@ -148,19 +149,18 @@ static void continue_to_save(Plate* plate) {
   if (++save_copy == COPIES) plate_saved(plate, is_saved());
 }
 
-/* Watchdog. If the main loop hangs for 120 ms, the interrupt ends the servo's pulses; 120 ms later the board is reset.
- * Without the interrupt, a bootloader that keeps the watchdog on would run with it. */
+/* Watchdog. If the main loop hangs for 120 ms, the interrupt ends the pulses; 120 ms later the board is reset. */
 
-ISR(WDT_vect) { wanted_ticks = 0; /* a started pulse is completed */ }
+ISR(WDT_vect) { wanted_ticks = 0; /* a pulse that has begun is completed */ }
 
 static void start_watchdog(void) {
   wdt_enable(WDTO_120MS);
   WDTCSR |= _BV(WDIE);
 }
 
-static void calm_watchdog(void) {
+static void reset_watchdog(void) {
   wdt_reset();
-  WDTCSR |= _BV(WDIE); /* the interrupt clears it */
+  WDTCSR |= _BV(WDIE); /* the interrupt clears this bit */
 }
 
 static void start_inputs(void) {
@@ -169,7 +169,7 @@ static void start_inputs(void) {
   ADCSRA = _BV(ADEN) | _BV(ADIE) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
 }
 
-/* Readings of A0 (sensor) and A1 (half of the servo's supply), started once a millisecond. */
+/* Readings of A0 (sensor) and A1 (half of the servo's supply). A conversion of both starts every millisecond. */
 static volatile int16_t readings[2] = {-1, -1};
 
 ISR(ADC_vect) {
@@ -197,17 +197,17 @@ static void tick(Plate* plate) {
     PORTB &= (uint8_t)~_BV(PORTB5);
   }
   continue_to_save(plate);
-  calm_watchdog();
+  reset_watchdog();
 }
 
 int main(void) {
   static Plate plate;
   Settings settings;
   MCUSR = 0;
-  wdt_disable(); /* it remains on after it has reset the board */
+  wdt_disable(); /* the watchdog remains on after it has reset the board */
   plate_start(&plate, &board, load(&settings) ? &settings : NULL);
   start_inputs();
-  start_line();
+  start_serial_line();
   start_pulses();
   start_clock();
   start_watchdog();

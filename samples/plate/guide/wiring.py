@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Draws the wiring of both plates: wiring.py writes wiring_xl330.svg and wiring_hobby.svg to its folder.
+"""Draws the wiring of both plates: writes wiring_xl330.svg and wiring_hobby.svg to its own folder.
 
-A part is a box with its pins below; a net is a horizontal line, which joins the pins that have a dot on it. Wires that
-cross without a dot do not touch. tests/samples/plate/model/model_test compares the nets with the firmware's pins."""
+A part is a box with its pins at the lower edge. A net is a horizontal line, and a dot on it joins a pin to the net. Wires
+that cross without a dot do not touch. tests/samples/plate/model/model_test compares the nets with the firmware's pins."""
 import html
 import pathlib
 
@@ -50,9 +50,9 @@ def drawing(title, wiring):
         words = pins.split()
         width = max(PIN * len(words), max(10 * len(name), 8.6 * len(note)) + 16)
         boxes.append(f'<rect x="{x:.0f}" y="60" width="{width:.0f}" height="90" rx="6" fill="#f3f4f6" stroke="#374151" stroke-width="2"/>')
-        for line, text in enumerate((name, note)):
-            weight = "normal" if line else "bold"
-            boxes.append(f'<text x="{x + width / 2:.0f}" y="{86 + 20 * line}" text-anchor="middle" font-weight="{weight}">{html.escape(text)}</text>')
+        middle = f"{x + width / 2:.0f}"
+        boxes.append(f'<text x="{middle}" y="86" text-anchor="middle"><tspan font-weight="bold">{html.escape(name)}</tspan>'
+                     f'<tspan x="{middle}" y="106">{html.escape(note)}</tspan></text>')
         places |= {(part, pin): round(x + width * (i + 0.5) / len(words)) for i, pin in enumerate(words)}
         spans = "".join(f'<tspan x="{places[part, pin]}">{pin.replace("-", "−")}</tspan>' for pin in words)
         boxes.append(f'<text y="140" text-anchor="middle">{spans}</text>')

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <ostream>
-#include <stdexcept>
 #include <thread>
 
 #include "samples/app/base/interrupt.h"
@@ -15,30 +14,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Symbolic link to the pseudo-terminal. Replaces only a link of an earlier run.
-class Link {
- public:
-  Link(std::filesystem::path path, const std::string& device) : path_(std::move(path)) {
-    if (path_.empty()) return;
-    std::error_code error;
-    if (std::filesystem::read_symlink(path_, error).parent_path() == "/dev/pts") std::filesystem::remove(path_, error);
-    std::filesystem::create_symlink(device, path_, error);
-    if (error) throw std::invalid_argument("--link " + path_.string() + " cannot be created: " + error.message());
-  }
-  ~Link() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove(path_, ignored);
-  }
-  Link(const Link&) = delete;
-  Link& operator=(const Link&) = delete;
-
- private:
-  std::filesystem::path path_;
-};
-
-// Presses or releases the emergency stop, which cuts the supply of the servo; the board of a hobby servo detects it.
+// Presses or releases the emergency stop, which cuts the supply of the servo. The board of a hobby servo detects it.
 void press(HobbyPlate& plate, bool pressed) {
-  plate.press(pressed);
+  plate.press_emergency_stop(pressed);
   plate.servo.supply = pressed ? 0.0 : 1.0;
 }
 void press(EmulatedDynamixel& servo, bool pressed) {
@@ -50,18 +28,18 @@ void jam(EmulatedDynamixel& servo, bool jammed) { servo.motor.is_jammed = jammed
 
 template <class Emulated>
 void run(PtyDevice<Emulated>& plate, const char* kind, const char* protocol, const Emulation& emulation,
-         const std::function<Entry()>& read, std::ostream& out) {
+         const std::function<Input()>& read, std::ostream& out) {
   app::note_interrupts();
-  const Link link(emulation.link, plate.device());
-  out << "SIMULATION of a plate with " << kind << ": no servo and no board is connected. Its name is\n    " << protocol
-      << ":" << (emulation.link.empty() ? plate.device() : emulation.link.string())
-      << "\nEnter alone shows the scale; e and Enter presses or releases the emergency stop, j and Enter jams or frees "
-         "the servo.\nCtrl-C ends it."
+  const PtyLink link("--link", emulation.link, plate.device());
+  out << "SIMULATION of a plate with " << kind << ". No servo and no board is connected. The device name is\n    "
+      << protocol << ":" << (emulation.link.empty() ? plate.device() : emulation.link.string())
+      << "\nEnter alone shows the scale. e and Enter presses or releases the emergency stop; j and Enter jams or frees "
+         "the servo.\nCtrl-C ends the simulation."
       << std::endl;
-  const auto place_deg = [&] { return plate.with([](Emulated& emulated) { return emulated.orientation_deg(); }); };
+  const auto reported_deg = [&] { return plate.with([](Emulated& emulated) { return emulated.orientation_deg(); }); };
   bool pressed = false, jammed = false;
   for (bool reads = true; !app::is_interrupted(); std::this_thread::sleep_for(20ms)) {
-    const Entry entry = reads ? read() : Entry{};
+    const Input entry = reads ? read() : Input{};
     reads = !entry.ended;
     if (!entry.line) continue;
     if (*entry.line == "e") {
@@ -69,17 +47,18 @@ void run(PtyDevice<Emulated>& plate, const char* kind, const char* protocol, con
     } else if (*entry.line == "j") {
       plate.with([&](Emulated& emulated) { jam(emulated, jammed = !jammed); });
     }
-    out << format("the scale shows %+.0f", place_deg()) << (pressed ? "; the emergency stop is pressed" : "")
+    out << format("the scale shows %+.0f", reported_deg()) << (pressed ? "; the emergency stop is pressed" : "")
         << (jammed ? "; the servo is jammed" : "") << std::endl;
   }
 }
 
 }  // namespace
 
-void emulate(const Emulation& emulation, const std::function<Entry()>& read, std::ostream& out) {
+void emulate(const Emulation& emulation, const std::function<Input()>& read, std::ostream& out) {
   if (emulation.plate == "xl330") {
     PtyDevice<EmulatedDynamixel> plate(std::uint8_t{1}, 1190);
-    plate.with([](EmulatedDynamixel& servo) { servo.set(6, 1, 0); });  // firmware 0, which no servo has
+    plate.with(
+        [](EmulatedDynamixel& servo) { servo.set(6, 1, 0); });  // firmware 0 marks the simulation: no servo has it
     run(plate, "an XL330-M077", "dynamixel", emulation, read, out);
     return;
   }

@@ -1,4 +1,4 @@
-// hrt-plate: puts a plate into operation.
+// hrt-plate: finds, sets up and measures a plate.
 #if defined(_WIN32)
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
@@ -26,8 +26,8 @@ std::vector<std::string> serial_devices() {
 #if defined(_WIN32)
   for (int port = 1; port <= 256; ++port) {
     const std::string name = "COM" + std::to_string(port);
-    std::array<char, 1024> is{};
-    if (QueryDosDeviceA(name.c_str(), is.data(), is.size()) != 0) found.push_back(name);
+    std::array<char, 1024> target{};
+    if (QueryDosDeviceA(name.c_str(), target.data(), target.size()) != 0) found.push_back(name);
   }
 #else
   std::error_code none;
@@ -40,14 +40,14 @@ std::vector<std::string> serial_devices() {
 }
 
 // Lines of standard input, read by a thread that ends with the process.
-class Input {
+class StandardInput {
  public:
-  Entry read() {
+  Input read() {
     if (!is_reading_) std::thread([this] { run(); }).detach();
     is_reading_ = true;
     const std::lock_guard lock(mutex_);
     if (entries_.empty()) return {};
-    Entry entry = entries_.front();
+    Input entry = entries_.front();
     if (!entry.ended) entries_.pop();
     return entry;
   }
@@ -57,13 +57,13 @@ class Input {
     for (std::string line; std::getline(std::cin, line);) push({.line = line});
     push({.ended = true});
   }
-  void push(const Entry& entry) {
+  void push(const Input& entry) {
     const std::lock_guard lock(mutex_);
     entries_.push(entry);
   }
 
   std::mutex mutex_;
-  std::queue<Entry> entries_;
+  std::queue<Input> entries_;
   bool is_reading_ = false;
 };
 
@@ -71,13 +71,13 @@ class Input {
 
 int main(int argc, char** argv) {
   constexpr int output_failed = 10;
-  static Input& input = *new Input;  // never deleted: its thread outlives main()
+  static StandardInput& input = *new StandardInput;  // never deleted: its thread outlives main()
   try {
-    Surroundings around{serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr};
+    Environment env{serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr};
 #if defined(__linux__)
-    around.emulate = emulate;
+    env.emulate = emulate;
 #endif
-    return run_tool(argc, argv, around);
+    return run_tool(argc, argv, env);
   } catch (const std::exception& error) {
     std::cerr << "hrt-plate: " << error.what() << "\n";
     return output_failed;

@@ -14,7 +14,7 @@ namespace {
 
 double milliseconds(std::chrono::nanoseconds time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
-// Speed for the controller: the limit of the motion, or the speed of the servo if that is lower.
+// Speed with which the controller plans: the limit of the motion, or the speed of the servo if that is lower.
 double plan_speed_deg_s(const Measurements& found) {
   return std::min(found.limits.speed_deg_s, found.speed_deg_s.value);
 }
@@ -30,32 +30,14 @@ constexpr Row rows[] = {{"speed_deg_s", &Measurements::speed_deg_s},
                         {"repeatability_deg", &Measurements::repeatability_deg},
                         {"error_deg", &Measurements::error_deg}};
 
-// Upper end of the sweep, which is reached halfway.
-double max_deg_of(const Measurements& found) { return found.sweep[found.sweep.size() / 2].commanded_deg; }
-
-std::string polyline(const Measurements& found, bool upwards, double scale) {
-  const double min_deg = found.sweep.front().commanded_deg, width_deg = max_deg_of(found) - min_deg;
-  std::string points;
-  for (const SweepPoint& point : found.sweep)
-    if (point.upwards == upwards)
-      points += format("%.1f,%.1f ", 60.0 + 520.0 * (point.commanded_deg - min_deg) / width_deg,
-                       150.0 - scale * (point.reported_deg - point.commanded_deg));
-  return std::string(R"(<polyline fill="none" stroke-width="2" stroke=")") + (upwards ? "#0072b2" : "#d55e00") +
-         R"(" points=")" + points + "\"/>\n";
-}
-
-std::string label(double x, double y, const char* anchor, const std::string& text) {
-  return format(R"(<text x="%.1f" y="%.1f" text-anchor="%s">)", x, y, anchor) + text + "</text>\n";
-}
-
 }  // namespace
 
 std::string text_of(const Measurements& found) {
   std::string text = found.device + "\n" +
                      format("range                %g to %g deg\n", found.limits.min_deg, found.limits.max_deg) +
-                     format("line there and back  %.1f ms\n", milliseconds(found.round_trip));
+                     format("round trip           %.1f ms\n", milliseconds(found.round_trip));
   for (const Row& row : rows)
-    text += format("%-20s %.4g, give or take %.2g\n", row.name, (found.*row.value).value, (found.*row.value).deviation);
+    text += format("%-20s %.4g +- %.2g\n", row.name, (found.*row.value).value, (found.*row.value).deviation);
   return text + format("The controller plans with %.4g deg/s", plan_speed_deg_s(found)) +
          format(" and %.1f ms.\n", found.latency_ms.value + milliseconds(found.round_trip) / 2.0);
 }
@@ -80,27 +62,8 @@ std::string file_of(const Measurements& found, const std::string& device, const 
   for (const SweepPoint& point : found.sweep)
     file["sweep"].push_back({point.commanded_deg, point.reported_deg, point.upwards});
   std::string text = file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  text.replace(text.size() - 2, 2, ",\n");  // replaces the last brace
+  text.replace(text.size() - 2, 2, ",\n");  // with_checksum() ends the object
   return with_checksum(text);
-}
-
-std::string svg_of(const Measurements& found) {
-  double max_error_deg = 0.0;
-  for (const SweepPoint& point : found.sweep)
-    max_error_deg = std::max(max_error_deg, std::abs(point.reported_deg - point.commanded_deg));
-  const double range_deg = std::max(1.0, std::ceil(max_error_deg));
-  const double scale = 110.0 / range_deg;
-  std::string svg =
-      R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 330" font-family="sans-serif" font-size="12">)"
-      "\n<rect width=\"600\" height=\"330\" fill=\"white\"/>\n"
-      "<path d=\"M60 40V260M60 150H580\" stroke=\"#888\" fill=\"none\"/>\n";
-  svg += label(52.0, 44.0, "end", format("%+g", range_deg)) + label(52.0, 154.0, "end", "0") +
-         label(52.0, 264.0, "end", format("%+g", -range_deg));
-  svg += label(60.0, 280.0, "start", format("%g", found.sweep.front().commanded_deg)) +
-         label(580.0, 280.0, "end", format("%g", max_deg_of(found))) +
-         label(320.0, 300.0, "middle", "commanded orientation, deg");
-  svg += label(60.0, 24.0, "start", "reported less commanded orientation, deg: from below (blue), from above (red)");
-  return svg + polyline(found, true, scale) + polyline(found, false, scale) + "</svg>\n";
 }
 
 void write_file(const std::filesystem::path& file, const std::string& content) {

@@ -9,31 +9,31 @@ namespace {
 
 constexpr double min_acceleration_deg_s2 = 300.0, max_acceleration_deg_s2 = 100'000.0;
 
-// Output of a first-order filter for a constant acceleration from time 0 on.
-double shown_of(double time_s, double acceleration_deg_s2, double filter_s) {
+// Output of a first-order filter whose input has a constant acceleration from time 0 on.
+double filtered_deg(double time_s, double acceleration_deg_s2, double filter_s) {
   if (time_s <= 0.0) return 0.0;
   const double settling = 1.0 - std::exp(-time_s / std::max(filter_s, 1e-6));
   return acceleration_deg_s2 * (0.5 * time_s * time_s - filter_s * time_s + filter_s * filter_s * settling);
 }
 
-// Part of a step in which the plate has its full speed.
+// Fractions of a step between which the plate has its full speed.
 constexpr double ramp_begins = 0.3, ramp_ends = 0.65;
 
-// Line through the samples of that part: its slope, and the time where it crosses 0.
+// Line through the samples between these fractions: its slope, and the time at which it crosses 0.
 struct Ramp {
   double speed_deg_s;
   double start_s;
 };
 std::optional<Ramp> ramp_of(const Step& step) {
   double n = 0.0, t = 0.0, x = 0.0, tt = 0.0, tx = 0.0;
-  for (const auto& [time_s, part_deg] : step.samples) {
-    if (part_deg > ramp_ends * step.way_deg) break;
-    if (part_deg < ramp_begins * step.way_deg) continue;
+  for (const auto& [time_s, angle_deg] : step.samples) {
+    if (angle_deg > ramp_ends * step.travel_deg) break;
+    if (angle_deg < ramp_begins * step.travel_deg) continue;
     n += 1.0;
     t += time_s;
-    x += part_deg;
+    x += angle_deg;
     tt += time_s * time_s;
-    tx += time_s * part_deg;
+    tx += time_s * angle_deg;
   }
   if (n < 4.0 || n * tt <= t * t) return std::nullopt;
   const double speed_deg_s = (n * tx - t * x) / (n * tt - t * t);
@@ -41,21 +41,22 @@ std::optional<Ramp> ramp_of(const Step& step) {
   return Ramp{speed_deg_s, (t - x / speed_deg_s) / n};
 }
 
-// Log likelihood of an onset and acceleration, with unknown noise of the samples. The model is a constant acceleration
-// minus a second one that starts at full speed. Samples that the filter correlates count as fewer.
+// Log likelihood of an onset and an acceleration, for an unknown SD of the noise. The model is a constant acceleration
+// minus an equal one that starts when full speed is reached. The number of samples is reduced, because the filter
+// correlates successive samples.
 double likelihood(const Step& step, const Ramp& ramp, double onset_s, double acceleration_deg_s2, double filter_s) {
   const double full_s = ramp.speed_deg_s / acceleration_deg_s2;
   double n = 0.0, squares = 0.0, last_s = 0.0;
-  for (const auto& [sample_s, part_deg] : step.samples) {
-    if (part_deg > ramp_ends * step.way_deg) break;
-    const double off_deg = part_deg - shown_of(sample_s - onset_s, acceleration_deg_s2, filter_s) +
-                           shown_of(sample_s - onset_s - full_s, acceleration_deg_s2, filter_s);
-    squares += off_deg * off_deg;
+  for (const auto& [sample_s, angle_deg] : step.samples) {
+    if (angle_deg > ramp_ends * step.travel_deg) break;
+    const double residual_deg = angle_deg - filtered_deg(sample_s - onset_s, acceleration_deg_s2, filter_s) +
+                                filtered_deg(sample_s - onset_s - full_s, acceleration_deg_s2, filter_s);
+    squares += residual_deg * residual_deg;
     n += 1.0;
     last_s = sample_s;
   }
-  const double alike = std::exp(-last_s / n / std::max(filter_s, 1e-6));
-  return -0.5 * n * (1.0 - alike) / (1.0 + alike) * std::log(squares / n + 1e-6);
+  const double correlation = std::exp(-last_s / n / std::max(filter_s, 1e-6));
+  return -0.5 * n * (1.0 - correlation) / (1.0 + correlation) * std::log(squares / n + 1e-6);
 }
 
 }  // namespace
@@ -68,9 +69,10 @@ Measured mean_of(const std::vector<double>& values) {
   return {sum / n, std::sqrt(squares / (n - 1.0) / n)};
 }
 
-// The line through the ramp is delayed by the filter's time constant and by half of the acceleration's duration, so
-// that only the acceleration remains unknown. Few samples show it, fewer for a slower plate. Therefore one acceleration
-// is fitted to all steps; the deviations of the results include its uncertainty, weighted by likelihood.
+// The line through the ramp is delayed by the time constant of the filter and by half of the duration of the
+// acceleration, so that only the acceleration is unknown. Few samples depend on it, fewer for a slower plate. Therefore
+// one acceleration is fitted to all steps. The standard errors of the results include its uncertainty: the mean over
+// all accelerations, weighted by likelihood.
 std::optional<StepsFit> fit_steps(const std::vector<Step>& steps, double filter_s) {
   std::vector<Ramp> ramps;
   std::vector<double> starts_s, speeds_deg_s;

@@ -1,4 +1,4 @@
-// Fit of the onset, speed and acceleration of a plate's steps.
+// Fit of onset, speed and acceleration to the response of a plate to steps of its command.
 #pragma once
 
 #include <optional>
@@ -6,27 +6,27 @@
 
 namespace hrt::plate {
 
-/// Mean with its standard error, which is at least that of the resolution of the reports.
+/// Measured value with its standard error.
 struct Measured {
   double value = 0.0;
   double deviation = 0.0;
 };
 
-/// Returns the mean with the standard error of the spread.
+/// Returns the mean of values with its standard error.
 Measured mean_of(const std::vector<double>& values);
 
-/// Report in a step: time since the command, and angle from the start, in the direction of the step.
+/// Report during a step: time since the command, and angle from the start in the direction of the step.
 struct StepSample {
   double time_s;
-  double way_deg;
+  double travel_deg;
 };
 
 struct Step {
-  double way_deg;
+  double travel_deg;
   std::vector<StepSample> samples;
 };
 
-/// Motion that begins at onset_s and has a constant acceleration up to its speed.
+/// Motion that begins onset_s after the command and has a constant acceleration up to a constant speed.
 struct StepsFit {
   Measured onset_s;
   Measured speed_deg_s;

@@ -20,13 +20,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Servo on a named pipe with two ends, so that one end is free while the other is in use.
+// Servo behind a named pipe with two instances, so that one can be opened while the other is in use.
 class PipeDynamixel {
  public:
   PipeDynamixel()
       : name_("\\\\.\\pipe\\hrt_plate_test_" + std::to_string(GetCurrentProcessId())),
         ends_{made(), made()},
-        thread_([this] { live(); }) {}
+        thread_([this] { simulate(); }) {}
   ~PipeDynamixel() {
     unplug();
     thread_.join();
@@ -38,7 +38,7 @@ class PipeDynamixel {
   void unplug() { ending_ = true; }
 
  private:
-  void live() {
+  void simulate() {
     const auto began = std::chrono::steady_clock::now();
     while (!ending_) {
       std::this_thread::sleep_for(1ms);

@@ -1,5 +1,5 @@
-// Each pair of faults in each phase of operation. Measures the motion before the first command and after a stop, the
-// speed, the largest force at the rim, and the reported fault. Prints a table:
+// Injects each pair of faults in each phase of operation. Measures the motion before the first command and after a
+// stop, the speed and the largest force at the rim, and checks which fault is reported. Prints a table:
 // hrt_plate_driver_tests --gtest_filter='PlateFaults*'
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Time over which speed is measured, and between two faults. A hobby servo gets a pulse every 20 ms.
+// Interval over which the speed is measured: five pulses of a hobby servo. Also the time between the two faults.
 constexpr auto window = 100ms;
 constexpr double place_deg = -20.0;  // initial plate orientation
 enum Phase { open, idle, home, move, hold, close };
@@ -38,10 +38,10 @@ constexpr const char* phases[] = {"open", "idle", "home", "move", "hold", "close
 template <class Emulated>
 struct Kind {
   const char* name;
-  std::function<void(Emulated&)> begin;  ///< null: unplugs the line
-  std::vector<std::string> says;         ///< the report has one of these; empty: not observable
-  Phase first_phase = open;              ///< first phase in which the fault is observable
-  std::function<void(Emulated&)> end;    ///< ends the fault 300 ms later; null: it lasts
+  std::function<void(Emulated&)> begin;  ///< injects the fault; null: the serial line is unplugged
+  std::vector<std::string> texts;      ///< one of these is in the reported failure; empty: the fault is not observable
+  Phase first_phase = open;            ///< first phase in which the fault is observable
+  std::function<void(Emulated&)> end;  ///< ends the fault 300 ms later; null: the fault lasts
 };
 
 template <class Emulated>
@@ -62,10 +62,10 @@ struct Hobby {
   static constexpr bool homes = true, refuses_second_host = true;
 
   static HobbyPlate make(Phase phase) {
-    return HobbyPlate({.settings = phase == home ? settings_default() : commissioned(), .place_deg = place_deg});
+    return HobbyPlate({.settings = phase == home ? settings_default() : commissioned(), .orientation_deg = place_deg});
   }
-  static void greet(HobbyPlate& board) { board.say("HELLO 2 00042"); }
-  static double force_n(const HobbyPlate&) { return 0.0; }  // unknown, and not limited
+  static void greet(HobbyPlate& board) { board.receive_line("HELLO 2 00042"); }
+  static double force_n(const HobbyPlate&) { return 0.0; }  // unknown: the firmware does not limit it
   static bool is_silent(const HobbyPlate&) { return false; }
   static inline const std::vector<Kind<HobbyPlate>> kinds = {
       {"unplug", {}, {"is unplugged"}},
@@ -77,10 +77,10 @@ struct Hobby {
        {"has restarted", "is stuck"},
        idle},
       {"reset", [](HobbyPlate& board) { board.restart(); }, {"has restarted"}, idle},
-      {"emergency", [](HobbyPlate& board) { board.press(true); }, {"emergency stop"}},
-      {"second host", [](HobbyPlate& board) { board.say("SET -040.00 40000"); }, {"another program"}, idle},
+      {"emergency", [](HobbyPlate& board) { board.press_emergency_stop(true); }, {"emergency stop"}},
+      {"second host", [](HobbyPlate& board) { board.receive_line("SET -040.00 40000"); }, {"another program"}, idle},
       {"garbage", disturb<HobbyPlate>, {}},
-      {"silence", [](HobbyPlate& board) { board.fall_silent(); }, {"not answer", "not been heard", "not reported"}},
+      {"silence", [](HobbyPlate& board) { board.stop_answering(); }, {"not answer", "not reported"}},
       {"stuck", [](HobbyPlate& board) { board.servo.is_jammed = true; }, {"is stuck"}},
       {"stall", [](HobbyPlate& board) { board.servo.supply = 0.3; }, {"less than 4 V"}},
       {"supply loss",
@@ -90,13 +90,13 @@ struct Hobby {
        [](HobbyPlate& board) { board.servo.supply = 1.0; }}};
 };
 
-// The stronger model, with the largest effort. Its orientation is always known: it has no homing. Its emergency stop
-// cuts its supply.
+// The stronger model, with the largest effort. It needs no homing, because its orientation is always known. Its
+// emergency stop cuts its supply.
 struct Xl330 {
   using Emulated = EmulatedDynamixel;
   static constexpr const char *name = "XL330", *device = "dynamixel:line?effort=100";
   static constexpr double speed_limit_deg_s = 300.0;  // its profile
-  static constexpr double latency_s = 0.02;           // an exchange that has to end, and the exchange of the stop
+  static constexpr double latency_s = 0.02;           // an exchange that must end first, and the exchange of the stop
   static constexpr bool homes = false, refuses_second_host = false;
 
   static EmulatedDynamixel make(Phase) {
@@ -119,9 +119,9 @@ struct Xl330 {
   }
   static inline const std::vector<Kind<EmulatedDynamixel>> kinds = {
       {"unplug", {}, {"is unplugged"}},
-      {"power loss", lose_power, {"not answer", "not been heard"}},
+      {"power loss", lose_power, {"not answer"}},
       {"reset", [](EmulatedDynamixel& servo) { servo.restart(); }, {"has restarted"}, idle},
-      {"emergency", lose_power, {"not answer", "not been heard"}},
+      {"emergency", lose_power, {"not answer"}},
       {"second host",
        [](EmulatedDynamixel& servo) {
          const std::string goal = dynamixel::little_endian(116, 2) + dynamixel::little_endian(1593, 4);
@@ -130,31 +130,30 @@ struct Xl330 {
        {"another program"},
        idle},
       {"garbage", disturb<EmulatedDynamixel>, {}},
-      {"silence", [](EmulatedDynamixel& servo) { servo.is_silent = true; }, {"not answer", "not been heard"}},
+      {"silence", [](EmulatedDynamixel& servo) { servo.is_silent = true; }, {"not answer"}},
       {"stuck", [](EmulatedDynamixel& servo) { servo.motor.is_jammed = true; }, {"is stuck"}},
       {"stall", [](EmulatedDynamixel& servo) { servo.motor.supply = 0.3; }, {}},
-      {"supply loss",
-       lose_power,
-       {"has restarted", "not answer", "not been heard"},
-       idle,
-       [](EmulatedDynamixel& servo) { servo.is_silent = false; }}};
+      {"supply loss", lose_power, {"has restarted", "not answer"}, idle, [](EmulatedDynamixel& servo) {
+         servo.is_silent = false;
+       }}};
 };
 
 // A plate with its host, into which faults are injected.
 template <class Plate>
-struct Scene {
+struct Operation {
   using Emulated = typename Plate::Emulated;
 
-  explicit Scene(Phase phase) : board(Plate::make(phase)) {}
+  explicit Operation(Phase phase) : board(Plate::make(phase)) {}
 
   Emulated board;
   std::unique_ptr<Device> host;
   std::set<std::string> reported;
   double before_first_set_deg = 0.0, after_stop_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
   bool is_set = false, is_unplugged = false;
-  std::optional<std::chrono::nanoseconds> stops;  // time of the stop; a plate without a line stops by its watchdog
+  std::optional<std::chrono::nanoseconds>
+      stops;  // time of the stop; a plate without a serial line is stopped by its watchdog
   std::optional<double> stopped_deg;
-  std::function<void(Emulated&)> ends;  // ends the present fault
+  std::function<void(Emulated&)> ends;  // ends the injected fault
   std::chrono::nanoseconds ends_at{};
 
   void close_host() {
@@ -167,7 +166,7 @@ struct Scene {
     after_stop_deg = std::max(after_stop_deg, std::abs(board.orientation_deg() - *stopped_deg));
   }
 
-  // Runs the host's device, and closes it when it has failed; without one, only lets time pass.
+  // Runs the host for this time, and closes its device when the device fails. Without a host, only lets time pass.
   void run(std::chrono::milliseconds time) {
     for (const auto end = board.now() + time; board.now() < end;) {
       const double from_deg = board.orientation_deg();
@@ -192,7 +191,7 @@ struct Scene {
     }
   }
   void open_host() {
-    board.take_output();  // bytes from before opening are lost
+    board.take_output();  // bytes that the plate sent before are lost
     try {
       host = device_named(Plate::device)(
           [this](const std::string&, int) { return std::make_unique<EmulatedLine<Emulated>>(board, is_unplugged); },
@@ -205,7 +204,7 @@ struct Scene {
     is_set = true;
     if (host) host->turn_to(orientation_deg);
   }
-  void play(Phase phase, const Kind<Emulated>& first, const Kind<Emulated>& second) {
+  void run_phases(Phase phase, const Kind<Emulated>& first, const Kind<Emulated>& second) {
     const auto inject = [&](Phase now) {
       if (now != phase) return;
       for (const auto* kind : {&first, &second}) {
@@ -217,7 +216,7 @@ struct Scene {
         ends_at = board.now() + 300ms;
       }
     };
-    if (phase == open) {  // in the middle of the greeting
+    if (phase == open) {  // the greeting of the host is interrupted
       Plate::greet(board);
       inject(open);
     }
@@ -247,27 +246,27 @@ struct Scene {
   }
 };
 
-// True if `said` names `kind`, or `kind` is not observable in this phase: after closing there is no host, and without a
-// sensor a stuck servo is not detected.
+// True if the reported failures name a fault, or if the fault is not observable in this phase: after closing there is
+// no host, and without a sensor a stuck servo is not detected.
 template <class Emulated>
-bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& said) {
-  const auto& words = kind.says;
-  return std::any_of(words.begin(), words.end(), [&](const auto& word) { return has(said, word); }) || words.empty() ||
-         phase < kind.first_phase || phase == close || (phase == home && words.front() == "is stuck");
+bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& reported) {
+  const auto& words = kind.texts;
+  return std::any_of(words.begin(), words.end(), [&](const auto& word) { return has(reported, word); }) ||
+         words.empty() || phase < kind.first_phase || phase == close || (phase == home && words.front() == "is stuck");
 }
 
-// The line of an XL330 is unplugged while it moves, and a second controller on its bus sends a goal. No driver can
-// prevent that the servo executes it until 300 ms after the last packet. On the same computer, the lock of the line
-// excludes a second program (PlateApi.ASecondProgramCannotUseTheLine).
+// The serial line of an XL330 is unplugged while the servo moves, and a second controller on its bus sends a goal. No
+// driver can prevent that the servo executes the goal until 300 ms after the last packet. On the same computer, the
+// lock of the serial line excludes a second program (PlateApi.ASecondProgramCannotUseTheLine).
 template <class Plate>
 bool has_only_another_controller(Phase phase, const char* first, const char* second) {
   return !Plate::refuses_second_host && phase == move && std::string_view(first) == "unplug" &&
          std::string_view(second) == "second host";
 }
 
-// Returns the rows of the README that summarize the table.
+// Runs all pairs of faults and prints the table. Returns the rows of the README that summarize it.
 template <class Plate>
-std::string study() {
+std::string run_all_pairs() {
   std::printf("%-12s %-12s %-12s %-6s %-14s %-14s %-8s %-8s %s\n", "plate", "fault", "and", "phase", "deg before set",
               "deg after stop", "deg/s", "N at rim", "reported");
   int runs = 0;
@@ -277,21 +276,21 @@ std::string study() {
     for (std::size_t b = a; b < kinds.size(); ++b) {
       for (const Phase phase : {open, idle, home, move, hold, close}) {
         if (phase == home && !Plate::homes) continue;
-        Scene<Plate> scene(phase);
-        scene.play(phase, kinds[a], kinds[b]);
-        std::string said;
-        for (const std::string& what : scene.reported) said += (said.empty() ? "" : "; ") + what;
+        Operation<Plate> operation(phase);
+        operation.run_phases(phase, kinds[a], kinds[b]);
+        std::string reported;
+        for (const std::string& what : operation.reported) reported += (reported.empty() ? "" : "; ") + what;
         std::printf("%-12s %-12s %-12s %-6s %14.1f %14.1f %8.0f %8.2f %s\n", Plate::name, kinds[a].name, kinds[b].name,
-                    phases[phase], scene.before_first_set_deg, scene.after_stop_deg, scene.max_deg_s, scene.max_n,
-                    said.c_str());
-        before_deg = std::max(before_deg, scene.before_first_set_deg);
+                    phases[phase], operation.before_first_set_deg, operation.after_stop_deg, operation.max_deg_s,
+                    operation.max_n, reported.c_str());
+        before_deg = std::max(before_deg, operation.before_first_set_deg);
         const bool is_other = has_only_another_controller<Plate>(phase, kinds[a].name, kinds[b].name);
-        (is_other ? other_deg : after_deg) = std::max(is_other ? other_deg : after_deg, scene.after_stop_deg);
+        (is_other ? other_deg : after_deg) = std::max(is_other ? other_deg : after_deg, operation.after_stop_deg);
         runs += is_other ? 0 : 1;
-        max_deg_s = std::max(max_deg_s, scene.max_deg_s);
-        max_n = std::max(max_n, scene.max_n);
-        EXPECT_TRUE(is_named(kinds[a], phase, said) || is_named(kinds[b], phase, said)) << said;
-        EXPECT_TRUE(!said.empty() || (is_named(kinds[a], phase, "") && is_named(kinds[b], phase, "")));
+        max_deg_s = std::max(max_deg_s, operation.max_deg_s);
+        max_n = std::max(max_n, operation.max_n);
+        EXPECT_TRUE(is_named(kinds[a], phase, reported) || is_named(kinds[b], phase, reported)) << reported;
+        EXPECT_TRUE(!reported.empty() || (is_named(kinds[a], phase, "") && is_named(kinds[b], phase, "")));
       }
     }
   }
@@ -317,8 +316,8 @@ std::string study() {
 TEST(PlateFaults, EachPairStaysWithinTheLimitsOfMotionSpeedAndForceAndIsReported) {
   std::ifstream file(HRT_PLATE_PAGES "/README.md");
   const std::string readme(std::istreambuf_iterator<char>(file), {});
-  EXPECT_TRUE(has(readme, study<Hobby>()));
-  EXPECT_TRUE(has(readme, study<Xl330>()));
+  EXPECT_TRUE(has(readme, run_all_pairs<Hobby>()));
+  EXPECT_TRUE(has(readme, run_all_pairs<Xl330>()));
 }
 
 }  // namespace

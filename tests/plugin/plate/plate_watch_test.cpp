@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "plugin/src/plate/same_feel.h"
+#include "plugin/src/plate/same_ridges.h"
 #include "tests/plugin/plate/failing_test.h"
 
 namespace hrt::plate {
@@ -18,46 +18,54 @@ constexpr PlateWatch::Time start{};
 
 using PlateWatchTest = FailingTest;
 
+// Reports orientation_deg(milliseconds) every 20 ms of an interval.
+template <class Orientation>
+void report(PlateWatch& watch, std::chrono::milliseconds from, std::chrono::milliseconds to,
+            Orientation orientation_deg) {
+  for (auto time = from; time <= to; time += 20ms)
+    watch.note_report(start + time, orientation_deg(static_cast<double>(time.count())));
+}
+
 TEST_F(PlateWatchTest, FailsWhenThePlateDoesNotReport) {
   PlateWatch watch(greeting, start);
   watch.check(start + 500ms);
-  EXPECT_EQ(failure_of([&] { watch.check(start + 501ms); }), "never reports its orientation; check its firmware");
-  watch.reported(start + 600ms, 0.0);
+  EXPECT_NE(failure_of([&] { watch.check(start + 501ms); }), "");
+  watch.note_report(start + 600ms, 0.0);
   watch.check(start + 1100ms);
-  EXPECT_EQ(failure_of([&] { watch.check(start + 1101ms); }),
-            "has not reported its orientation for half a second; open it again");
+  fault = {};
+  EXPECT_NE(failure_of([&] { watch.check(start + 1101ms); }), "");
+  EXPECT_EQ(fault, Fault::no_report);
 }
 
 TEST_F(PlateWatchTest, FailsWhenThePlateIsStuck) {
   PlateWatch watch(greeting, start);
-  watch.commanded(30.0);
-  for (auto time = 0ms; time <= 1000ms; time += 20ms)
-    watch.reported(start + time, 12.0 + 0.3 * std::sin(0.01 * static_cast<double>(time.count())));
-  EXPECT_EQ(failure_of([&] { watch.reported(start + 1020ms, 12.0); }),
-            "is stuck at 12.0 deg; it was commanded to 30.0 deg. Remove the obstacle, and open it again");
+  watch.note_command(30.0);
+  report(watch, 0ms, 1000ms, [](double ms) { return 12.0 + 0.3 * std::sin(0.01 * ms); });
+  EXPECT_NE(failure_of([&] { watch.note_report(start + 1020ms, 12.0); }), "");
+  EXPECT_EQ(fault, Fault::stuck);
 }
 
 TEST_F(PlateWatchTest, APlateThatIsNearItsCommandIsNotStuck) {
   PlateWatch watch(greeting, start);
-  watch.commanded(30.0);
-  for (auto time = 0ms; time <= 3000ms; time += 20ms) watch.reported(start + time, 20.5);
+  watch.note_command(30.0);
+  report(watch, 0ms, 3000ms, [](double) { return 20.5; });
 }
 
 // After a pause of 2 s, the host reads the reports of the pause together.
 TEST_F(PlateWatchTest, APauseOfTheHostIsNotAFailure) {
   PlateWatch watch(greeting, start);
-  watch.commanded(80.0);
-  watch.reported(start, 0.0);
-  for (int i = 0; i < 20; ++i) watch.reported(start + 2000ms, 4.0 * i);
+  watch.note_command(80.0);
+  watch.note_report(start, 0.0);
+  for (int i = 0; i < 20; ++i) watch.note_report(start + 2000ms, 4.0 * i);
   EXPECT_FALSE(watch.speed_deg_s());
-  watch.reported(start + 2000ms, 80.0);
+  watch.note_report(start + 2000ms, 80.0);
 }
 
 TEST_F(PlateWatchTest, ReportsOfAnUnknownOrientationAreAccepted) {
   PlateWatch watch(greeting, start);
-  watch.commanded(80.0);
+  watch.note_command(80.0);
   for (auto time = 0ms; time <= 8000ms; time += 100ms) {
-    watch.reported(start + time, std::nullopt);
+    watch.note_report(start + time, std::nullopt);
     watch.check(start + time);
   }
   EXPECT_FALSE(watch.speed_deg_s());
@@ -67,19 +75,18 @@ TEST_F(PlateWatchTest, ReportsOfAnUnknownOrientationAreAccepted) {
 TEST_F(PlateWatchTest, FailsWhenThePlateIsBeyondItsLimits) {
   for (const double side : {-1.0, 1.0}) {
     PlateWatch watch(greeting, start);
-    watch.reported(start, side * 93.0);
-    EXPECT_NE(
-        failure_of([&] { watch.reported(start + 20ms, side * 93.1); }).find("outside its limits of -90.0 to 90.0 deg"),
-        std::string::npos);
+    watch.note_report(start, side * 93.0);
+    EXPECT_NE(failure_of([&] { watch.note_report(start + 20ms, side * 93.1); }), "");
+    EXPECT_EQ(fault, Fault::limits);
   }
 }
 
 TEST_F(PlateWatchTest, APlateThatWasStoppedIsNotStuck) {
   PlateWatch watch(greeting, start);
-  watch.commanded(30.0);
-  for (auto time = 0ms; time <= 900ms; time += 20ms) watch.reported(start + time, 0.0);
-  watch.stopped();
-  for (auto time = 920ms; time <= 3000ms; time += 20ms) watch.reported(start + time, 0.0);
+  watch.note_command(30.0);
+  report(watch, 0ms, 900ms, [](double) { return 0.0; });
+  watch.note_stop();
+  report(watch, 920ms, 3000ms, [](double) { return 0.0; });
 }
 
 // Two degrees a second are a motion of a plate that reports this speed.
@@ -87,33 +94,28 @@ TEST_F(PlateWatchTest, ASlowPlateIsNotStuck) {
   PlateGreeting slow = greeting;
   slow.speed_deg_s = 2.0;
   PlateWatch watch(slow, start);
-  watch.commanded(80.0);
-  for (auto time = 0ms; time <= 5000ms; time += 20ms)
-    watch.reported(start + time, 2e-3 * static_cast<double>(time.count()));
-  ASSERT_TRUE(watch.speed_deg_s());
-  EXPECT_NEAR(*watch.speed_deg_s(), 2.0, 1e-6);
+  watch.note_command(80.0);
+  report(watch, 0ms, 5000ms, [](double ms) { return 2e-3 * ms; });
+  EXPECT_NEAR(watch.speed_deg_s().value(), 2.0, 1e-6);
 }
 
 // 100 degrees a second from 0 to 80 degrees, reported every 20 ms.
 TEST_F(PlateWatchTest, MeasuresTheSpeed) {
   PlateWatch watch(greeting, start);
-  watch.reported(start, 0.0);
+  watch.note_report(start, 0.0);
   EXPECT_FALSE(watch.speed_deg_s());
-  watch.commanded(80.0);
-  for (auto time = 0ms; time <= 1000ms; time += 20ms)
-    watch.reported(start + time, std::min(80.0, 0.1 * static_cast<double>(time.count())));
-  ASSERT_TRUE(watch.speed_deg_s());
-  EXPECT_NEAR(*watch.speed_deg_s(), 100.0, 1e-6);
+  watch.note_command(80.0);
+  report(watch, 0ms, 1000ms, [](double ms) { return std::min(80.0, 0.1 * ms); });
+  EXPECT_NEAR(watch.speed_deg_s().value(), 100.0, 1e-6);
 }
 
 // A plate that follows a ramp of small commands shows the speed of the ramp, not its maximum speed.
 TEST_F(PlateWatchTest, IgnoresTheSpeedOfARampOfCommands) {
   PlateWatch watch(greeting, start);
-  for (auto time = 0ms; time <= 2000ms; time += 20ms) {
-    const double place_deg = 0.02 * static_cast<double>(time.count());
-    watch.commanded(place_deg + 2.0);
-    watch.reported(start + time, place_deg);
-  }
+  report(watch, 0ms, 2000ms, [&](double ms) {
+    watch.note_command(0.02 * ms + 2.0);
+    return 0.02 * ms;
+  });
   EXPECT_FALSE(watch.speed_deg_s());
 }
 
@@ -146,7 +148,7 @@ TEST(OrientationWithin, ReturnsTheNearestWithTheSameRidges) {
               {-180, 180, 100, -60, -80}, {-360, 360, 0, 350, 360}, {-360, 360, 0, 1000, 360},
               {-45, 45, 60, 0, 45},       {-45, 45, -60, 0, -45},   {-45, 45, 130, 0, -45}};
   for (const auto& row : rows)
-    EXPECT_EQ(orientation_within(row.min_deg, row.max_deg, row.wanted_deg, row.now_deg), row.taken_deg)
+    EXPECT_EQ(nearest_with_same_ridges(row.min_deg, row.max_deg, row.wanted_deg, row.now_deg), row.taken_deg)
         << row.wanted_deg;
 }
 

@@ -35,13 +35,10 @@ class MockPlate : public MockRuntime {
   XrSpace plate_space = XR_NULL_HANDLE;
 };
 
-class Hash : public plugin::Hash {
- public:
-  template <typename Value>
-  void add(const Value& value) {
-    plugin::Hash::add({reinterpret_cast<const char*>(&value), sizeof value});
-  }
-};
+template <typename Value>
+void add(plugin::Hash& hash, const Value& value) {
+  hash.add({reinterpret_cast<const char*>(&value), sizeof value});
+}
 
 // Every key of a participant takes effect: the reach equals that of a SlidingPerson with the same values.
 TEST_F(MockPlate, ReachEqualsThatOfAPersonWithTheValuesOfTheScript) {
@@ -67,8 +64,7 @@ TEST_F(MockPlate, ReachEqualsThatOfAPersonWithTheValuesOfTheScript) {
                       .path_scale = 1.1};
   SlidingPerson expected(person, {0.0, -50.0}, 5.0, 100.0, Draws(6, 1, 0, 0));
   XrTime now = 1'000'000'000;  // first time of a manual clock
-  double plate_deg = 0.0;
-  double peak_deg = 0.0;
+  double plate_deg = 0.0, peak_deg = 0.0;
   for (int period = 0; !truth().isDone; ++period) {
     ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 10'000'000));
     now += 10'000'000;
@@ -139,14 +135,14 @@ TEST_F(MockPlate, ReachesHaveTheSameHashOnEveryPlatform) {
       "participants": [{}, {"illusion": "tanh", "steering": "heavy_arm"}, {"steering": "steps"}],
       "tracker": {"noise_mm": 1.2, "rate_hz": 90, "latency_ms": 10}})");
   place_plate();
-  Hash hash;
+  plugin::Hash hash;
   for (int reach = 0; reach < 3; ++reach) {
     instruct(5.0);
     while (!truth().isDone) {
       const XrTime time = frame();
       const XrVector3f tip = index_tip(time);
       ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, static_cast<double>(time % 60)));
-      hash.add(tip);
+      add(hash, tip);
     }
   }
   EXPECT_EQ(hash.value(), 6041797942353730450U);
@@ -158,10 +154,10 @@ TEST_F(MockPlate, JointsOfAHandOnAPathHaveTheSameHashOnEveryPlatform) {
         {"time_ms": 0, "position_m": [0.1, -0.3, -0.2], "orientation": [0.6, 0, 0, 0.8]},
         {"time_ms": 700, "position_m": [0.2, -0.4, -0.3], "orientation": [0, -0.8, 0, -0.6]},
         {"time_ms": 1100, "position_m": [0.15, -0.35, -0.3]}]}}})");
-  Hash hash;
+  plugin::Hash hash;
   for (int i = 0; i < 120; ++i) {
     const Hand located = locate_hand(hand, plate_space, frame());
-    for (const XrHandJointLocationEXT& joint : located.joints) hash.add(joint.pose);
+    for (const XrHandJointLocationEXT& joint : located.joints) add(hash, joint.pose);
   }
   EXPECT_EQ(hash.value(), 13559203345539007447U);
 }

@@ -86,12 +86,6 @@ TEST_F(MockThreads, ConcurrentCallsOfDifferentFunctionsSucceed) {
     check(xrCreateReferenceSpace(session, &info, &space));
     check(xrDestroySpace(space));
   }));
-  threads.push_back(repeat([&](int i) {
-    XrPath made = XR_NULL_PATH;
-    check(xrStringToPath(instance, ("/path/" + std::to_string(i % 100)).c_str(), &made));
-    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-    check(xrPollEvent(instance, &event));
-  }));
   threads.push_back(repeat([&](int i) { check(XR(xrSetPlateOrientationHRTX)(session, i % 90)); }));
   for (int i = 0; i < 200; ++i) {
     if (i % 50 == 0) instruct();

@@ -1,4 +1,4 @@
-// Board in simavr with an emulated hobby servo at its pins.
+// Board of a plate in simavr, with an emulated hobby servo at its pins.
 #pragma once
 
 #include <cmath>
@@ -18,10 +18,10 @@ inline std::vector<std::uint8_t> eeprom_with(const Settings& settings) {
 }
 
 struct BoardWithServo : EmulatedBoard {
-  explicit BoardWithServo(const ServoTraits& traits = {}, double place_deg = 0.0,
+  explicit BoardWithServo(const ServoTraits& traits = {}, double orientation_deg = 0.0,
                           const std::vector<std::uint8_t>& eeprom = eeprom_with(commissioned()))
-      : EmulatedBoard(eeprom), servo(traits, place_deg) {
-    on_pulse = [this](const Pulse& pulse) { servo.take_pulse(pulse.width_us(), pulse.start + pulse.width); };
+      : EmulatedBoard(eeprom), servo(traits, orientation_deg) {
+    on_pulse = [this](const Pulse& pulse) { servo.receive_pulse(pulse.width_us(), pulse.start + pulse.width); };
     on_millisecond = [this] {
       servo.run_until(now());
       set_feedback_mv(static_cast<std::uint32_t>(std::lround(servo.sensor_mv())));

@@ -1,4 +1,4 @@
-// Damages lines as a disturbed serial line does.
+// Damages lines of the protocol as a disturbed serial line does.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace hrt::plate {
 
 /// Damages `line` (with its "\n") in one of the ways that the checksum or the fixed widths of protocol 2 always detect:
 /// up to three flipped bits, a burst of up to 16 bits, two adjacent characters exchanged, a character lost, doubled or
-/// inserted, the end cut off, noise in front. The result ends with "\n" and differs from `line`.
+/// inserted, the end cut off, or noise in front. The result ends with "\n" and differs from `line`.
 inline std::string damaged(const std::string& line, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   for (;;) {
@@ -21,7 +21,7 @@ inline std::string damaged(const std::string& line, std::mt19937& random) {
         for (std::size_t i = 0, count = 1 + below(3); i < count; ++i) flip(below(8 * bad.size()));
         break;
       case 1: {
-        // Bits in the order of the CRC: the first of a character is its highest.
+        // Bits are in the order of the CRC: the first bit of a character is its highest.
         const std::size_t first = below(8 * bad.size() - 16);
         for (std::size_t i = 0, mask = 1 + below(65535); i < 16; ++i)
           if ((mask >> i & 1U) != 0) flip((first + i) / 8 * 8 + 7 - (first + i) % 8);
@@ -43,7 +43,7 @@ inline std::string damaged(const std::string& line, std::mt19937& random) {
         for (std::size_t i = 0, count = 1 + below(8); i < count; ++i) bad.insert(0, 1, static_cast<char>(random()));
         break;
     }
-    // A flipped bit may have ended the line early, which would make two lines of it.
+    // A flipped bit may have made a line end, so that there would be two lines.
     std::replace(bad.begin(), bad.end(), '\n', '\v');
     bad += '\n';
     if (bad != line && bad != line.substr(0, line.size() - 1) + "\r\n") return bad;

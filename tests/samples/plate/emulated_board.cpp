@@ -87,7 +87,7 @@ void EmulatedBoard::run_until(std::chrono::nanoseconds time) {
 
 void EmulatedBoard::run_for(std::chrono::nanoseconds time) { run_until(now() + time); }
 
-void EmulatedBoard::say(std::string_view body) { send(encode_line(body)); }
+void EmulatedBoard::receive_line(std::string_view body) { send(encode_line(std::string(body))); }
 
 std::string EmulatedBoard::take_output() {
   std::string output;
@@ -97,10 +97,9 @@ std::string EmulatedBoard::take_output() {
 
 std::vector<std::string> EmulatedBoard::take_lines() {
   std::vector<std::string> lines;
-  const std::string output = take_output();
-  for (const char byte : output)
-    if (const auto line = reader_.take(byte))
-      if (const auto decoded = decode_line(*line)) lines.emplace_back(*decoded);
+  LineError error = LINE_OK;
+  for (const char byte : take_output())
+    if (line_receive(&buffer_, byte, &error) && error == LINE_OK) lines.emplace_back(buffer_.text);
   return lines;
 }
 
@@ -143,7 +142,7 @@ std::vector<std::uint8_t> EmulatedBoard::eeprom() const {
 
 std::uint8_t EmulatedBoard::extended_fuse() const { return avr_->fuse[2]; }
 
-const std::vector<std::string>& EmulatedBoard::complaints() const { return logged; }
+const std::vector<std::string>& EmulatedBoard::simulator_errors() const { return logged; }
 
 void EmulatedBoard::take_edge(avr_irq_t*, std::uint32_t value, void* board) {
   auto& self = *static_cast<EmulatedBoard*>(board);

@@ -1,4 +1,4 @@
-// Board of a plate in simavr, in simulated time: the firmware's own ELF, its serial line and its servo pin.
+// Board of a plate in simavr, in simulated time: runs the ELF file of the firmware, with its serial line and its pins.
 #pragma once
 
 #include <chrono>
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plugin/include/plate_driver/plate_text.h"
 #include "plugin/src/plate/plate_line.h"
 
 struct avr_t;
@@ -26,7 +27,7 @@ struct Pulse {
 
 class EmulatedBoard {
  public:
-  /// Power-on with this EEPROM (empty: erased), and the emergency stop's contact closed.
+  /// Powers the board on with this content of the EEPROM (empty: erased) and the contact of the emergency stop closed.
   explicit EmulatedBoard(const std::vector<std::uint8_t>& eeprom = {});
   ~EmulatedBoard();
   EmulatedBoard(const EmulatedBoard&) = delete;
@@ -36,27 +37,27 @@ class EmulatedBoard {
   void run_for(std::chrono::nanoseconds time);
   void run_until(std::chrono::nanoseconds time);
 
-  /// Sends bytes to the board at the line's speed; the time is ignored.
+  /// Sends bytes to the board at the speed of the serial line. The time has no effect.
   void receive(std::string_view bytes, std::chrono::nanoseconds) { send(bytes); }
   void send(std::string_view bytes) { to_board_.append(bytes); }
-  /// Times without an effect: simavr simulates the line's speed.
+  /// EmulatedLine adds no delays, because simavr simulates the speed of the serial line.
   static std::chrono::nanoseconds byte_time() { return {}; }
   static std::chrono::nanoseconds answer_delay() { return {}; }
-  /// Sends a line of protocol 2 with this body.
-  void say(std::string_view body);
-  /// True while bytes for the board have not arrived.
+  /// Sends a line with this body to the board.
+  void receive_line(std::string_view body);
+  /// True while bytes are on the way to the board.
   bool is_sending() const { return !to_board_.empty(); }
   /// Returns the bytes that the board sent since the last call.
   std::string take_output();
-  /// Returns the bodies of the valid lines among them.
+  /// Returns the bodies of the valid lines that the board sent since the last call.
   std::vector<std::string> take_lines();
 
   /// Returns all pulses that have ended so far.
   const std::vector<Pulse>& pulses() const { return pulses_; }
 
-  /// Resets the board, which keeps its memory, as a brown-out or an opening of the line does.
+  /// Resets the board, which keeps the content of its memory, as a brown-out or the opening of the serial line does.
   void reset();
-  /// Replaces the main loop by an endless loop.
+  /// Simulates a main loop that hangs: jumps to an endless loop, in which interrupts still run.
   void hang();
   void open_emergency_stop(bool open);
   /// Sets the voltage at the sensor's pin.
@@ -64,12 +65,12 @@ class EmulatedBoard {
   /// Sets the voltage of the servo's supply; a divider applies half of it to A1.
   void set_supply_mv(std::uint32_t millivolts);
   std::vector<std::uint8_t> eeprom() const;
-  /// Extended fuse, as the ELF declares it.
+  /// Returns the extended fuse that the ELF file declares.
   std::uint8_t extended_fuse() const;
   /// Returns the errors that simavr has logged.
-  const std::vector<std::string>& complaints() const;
+  const std::vector<std::string>& simulator_errors() const;
 
-  /// Callbacks for a servo, after every pulse and every millisecond.
+  /// Functions that are called after every pulse and every millisecond, for a simulated servo.
   std::function<void(const Pulse&)> on_pulse;
   std::function<void()> on_millisecond;
 
@@ -83,7 +84,7 @@ class EmulatedBoard {
   avr_t* avr_;
   std::string to_board_;
   std::string output_;
-  LineReader reader_;
+  LineBuffer buffer_{};
   bool high_ = false;
   std::uint64_t rose_at_ = 0;
   std::vector<Pulse> pulses_;

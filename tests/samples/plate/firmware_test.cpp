@@ -7,35 +7,24 @@
 #include <random>
 #include <string>
 
-#include "plugin/src/plate/plate_line.h"
 #include "samples/app/emulator/hobby_plate.h"
+#include "tests/samples/plate/board_fixture.h"
 #include "tests/samples/plate/damage.h"
+#include "tests/samples/text.h"
 
 namespace hrt::plate {
 namespace {
 
 using namespace std::chrono_literals;
 
-class FirmwareLogic : public testing::Test {
+class FirmwareLogic : public BoardFixture<HobbyPlate> {
  protected:
-  explicit FirmwareLogic(const HobbyPlate::Traits& traits = {}) : board_(traits), plate_(board_.plate()) {
-    board_.say("HELLO 2");
-    board_.run_for(std::chrono::milliseconds(20));  // the sensor is read
+  explicit FirmwareLogic(const HobbyPlate::Traits& traits = {}) : BoardFixture(traits), plate_(board_.plate()) {
+    board_.receive_line("HELLO 2");
+    board_.run_for(20ms);  // the sensor is read
   }
 
-  // Sends a command, then heartbeats for this time.
-  void set(double orientation_deg, std::chrono::milliseconds time = 0ms, const char* word = "SET") {
-    board_.say(set_body(orientation_deg, ++sequence_, word));
-    run_with_beats(time);
-  }
   void home(double orientation_deg, std::chrono::milliseconds time = 0ms) { set(orientation_deg, time, "HOME"); }
-  void beat() { board_.say(beat_body("BEAT", ++sequence_)); }
-  void run_with_beats(std::chrono::milliseconds time) {
-    for (; time > 0ms; time -= 50ms) {
-      beat();
-      board_.run_for(std::min(time, std::chrono::milliseconds(50)));
-    }
-  }
   double position_deg() const { return plate_.position_microdeg * 1e-6; }
   // Returns the answers to a line, without reports.
   std::string answer(const std::string& bytes) {
@@ -49,17 +38,11 @@ class FirmwareLogic : public testing::Test {
     return named;
   }
   std::string answer_to(const std::string& body) { return answer(encode_line(body)); }
-  bool has_sent(const std::string& body) {
-    const auto lines = board_.take_lines();
-    return std::find(lines.begin(), lines.end(), body) != lines.end();
-  }
 
-  HobbyPlate board_;
   Plate& plate_;
-  std::uint16_t sequence_ = 0;
 };
 
-// Motion of 200 degrees a second from the measured position.
+// The pulse moves from the measured position at 200 degrees a second.
 TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
   set(80.0);
   board_.run_for(160ms);  // the first pulses hold the servo
@@ -76,18 +59,18 @@ TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
 TEST(Firmware, AStopEndsTheMotionOfTheServo) {
   for (const double speed_deg_s : {30.0, 60.0, 160.0, 250.0}) {
     for (const std::string stop : {"STOP 00100", "HELLO 2", ""}) {
-      HobbyPlate board({.servo = {.speed_deg_s = speed_deg_s}, .place_deg = -80.0});
-      board.say("HELLO 2");
+      HobbyPlate board({.servo = {.speed_deg_s = speed_deg_s}, .orientation_deg = -80.0});
+      board.receive_line("HELLO 2");
       board.run_for(20ms);
-      board.say(set_body(80.0, 1));
+      board.receive_line(motion_body(80.0, 1));
       for (std::uint16_t i = 2; i < 8; ++i) {
         board.run_for(100ms);
-        board.say(beat_body("BEAT", i));
+        board.receive_line(with_number("BEAT", i));
       }
       if (stop.empty()) {
         board.run_for(300ms);
       } else {
-        board.say(stop);
+        board.receive_line(stop);
       }
       const double stopped_deg = board.orientation_deg();
       EXPECT_LT(stopped_deg, 78.0);
@@ -101,7 +84,7 @@ TEST(Firmware, AStopEndsTheMotionOfTheServo) {
   }
 }
 
-TEST_F(FirmwareLogic, ThePulseLeadsTheSensorByABoundedAngle) {
+TEST_F(FirmwareLogic, ThePulseIsAheadOfTheSensorByABoundedAngle) {
   board_.servo.limit_speed(20.0);
   for (const double orientation_deg : {85.0, -85.0}) {
     set(orientation_deg);
@@ -124,34 +107,34 @@ TEST_F(FirmwareLogic, SendsALineLaterIfTheBufferIsFull) {
 
 TEST_F(FirmwareLogic, IgnoresAnEmergencyContactOpenForOneMillisecond) {
   set(0.0);
-  board_.press(true);
+  board_.press_emergency_stop(true);
   board_.run_for(1ms);
-  board_.press(false);
+  board_.press_emergency_stop(false);
   board_.run_for(1ms);
   EXPECT_TRUE(board_.has_pulses());
-  board_.press(true);
+  board_.press_emergency_stop(true);
   board_.run_for(2ms);
   EXPECT_FALSE(board_.has_pulses());
   EXPECT_TRUE(has_sent("STOPPED emergency"));
 }
 
 TEST_F(FirmwareLogic, AGreetingDoesNotEndAnEmergencyWhileTheContactIsOpen) {
-  board_.press(true);
+  board_.press_emergency_stop(true);
   board_.run_for(5ms);
-  board_.say("HELLO 2");
+  board_.receive_line("HELLO 2");
   set(10.0);
   board_.run_for(5ms);
   EXPECT_FALSE(board_.has_pulses());
-  board_.press(false);
+  board_.press_emergency_stop(false);
   board_.run_for(5ms);
   EXPECT_EQ(plate_.state, PLATE_LATCHED);
-  board_.say("HELLO 2");
+  board_.receive_line("HELLO 2");
   set(10.0);
   board_.run_for(5ms);
   EXPECT_TRUE(board_.has_pulses());
 }
 
-// A servo with a tenth of the motion's speed lags for seconds, but moves.
+// A servo with a tenth of the speed of the motion lags for seconds, but moves.
 TEST_F(FirmwareLogic, ASlowServoIsNotStuckAndAJammedOneIs) {
   board_.servo.limit_speed(20.0);
   set(80.0, 2500ms);
@@ -162,24 +145,24 @@ TEST_F(FirmwareLogic, ASlowServoIsNotStuckAndAJammedOneIs) {
   EXPECT_FALSE(board_.has_pulses());  // a jammed servo gets no current
 }
 
-// The readings at the two limits are exchanged, so that the first pulse is for the opposite side.
-TEST(Firmware, ASensorThatRunsAgainstItsServoTurnsThePlateBelow15Degrees) {
+// The settings adc_least and adc_most are exchanged, so that the first pulse turns the plate to the opposite side.
+TEST(Firmware, WithExchangedReadingsThePlateTurnsByLessThan15Degrees) {
   Settings exchanged = commissioned();
-  std::swap(exchanged.value[SETTING_ADC_LEAST], exchanged.value[SETTING_ADC_MOST]);
-  for (const double place_deg : {10.0, 40.0, 70.0, -40.0, -70.0}) {
-    HobbyPlate board({.settings = exchanged, .place_deg = place_deg});
-    board.say("HELLO 2");
+  std::swap(exchanged.value[SETTING_ADC_AT_MIN], exchanged.value[SETTING_ADC_AT_MAX]);
+  for (const double orientation_deg : {10.0, 40.0, 70.0, -40.0, -70.0}) {
+    HobbyPlate board({.settings = exchanged, .orientation_deg = orientation_deg});
+    board.receive_line("HELLO 2");
     board.run_for(20ms);
-    board.say(set_body(place_deg, 1));
+    board.receive_line(motion_body(orientation_deg, 1));
     double farthest_deg = 0.0;
     for (std::uint16_t sequence = 2; sequence < 200; ++sequence) {
-      board.say(beat_body("BEAT", sequence));
+      board.receive_line(with_number("BEAT", sequence));
       board.run_for(5ms);
-      farthest_deg = std::max(farthest_deg, std::abs(board.servo.plate_deg() - place_deg));
+      farthest_deg = std::max(farthest_deg, std::abs(board.servo.plate_deg() - orientation_deg));
     }
     const auto lines = board.take_lines();
-    EXPECT_EQ(std::count(lines.begin(), lines.end(), "STOPPED sensor"), 1) << place_deg;
-    EXPECT_LT(farthest_deg, 15.0) << place_deg;
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), "STOPPED sensor"), 1) << orientation_deg;
+    EXPECT_LT(farthest_deg, 15.0) << orientation_deg;
     EXPECT_FALSE(board.has_pulses());
   }
 }
@@ -187,12 +170,12 @@ TEST(Firmware, ASensorThatRunsAgainstItsServoTurnsThePlateBelow15Degrees) {
 // A sensor with an offset of 4 degrees, as of a potentiometer; and a plate that starts beyond its limits.
 TEST_F(FirmwareLogic, AcceptsASensorOffsetAndAStartBeyondTheLimits) {
   plate_.settings.value[SETTING_ZERO_US] += 4400;  // hundredths: 4 degrees
-  for (const double place_deg : {0.0, 50.0, -50.0}) {
-    board_.say("HELLO 2");
-    board_.servo.turn_by_hand(place_deg);
+  for (const double orientation_deg : {0.0, 50.0, -50.0}) {
+    board_.receive_line("HELLO 2");
+    board_.servo.turn_by_hand(orientation_deg);
     run_with_beats(100ms);
     set(10.0, 2000ms);
-    EXPECT_TRUE(board_.is_following()) << place_deg;
+    EXPECT_TRUE(board_.is_following()) << orientation_deg;
     EXPECT_NEAR(board_.servo.plate_deg(), 14.0, 0.5);
   }
 }
@@ -207,21 +190,21 @@ TEST_F(FirmwareLogic, ALostSupplyEndsThePulses) {
                                            },
                                            [&] { set(0.0, 1500ms); }};
   for (const auto& moment : moments) {
-    board_.say("HELLO 2");
+    board_.receive_line("HELLO 2");
     moment();
     board_.servo.supply = 0.0;
     run_with_beats(10ms);
     EXPECT_TRUE(has_sent("STOPPED supply"));
     board_.servo.is_jammed = false;
     run_with_beats(300ms);
-    const double place_deg = board_.orientation_deg();
+    const double orientation_deg = board_.orientation_deg();
     board_.servo.supply = 1.0;
     set(80.0, 300ms);
     EXPECT_FALSE(board_.has_pulses());
-    EXPECT_NEAR(board_.orientation_deg(), place_deg, 0.5);
-    board_.say("HELLO 2");
+    EXPECT_NEAR(board_.orientation_deg(), orientation_deg, 0.5);
+    board_.receive_line("HELLO 2");
     set(80.0, 100ms);
-    EXPECT_NEAR(board_.orientation_deg(), place_deg, 0.5);  // the first pulses hold the servo at its position
+    EXPECT_NEAR(board_.orientation_deg(), orientation_deg, 0.5);  // the first pulses hold the servo at its position
     run_with_beats(1000ms);
     EXPECT_NEAR(board_.orientation_deg(), 80.0, 0.5);
   }
@@ -230,9 +213,9 @@ TEST_F(FirmwareLogic, ALostSupplyEndsThePulses) {
   EXPECT_TRUE(board_.has_pulses());  // a short dip is ignored
   board_.run_for(5ms);
   EXPECT_TRUE(has_sent("STOPPED supply"));
-  board_.say("HELLO 2");
+  board_.receive_line("HELLO 2");
   EXPECT_EQ(answer_to("CONF supply 0"), "CONF supply 0.00;");
-  board_.say("HELLO 2");
+  board_.receive_line("HELLO 2");
   set(80.0, 200ms);
   EXPECT_TRUE(board_.has_pulses());
 }
@@ -243,7 +226,7 @@ TEST_F(FirmwareLogic, RefusesASecondHost) {
   EXPECT_TRUE(has(answer_to("HELLO 2 00007"), "PLATE 2 "));
   for (const char* line : {"SET +040.00 00001", "SET +040.00 00001 00008", "BEAT 00001", "CONF zero 1600", "STOP 00001",
                            "HOME +040.00 00001 7", "SAVE", "TEST", "HELLO 2", "HELLO 2 00008"}) {
-    board_.say("BEAT 00002 00007");
+    board_.receive_line("BEAT 00002 00007");
     EXPECT_EQ(answer_to(line), "ERROR session;") << line;
   }
   EXPECT_FALSE(board_.has_pulses());
@@ -267,8 +250,8 @@ TEST_F(FirmwareLogic, RefusesSettingsDuringAMotion) {
   EXPECT_EQ(answer_to("CONF speed 10"), "ERROR busy;");
   EXPECT_EQ(answer_to("SAVE"), "ERROR busy;");
   EXPECT_EQ(board_.saves(), 0);
-  board_.say(beat_body("STOP", 9));
-  board_.say("SAVE");
+  board_.receive_line(with_number("STOP", 9));
+  board_.receive_line("SAVE");
   EXPECT_EQ(board_.saves(), 1);
   board_.run_for(10ms);
   EXPECT_TRUE(has_sent("SAVED"));
@@ -309,13 +292,13 @@ TEST_F(FirmwareLogic, AMillionDamagedLinesMoveNothing) {
   for (int i = 0; i < 1'000'000; ++i) {
     switch (i % 3) {
       case 0:
-        bad = set_body(static_cast<double>(random() % 18001) / 100.0 - 90.0, sequence_);
+        bad = motion_body(static_cast<double>(random() % 18001) / 100.0 - 90.0, sequence_);
         break;
       case 1:
         bad = "CONF zero 1" + std::to_string(490 + random() % 20);
         break;
       default:
-        bad = beat_body("STOP", sequence_);
+        bad = with_number("STOP", sequence_);
         break;
     }
     for (const char byte : damaged(encode_line(bad), random)) plate_receive(&plate_, byte);
@@ -339,18 +322,18 @@ TEST_F(FirmwareLogic, NoiseKeepsThePlateWithinItsLimits) {
     if (i % 20 == 0) board_.run_for(1ms);
     ASSERT_LE(std::abs(plate_.position_microdeg), 90'000'000);
   }
-  LineReader reader;
+  LineBuffer buffer{};
   for (const char byte : board_.take_output()) {
-    const auto line = reader.take(byte);
-    EXPECT_TRUE(!line || decode_line(*line)) << *line;
+    LineError error = LINE_OK;
+    EXPECT_TRUE(!line_receive(&buffer, byte, &error) || error == LINE_OK) << buffer.text;
   }
 }
 
 // Plate with a hobby servo without a sensor, at 20 degrees, before homing.
-class BlindFirmware : public FirmwareLogic {
+class FirmwareWithoutSensor : public FirmwareLogic {
  protected:
-  BlindFirmware() : FirmwareLogic({.settings = settings_default(), .place_deg = 20.0}) {}
-  std::string place() {
+  FirmwareWithoutSensor() : FirmwareLogic({.settings = settings_default(), .orientation_deg = 20.0}) {}
+  std::string reported() {
     board_.take_lines();
     run_with_beats(50ms);
     return board_.take_lines().back().substr(3, 7);
@@ -358,7 +341,7 @@ class BlindFirmware : public FirmwareLogic {
 };
 
 // With one pulse in eight, the servo turns at an eighth of its 250 degrees a second or less.
-TEST_F(BlindFirmware, IsHomedSlowly) {
+TEST_F(FirmwareWithoutSensor, IsHomedSlowly) {
   home(-40.0);
   for (double before_deg = 20.0; board_.orientation_deg() > -39.0;) {
     run_with_beats(500ms);
@@ -366,67 +349,50 @@ TEST_F(BlindFirmware, IsHomedSlowly) {
     before_deg = board_.orientation_deg();
     ASSERT_LT(board_.now(), 8s);
   }
-  EXPECT_EQ(place(), "unknown");
+  EXPECT_EQ(reported(), "unknown");
   while (board_.now() < 8200ms) run_with_beats(50ms);
-  EXPECT_EQ(place(), "-040.00");
+  EXPECT_EQ(reported(), "-040.00");
   set(40.0, 1300ms);  // without a sensor, the speed is limited to 60 degrees a second
   EXPECT_LT(board_.orientation_deg(), 40.0);
   run_with_beats(200ms);
   EXPECT_NEAR(board_.orientation_deg(), 40.0, 0.2);
-  EXPECT_EQ(place(), "+040.00");
+  EXPECT_EQ(reported(), "+040.00");
 }
 
-TEST_F(BlindFirmware, IsStoppedWhileItIsHomed) {
-  const std::function<void()> stops[] = {[&] { board_.say(beat_body("STOP", 9)); }, [&] { board_.run_for(300ms); },
-                                         [&] { board_.say("HELLO 2"); }};
+TEST_F(FirmwareWithoutSensor, IsStoppedWhileItIsHomed) {
+  const std::function<void()> stops[] = {[&] { board_.receive_line(with_number("STOP", 9)); },
+                                         [&] { board_.run_for(300ms); }, [&] { board_.receive_line("HELLO 2"); }};
   for (const auto& stop : stops) {
     home(-40.0, 500ms);
     EXPECT_TRUE(board_.has_pulses());
     stop();
     EXPECT_FALSE(board_.has_pulses());
-    EXPECT_EQ(place(), "unknown");
+    EXPECT_EQ(reported(), "unknown");
   }
 }
 
 // Emergency stop pressed, plate turned by hand, emergency stop released.
-TEST_F(BlindFirmware, OrientationIsUnknownAfterAnEmergencyAndAReset) {
+TEST_F(FirmwareWithoutSensor, OrientationIsUnknownAfterAnEmergencyAndAReset) {
   for (const bool reset : {false, true}) {
     home(0.0, 8200ms);
-    EXPECT_EQ(place(), "+000.00");
-    board_.press(!reset);
+    EXPECT_EQ(reported(), "+000.00");
+    board_.press_emergency_stop(!reset);
     if (reset) board_.restart();
     board_.run_for(100ms);
     board_.servo.turn_by_hand(80.0);
-    board_.press(false);
+    board_.press_emergency_stop(false);
     board_.run_for(5ms);
-    board_.say("HELLO 2");
+    board_.receive_line("HELLO 2");
     EXPECT_EQ(answer_to("SET +000.00 00001"), "STOPPED unhomed;");
-    EXPECT_EQ(place(), "unknown");
+    EXPECT_EQ(reported(), "unknown");
     EXPECT_EQ(board_.orientation_deg(), 80.0);
-  }
-}
-
-// Firmware and driver write equal lines, and read each other's angles.
-TEST(FirmwareLine, AgreesWithTheDriver) {
-  for (const char* body : {"BEAT", "SET -34.25", "HELLO 2", "x"}) {
-    char line[LINE_SIZE];
-    const uint8_t length = line_seal(line, body);
-    EXPECT_EQ(std::string(line, length), encode_line(body));
-  }
-  for (double angle_deg = -180.0; angle_deg <= 180.0; angle_deg += 0.37) {
-    int32_t read = 0;
-    ASSERT_TRUE(line_fixed_angle(set_body(angle_deg, 7).substr(4, 7).c_str(), &read));
-    EXPECT_NEAR(read, angle_deg * 100.0, 0.51);
-    char text[16];
-    *line_put_fixed_angle(text, read) = 0;
-    EXPECT_EQ(std::string(text), set_body(read / 100.0, 7).substr(4, 7));
   }
 }
 
 TEST(FirmwareLine, ReadsNumbers) {
   const auto read = [](const char* word) {
     int32_t value = -1;
-    return line_hundredths(word, &value) ? value : INT32_MIN;
+    return line_parse_hundredths(word, &value) ? value : INT32_MIN;
   };
   EXPECT_EQ(read("0"), 0);
   EXPECT_EQ(read("-12.5"), -1250);

@@ -1,16 +1,26 @@
-// Tests of the text of the plate's protocol, which plugin/src/plate/protocol.md defines.
+// Tests of the lines and messages of the protocol that plugin/src/plate/protocol.md defines.
 #include "plugin/src/plate/plate_line.h"
 #include "plugin/include/plate_driver/crc16.h"
+#include "plugin/include/plate_driver/plate_text.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace hrt::plate {
 namespace {
+
+// Returns the body of a line without its end; nullopt if the line is not valid.
+std::optional<std::string> decode(std::string_view line) {
+  LineBuffer buffer{};
+  LineError error = LINE_OK;
+  for (const char byte : line) line_receive(&buffer, byte, &error);
+  return line_receive(&buffer, '\n', &error) && error == LINE_OK ? std::optional<std::string>(buffer.text)
+                                                                 : std::nullopt;
+}
 
 // Published check values of CRC-16/CCITT-FALSE and CRC-16/UMTS.
 TEST(PlateLine, EndsWithItsCrc) {
@@ -20,25 +30,25 @@ TEST(PlateLine, EndsWithItsCrc) {
 }
 
 TEST(PlateLine, IsDecoded) {
-  EXPECT_EQ(decode_line("123456789*29B1"), "123456789");
-  EXPECT_EQ(decode_line("123456789*29B1\r"), "123456789");
+  EXPECT_EQ(decode("123456789*29B1"), "123456789");
+  EXPECT_EQ(decode("123456789*29B1\r"), "123456789");
 }
 
 TEST(PlateLine, IsRefusedIfDamagedOrIncomplete) {
   for (const char* line :
        {"", "*", "*FFFF", "BEAT", "BEAT*", "BEAT*12", "123456789*29B1 ", "123456789*29B1\r\r", "12345*6789*29B1",
         "1234\t6789*29B1", "1234\2006789*29B1", "123456789*29B", "123456789*29b1", "123456789*29B12", "213456789*29B1"})
-    EXPECT_FALSE(decode_line(line)) << line;
+    EXPECT_FALSE(decode(line)) << line;
 }
 
-// Others will build devices from the page's examples.
+// Makers of other devices will copy the examples of the page.
 TEST(PlateLine, DocumentedExamplesAreValid) {
   std::ifstream page(HRT_PLATE_PAGES "/protocol.md");
   int lines = 0;
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("    host    ") && !line.starts_with("    plate   ")) continue;
     ++lines;
-    const auto decoded = decode_line(std::string_view(line).substr(12));
+    const auto decoded = decode(std::string_view(line).substr(12));
     ASSERT_TRUE(decoded) << line;
     const bool is_message = parse_plate_message(*decoded).has_value();
     EXPECT_EQ(line.starts_with("    plate"), is_message) << line;
@@ -47,9 +57,9 @@ TEST(PlateLine, DocumentedExamplesAreValid) {
 }
 
 TEST(PlateLine, HostLinesHaveFixedWidths) {
-  EXPECT_EQ(set_body(-34.25, 7), "SET -034.25 00007");
-  EXPECT_EQ(set_body(0.0, 65535, "HOME"), "HOME +000.00 65535");
-  EXPECT_EQ(beat_body("BEAT", 12), "BEAT 00012");
+  EXPECT_EQ(motion_body(-34.25, 7), "SET -034.25 00007");
+  EXPECT_EQ(motion_body(0.0, 65535, "HOME"), "HOME +000.00 65535");
+  EXPECT_EQ(with_number("BEAT", 12), "BEAT 00012");
 }
 
 TEST(PlateMessage, ParsesEachKind) {
@@ -86,23 +96,16 @@ TEST(PlateMessage, RefusesInvalidBodies) {
   for (std::string body; std::getline(bodies, body, ';');) EXPECT_FALSE(parse_plate_message(body)) << body;
 }
 
-TEST(PlateLineReader, SplitsBytesIntoLines) {
-  LineReader reader;
-  std::vector<std::string> read;
-  for (const char byte : std::string("one\ntwo\r\n\nthree"))
-    if (const auto line = reader.take(byte)) read.emplace_back(*line);
-  EXPECT_EQ(read, (std::vector<std::string>{"one", "two\r", ""}));
-}
-
-TEST(PlateLineReader, EmptiesALineThatIsTooLongAndReadsTheNext) {
-  for (const std::size_t length : {LineReader::max_line - 1, LineReader::max_line, std::size_t{100'000}}) {
-    LineReader reader;
-    for (std::size_t i = 0; i < length; ++i) EXPECT_FALSE(reader.take('x'));
-    const auto line = reader.take('\n');
-    ASSERT_TRUE(line);
-    EXPECT_EQ(line->size(), length < LineReader::max_line ? length : 0);
-    for (const char byte : std::string("next")) reader.take(byte);
-    EXPECT_EQ(reader.take('\n'), "next");
+TEST(PlateLine, TheLineAfterOneThatIsTooLongIsRead) {
+  for (const int length : {LINE_SIZE - 1, int{LINE_SIZE}, 100'000}) {
+    LineBuffer buffer{};
+    LineError error = LINE_OK;
+    for (int i = 0; i < length; ++i) EXPECT_FALSE(line_receive(&buffer, 'x', &error));
+    EXPECT_TRUE(line_receive(&buffer, '\n', &error));
+    EXPECT_EQ(error, length < LINE_SIZE ? LINE_BAD_SUM : LINE_TOO_LONG);
+    for (const char byte : encode_line("next")) line_receive(&buffer, byte, &error);
+    EXPECT_EQ(error, LINE_OK);
+    EXPECT_STREQ(buffer.text, "next");
   }
 }
 

@@ -1,5 +1,4 @@
-// Complete reaches in real time: scene, OpenXR runtime, plugin, serial line, the firmware's ELF, emulated servo, and
-// the simulated user on the plate.
+// Complete reaches in real time: scene, OpenXR runtime, plugin, serial line, board and servo, and a simulated user.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -98,8 +97,8 @@ class EmulatedPlate {
   Process process_;
 };
 
-// Rehearsal on one computer. The simulated user is slow, because a busy machine sometimes leaves the plate without a
-// command, and the finger must not move far meanwhile.
+// A rehearsal on one computer. The simulated user is slow, so that the finger does not move far while a busy machine
+// sends no command to the plate.
 TEST(ReachWithEmulatedPlate, ReachesTheTarget) {
   const std::regex pace("\"duration_ms\": 2400");
   const std::string unhurried = std::regex_replace(real_time, pace, "\"duration_ms\": 4800");

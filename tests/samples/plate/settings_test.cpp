@@ -21,8 +21,8 @@ TEST(PlateSettings, HaveDefaultsThatFit) {
   const Settings settings = settings_default();
   EXPECT_TRUE(settings_valid(&settings));
   // Pulses of 1000 to 2000 us, which every servo can follow.
-  EXPECT_EQ(settings_least(&settings), -4500);
-  EXPECT_EQ(settings_most(&settings), 4500);
+  EXPECT_EQ(settings_lower_limit(&settings), -4500);
+  EXPECT_EQ(settings_upper_limit(&settings), 4500);
   EXPECT_FALSE(settings_has_feedback(&settings));
 }
 
@@ -42,8 +42,8 @@ TEST(PlateSettings, HaveRanges) {
   EXPECT_FALSE(valid(SETTING_MAX_DEG, -1));
   EXPECT_FALSE(valid(SETTING_SPEED_DEG_S, 0));
   EXPECT_FALSE(valid(SETTING_SPEED_DEG_S, 100100));
-  EXPECT_FALSE(valid(SETTING_ADC_MOST, 4900));  // less than 50 steps between the limits
-  EXPECT_TRUE(valid(SETTING_ADC_MOST, 5000));
+  EXPECT_FALSE(valid(SETTING_ADC_AT_MAX, 4900));  // less than 50 steps between the limits
+  EXPECT_TRUE(valid(SETTING_ADC_AT_MAX, 5000));
   EXPECT_FALSE(valid(SETTING_EMERGENCY, 200));
   for (int i = 0; i < SETTING_COUNT; ++i) {
     EXPECT_FALSE(valid(static_cast<Setting>(i), INT32_MAX)) << i;
@@ -76,18 +76,18 @@ TEST(PlateSettings, MapAnglesToPulses) {
 // A trim by 10 us moves both limits by 0.9 degrees; pulses are limited to 500 to 2500 us.
 TEST(PlateSettings, LimitAnglesToTheRangeOfPulses) {
   const Settings trimmed = with(SETTING_ZERO_US, 151000);
-  EXPECT_EQ(settings_least(&trimmed), -9000);
-  EXPECT_EQ(settings_most(&trimmed), 8910);
+  EXPECT_EQ(settings_lower_limit(&trimmed), -9000);
+  EXPECT_EQ(settings_upper_limit(&trimmed), 8910);
   EXPECT_EQ(settings_pulse_ticks(&trimmed, 89100), 5000);
   Settings clockwise = trimmed;
   clockwise.value[SETTING_SPAN_US] = -200000;
-  EXPECT_EQ(settings_least(&clockwise), -8910);
-  EXPECT_EQ(settings_most(&clockwise), 9000);
+  EXPECT_EQ(settings_lower_limit(&clockwise), -8910);
+  EXPECT_EQ(settings_upper_limit(&clockwise), 9000);
 }
 
 TEST(PlateSettings, MapReadingsToAngles) {
-  Settings settings = with(SETTING_ADC_LEAST, 10000);
-  settings.value[SETTING_ADC_MOST] = 90000;
+  Settings settings = with(SETTING_ADC_AT_MIN, 10000);
+  settings.value[SETTING_ADC_AT_MAX] = 90000;
   EXPECT_TRUE(settings_valid(&settings));
   EXPECT_EQ(settings_measured_millideg(&settings, 100 * 16), -90000);
   EXPECT_EQ(settings_measured_millideg(&settings, 500 * 16), 0);
@@ -96,11 +96,11 @@ TEST(PlateSettings, MapReadingsToAngles) {
 }
 
 TEST(PlateSettings, MapReadingsToAtMostOneTurn) {
-  Settings settings = with(SETTING_ADC_LEAST, 10000);
-  settings.value[SETTING_ADC_MOST] = 15000;
+  Settings settings = with(SETTING_ADC_AT_MIN, 10000);
+  settings.value[SETTING_ADC_AT_MAX] = 15000;
   EXPECT_EQ(settings_measured_millideg(&settings, 1023 * 16), 360000);
-  settings.value[SETTING_ADC_LEAST] = 95000;
-  settings.value[SETTING_ADC_MOST] = 100000;
+  settings.value[SETTING_ADC_AT_MIN] = 95000;
+  settings.value[SETTING_ADC_AT_MAX] = 100000;
   EXPECT_EQ(settings_measured_millideg(&settings, 0), -360000);
 }
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <deque>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -32,14 +31,11 @@ std::unique_ptr<Line> line_to(Emulated& device) {
 
 using Answers = std::vector<std::function<std::string()>>;
 
-// Returns a reader that gives these answers, and then the end of the input.
-std::function<Entry()> reader_of(const Answers& answers) {
-  const auto left = std::make_shared<std::deque<std::function<std::string()>>>(answers.begin(), answers.end());
-  return [left]() -> Entry {
-    if (left->empty()) return {.ended = true};
-    const auto answer = left->front();
-    left->pop_front();
-    return {.line = answer()};
+// Returns a reader that gives these answers, and then the end of the input. Its copies share the position.
+std::function<Input()> reader_of(const Answers& answers) {
+  return [answers, next = std::make_shared<std::size_t>(0)]() -> Input {
+    if (*next == answers.size()) return {.ended = true};
+    return {.line = answers[(*next)++]()};
   };
 }
 
@@ -49,7 +45,7 @@ Answers entered(const std::vector<std::string>& lines) {
   return answers;
 }
 
-// Runs a command with the device at the line "board"; other lines are those of the computer.
+// Runs a command with the device at the serial line "board". `lines` are the serial devices of the computer.
 template <class Emulated>
 Outcome run_with(Emulated& device, const std::vector<std::string>& arguments, const Answers& answers = {},
                  const std::vector<std::string>& lines = {"/nonexistent", "board"}) {
@@ -65,19 +61,19 @@ Outcome run_with(Emulated& device, const std::vector<std::string>& arguments, co
   return {code, out.str(), err.str()};
 }
 
-// Answers of a person: Enter, then the angle at the scale, to a degree.
+// Answers of the operator: Enter, then twice the angle on the scale, to a degree.
 template <class Board>
 Answers scale_readings(Board& board) {
   const auto seen = [&board] { return std::to_string(std::lround(board.servo.plate_deg())); };
   return {[] { return std::string(); }, seen, seen};
 }
 
-// Replaces each number, for outputs whose last digits depend on the firmware's compiler.
+// Replaces each number, for outputs whose last digits depend on the compiler of the firmware.
 std::string without_numbers(const std::string& text) {
   return std::regex_replace(text, std::regex("[0-9][0-9.]*(e[+-][0-9]+)?"), "#");
 }
 
-// True if the guide shows this output, with `other` in place of `own`.
+// True if the guide has this output, with `other` in place of `own`.
 testing::AssertionResult is_in_guide(const std::string& printed, const std::string& own, const std::string& other,
                                      bool with_its_numbers = true) {
   std::string shown;
@@ -92,43 +88,35 @@ testing::AssertionResult is_in_guide(const std::string& printed, const std::stri
 TEST(PlateTool, FindsThePlate) {
   HobbyPlate board;
   const Outcome outcome = expect_exit(0, run_with(board, {"find"}));
-  EXPECT_EQ(outcome.out,
-            "/nonexistent cannot be opened: No such file or directory\n"
-            "serial:board: protocol 2, firmware 1.1.0, serial number 000007\n");
-  const Outcome none = expect_exit(1, run_with(board, {"find", "/dev/null"}));
-  EXPECT_EQ(none.out, "/dev/null is not a serial line; name a serial device, such as /dev/ttyACM0\n");
-  EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /dev/null. Check its cable and supply\n");
+  EXPECT_TRUE(has(outcome.out, {"/nonexistent cannot be opened: No such file or directory\n",
+                                "serial:board: protocol 2, firmware 1.1.0, serial number 000007\n"}));
+  HobbyPlate mute({.answers = false});
+  const Outcome none = expect_exit(1, run_with(mute, {"find"}));
+  EXPECT_TRUE(
+      has(none.out, {"board does not answer as a plate within 5 s", "board does not answer as a Dynamixel of id 1"}));
+  EXPECT_TRUE(has(none.err, "no plate was found; tried: /nonexistent, board. Check"));
+  EXPECT_LT(mute.now(), 8500ms);
+  EXPECT_TRUE(has(run_with(mute, {"find"}, {}, {}).err, "this computer has no serial device"));
 }
 
-// One line has no plate; the other line is a pseudo-terminal with one.
-TEST(PlateTool, FindsThePlateToCommission) {
+// One serial device has no plate, the other one is a pseudo-terminal with a servo. The input ends before Enter.
+TEST(PlateTool, CommissionsTheOnlyPlateThatItFinds) {
   PtyDynamixel servo(std::uint8_t{1}, 1190);
-  HobbyPlate mute({.answers = false});
-  const Outcome found = run_with(mute, {"commission"}, {}, {"/nonexistent", servo.device()});
-  EXPECT_EQ(found.exit_code, 1);  // the input ends before Enter
-  EXPECT_TRUE(has(found.out, "dynamixel:" + servo.device() + ": Dynamixel XL330-M077, id 1, firmware 52\nHands off"))
-      << found.out;
-  HobbyPlate other;
-  const Outcome two = expect_exit(1, run_with(other, {"commission"}, {}, {"board", "board"}));
-  EXPECT_EQ(two.err, "hrt-plate: more than one plate was found; name one of them\n");
-  const Outcome none = expect_exit(1, run_with(mute, {"commission"}));
-  EXPECT_EQ(none.out,
-            "/nonexistent cannot be opened: No such file or directory\n"
-            "board does not answer as a plate within 5 s; check device, cable and supply\n"
-            "board does not answer as a Dynamixel of id 1 within 3 s; check id, baud, cable and supply\n");
-  EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /nonexistent, board. Check its cable and supply\n");
-  EXPECT_LT(mute.now(), 8500ms);
-  EXPECT_EQ(run_with(mute, {"commission"}, {}, {}).err,
-            "hrt-plate: no plate was found; this computer has no serial device\n");
+  HobbyPlate board;
+  const Outcome found = expect_exit(1, run_with(board, {"commission"}, {}, {"/nonexistent", servo.device()}));
+  EXPECT_TRUE(
+      has(found.out, "dynamixel:" + servo.device() + ": Dynamixel XL330-M077, id 1, firmware 52\nKeep your hands"));
+  const Outcome two = expect_exit(1, run_with(board, {"commission"}, {}, {"board", "board"}));
+  EXPECT_TRUE(has(two.err, "more than one plate was found"));
 }
 
 TEST(PlateTool, ShowsSettingsAndSelfTest) {
   HobbyPlate board({.settings = settings_default()});
   const Outcome outcome = expect_exit(0, run_with(board, {"show", "board"}));
-  EXPECT_TRUE(
-      has(outcome.out, {"protocol 2, firmware 1.1.0, serial number 000000\n",
-                        "range -45 to 45 deg, 60 deg/s, latency 32 ms with half of the line, orientation assumed",
-                        "setting zero 1500", "setting serial 0", "test emergency closed"}));
+  EXPECT_TRUE(has(outcome.out,
+                  {"protocol 2, firmware 1.1.0, serial number 000000\n",
+                   "range -45 to 45 deg, 60 deg/s, latency 32 ms including half of the round trip, orientation assumed",
+                   "setting zero 1500", "setting serial 0", "test emergency closed"}));
   EXPECT_FALSE(board.has_pulses());
 }
 
@@ -148,16 +136,15 @@ TEST(PlateTool, SetsSettings) {
   BoardWithServo board;
   EXPECT_EQ(run_with(board, {"set", "board", "zero=1510", "speed=150"}).out, "saved\n");
   EXPECT_EQ(run_with(board, {"set", "board", "zero=9"}).err,
-            "hrt-plate: the plate at board refuses CONF zero 9: the value is out of range or does not fit the other "
-            "settings; "
-            "samples/plate/firmware/README.md has the ranges\n");
+            "hrt-plate: the plate at board refuses CONF zero 9: the value is out of range or inconsistent with other "
+            "settings; samples/plate/firmware/README.md has the ranges\n");
   EXPECT_TRUE(has(run_with(board, {"set", "board", "size=9"}).err, "has no setting of this name"));
   BoardWithServo kept({}, 0.0, board.eeprom());
   EXPECT_TRUE(has(run_with(kept, {"show", "board"}).out, "setting speed 150\n"));
 }
 
 TEST(PlateTool, TurnsAndHolds) {
-  HobbyPlate board({.place_deg = 60.0});
+  HobbyPlate board({.orientation_deg = 60.0});
   double before_deg = 0.0, after_deg = 0.0;
   const Outcome outcome = run_with(board, {"turn", "board", "-30"},
                                    {[&] {
@@ -173,7 +160,7 @@ TEST(PlateTool, TurnsAndHolds) {
   EXPECT_NEAR(after_deg, -30.0, 0.5);
 }
 
-// The mark is 3 degrees too far counter-clockwise: 33.3 us less. The trim is kept after power-off, and after a second
+// The notch is 3 degrees too far counter-clockwise: 33.3 us less. The trim is kept across power-off, and after a second
 // trim whose input ended early.
 TEST(PlateTool, TrimsAndSaves) {
   BoardWithServo board;
@@ -239,7 +226,6 @@ TEST(PlateCommission, WritesTheFileOfAPlate) {
       run_with(board, {"commission", "board", "--out", folder / "plate.json"}, scale_readings(board));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(is_in_guide(outcome.out, folder / "", "", false));
-  EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
   const auto file = nlohmann::json::parse(read_file(folder / "plate.json"));
   EXPECT_EQ(file.at("device"), "serial:board");
   EXPECT_TRUE(has(file.at("details").dump(), "setting span -2") &&
@@ -267,7 +253,7 @@ TEST(PlateCommission, RefusesAPlateWithoutASensorAndAnEndOfTheInput) {
   const TemporaryFolder folder;
   const Outcome blind =
       expect_exit(9, run_with(board, {"commission", "board", "--out", folder / "plate.json"}, scale_readings(board)));
-  EXPECT_TRUE(has(blind.err, "has no sensor at A0")) << blind.err;
+  EXPECT_TRUE(has(blind.err, "has no sensor at pin A0")) << blind.err;
   EXPECT_EQ(run_with(board, {"commission", "board", "--out", folder / "plate.json"}).exit_code, 1);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path));
 }
@@ -277,7 +263,7 @@ struct Uniform {
   double operator()(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
 };
 
-ServoTraits any_traits(Uniform& between, unsigned seed, double fastest_deg_s) {
+ServoTraits random_traits(Uniform& between, unsigned seed, double fastest_deg_s) {
   return {.speed_deg_s = between(120.0, fastest_deg_s),
           .acceleration_deg_s2 = between(4000.0, 20'000.0),
           .dead_time = std::chrono::microseconds(std::lround(between(4e3, 25e3))),
@@ -306,8 +292,8 @@ struct Disturbed : Emulated {
 struct Hobby : Disturbed<HobbyPlate> {
   Hobby(Uniform& between, unsigned seed)
       : Disturbed({.settings = settings_default(),
-                   .servo = any_traits(between, seed, 400.0),
-                   .place_deg = between(-40.0, 40.0)}) {
+                   .servo = random_traits(between, seed, 400.0),
+                   .orientation_deg = between(-40.0, 40.0)}) {
     servo.bend_deg = between(0.0, 3.0);
     servo.bend_waves = 1 + static_cast<int>(between.random() % 2);
     servo.bend_phase_deg = between(0.0, 360.0);
@@ -323,9 +309,9 @@ struct Hobby : Disturbed<HobbyPlate> {
 
 struct Xl330 : Disturbed<EmulatedDynamixel> {
   Xl330(Uniform& between, unsigned seed)
-      : Disturbed(1, 1190, of_its_kind(any_traits(between, seed, 600.0))), speed_deg_s(between(20.0, 400.0)) {}
-  // Removes the stops, which an XL330 does not have.
-  static ServoTraits of_its_kind(ServoTraits traits) {
+      : Disturbed(1, 1190, without_stops(random_traits(between, seed, 600.0))), speed_deg_s(between(20.0, 400.0)) {}
+  // An XL330 has no stops.
+  static ServoTraits without_stops(ServoTraits traits) {
     traits.lower_stop_deg = -(traits.upper_stop_deg = 1e4);
     return traits;
   }
@@ -343,32 +329,28 @@ struct Xl330 : Disturbed<EmulatedDynamixel> {
 };
 
 // Compares measurements with the ground truth (latency: dead time and half an exchange; backlash: play and both sides
-// of the dead band), and returns a text with the errors that exceed the tolerance: 5 % of speed, 3 ms of latency, half
-// a step of the converter for backlash, or three stated standard errors.
-struct Judge {
-  double speed = 0.0, latency_ms = 0.0, backlash_deg = 0.0, mean_ms = 0.0;  // the largest errors
-  int numbers = 0, covered = 0;                                             // within two deviations
-  std::map<std::string, std::vector<double>> errors;                        // in deviations
+// of the dead band).
+struct Accuracy {
+  std::map<std::string, std::vector<double>> errors;  // in stated standard errors
+  double mean_ms = 0.0, max_ms = 0.0;                 // errors of the latency
 
-  std::string operator()(const Measurements& found, const EmulatedServo& servo, double exchange_ms) {
+  // Returns the errors that exceed the tolerance: 5 % of the speed, 3 ms of latency, half a step of the converter for
+  // the backlash, or three stated standard errors.
+  std::string compare(const Measurements& found, const EmulatedServo& servo, double exchange_ms) {
     std::string wrong;
-    const auto compare = [&](const char* name, const Measured& measured, double truth, double least) {
-      const double error = std::abs(measured.value - truth);
-      errors[name].push_back((measured.value - truth) / measured.deviation);
-      ++numbers;
-      covered += error <= 2.0 * measured.deviation ? 1 : 0;
-      if (error > std::max({least, 0.05 * truth, 3.0 * measured.deviation}))
+    const auto check = [&](const char* name, const Measured& measured, double truth, double least) {
+      const double error = measured.value - truth;
+      errors[name].push_back(error / measured.deviation);
+      if (std::abs(error) > std::max({least, 0.05 * truth, 3.0 * measured.deviation}))
         wrong += format("%s %g +- %g of %g; ", name, measured.value, measured.deviation, truth);
-      return error;
     };
     const ServoTraits& traits = servo.traits();
-    const double truth_deg_s = servo.full_speed_deg_s();
     const double truth_ms = static_cast<double>(traits.dead_time.count()) * 1e-3 + exchange_ms;
-    const double truth_deg = traits.backlash_deg + 2.0 * traits.dead_band_deg;
-    speed = std::max(speed, compare("speed", found.speed_deg_s, truth_deg_s, 0.0) / truth_deg_s);
-    latency_ms = std::max(latency_ms, compare("latency", found.latency_ms, truth_ms, 3.0));
-    compare("acceleration", found.acceleration_deg_s2, traits.acceleration_deg_s2, traits.acceleration_deg_s2 / 3.0);
-    backlash_deg = std::max(backlash_deg, compare("backlash", found.backlash_deg, truth_deg, 0.15));
+    check("speed", found.speed_deg_s, servo.full_speed_deg_s(), 0.0);
+    check("latency", found.latency_ms, truth_ms, 3.0);
+    check("acceleration", found.acceleration_deg_s2, traits.acceleration_deg_s2, traits.acceleration_deg_s2 / 3.0);
+    check("backlash", found.backlash_deg, traits.backlash_deg + 2.0 * traits.dead_band_deg, 0.15);
+    max_ms = std::max(max_ms, std::abs(found.latency_ms.value - truth_ms));
     mean_ms += (found.latency_ms.value - truth_ms) / 200.0;
     // Tolerance: the scale was read to a degree in 60, and half a degree of the last step is not detected.
     if (0.98 * found.limits.min_deg < traits.lower_stop_deg - 0.5 ||
@@ -385,13 +367,13 @@ TYPED_TEST_SUITE(PlateCommissionOf, Plates);
 
 TYPED_TEST(PlateCommissionOf, MeasuresTwoHundredPlatesWithinTheirStatedErrors) {
   Uniform between;
-  Judge judge;
+  Accuracy accuracy;
   double longest_s = 0.0;
   int wrong = 0, refused = 0;
   for (unsigned i = 0; i < 200; ++i) {
     TypeParam plate(between, i);
     try {
-      const std::string found = judge(plate.commissioned(), plate.physics(), TypeParam::exchange_ms);
+      const std::string found = accuracy.compare(plate.commissioned(), plate.physics(), TypeParam::exchange_ms);
       wrong += found.empty() ? 0 : 1;
       if (!found.empty()) std::printf("plate %u: %s\n", i, found.c_str());
       longest_s = std::max(longest_s, plate.ran_s);
@@ -402,33 +384,26 @@ TYPED_TEST(PlateCommissionOf, MeasuresTwoHundredPlatesWithinTheirStatedErrors) {
   }
   EXPECT_LE(refused, (std::is_same_v<TypeParam, Hobby>) ? 50 : 0);  // plates with a bent sensor
   EXPECT_LE(wrong, 6);                                              // of 800 numbers, beyond three standard errors
-  EXPECT_NEAR(judge.mean_ms, 0.0, (std::is_same_v<TypeParam, Hobby>) ? 1.5 : 0.5);
+  EXPECT_NEAR(accuracy.mean_ms, 0.0, (std::is_same_v<TypeParam, Hobby>) ? 1.5 : 0.5);
   EXPECT_LT(longest_s, 180.0);
-  for (const auto& [name, in_deviations] : judge.errors) {
-    double sum = 0.0, squares = 0.0;
-    for (const double error : in_deviations) {
-      sum += error;
-      squares += error * error;
-    }
-    const auto n = static_cast<double>(in_deviations.size());
-    std::printf("%-12s %3.0f %% within two deviations; mean %.2f, root mean square %.2f deviations\n", name.c_str(),
-                100.0 *
-                    static_cast<double>(std::count_if(in_deviations.begin(), in_deviations.end(),
-                                                      [](double error) { return std::abs(error) <= 2.0; })) /
-                    n,
-                sum / n, std::sqrt(squares / n));
+  double covered = 0.0, numbers = 0.0;
+  for (const auto& [name, errors] : accuracy.errors) {
+    const auto is_covered = [](double error) { return std::abs(error) <= 2.0; };
+    const auto count = static_cast<double>(std::count_if(errors.begin(), errors.end(), is_covered)),
+               n = static_cast<double>(errors.size());
+    std::printf("%-12s %3.0f %% within two standard errors\n", name.c_str(), 100.0 * count / n);
+    covered += count;
+    numbers += n;
   }
-  const double coverage = static_cast<double>(judge.covered) / judge.numbers;
-  std::printf("%d numbers, %.1f %% within two stated deviations\n", judge.numbers, 100.0 * coverage);
-  EXPECT_NEAR(coverage, 0.95, 0.02);
-  std::printf("200 plates, worst: %.1f ms of latency, %.1f %% of speed, backlash %.2f deg, %.0f s\n", judge.latency_ms,
-              100.0 * judge.speed, judge.backlash_deg, longest_s);
+  EXPECT_NEAR(covered / numbers, 0.95, 0.02);
+  std::printf("in all %.1f %%; latency at most %.1f ms wrong; commissioning takes at most %.0f s\n",
+              100.0 * covered / numbers, accuracy.max_ms, longest_s);
 }
 
 // A supply that dips, or a sensor that slips or skips every second count: the plate is refused, or measured correctly.
 TYPED_TEST(PlateCommissionOf, ADefectivePlateIsRefusedOrMeasuredCorrectly) {
   Uniform between;
-  Judge judge;
+  Accuracy accuracy;
   int refused = 0;
   for (unsigned i = 0; i < 100; ++i) {
     TypeParam plate(between, i);
@@ -438,12 +413,13 @@ TYPED_TEST(PlateCommissionOf, ADefectivePlateIsRefusedOrMeasuredCorrectly) {
       const double now_s = std::chrono::duration<double>(emulated.now()).count();
       if (i % 3 == 0) plate.physics().supply = now_s > from_s && now_s < to_s ? dip : 1.0;
       if (i % 3 == 1) plate.physics().slip_deg = now_s > from_s ? slip_deg : 0.0;
-      if constexpr (std::is_same_v<TypeParam, Hobby>) plate.codes = i % 3 == 2 ? 2 : 1;
+      if constexpr (std::is_same_v<TypeParam, Hobby>) plate.converter_step = i % 3 == 2 ? 2 : 1;
     };
     try {
       const Measurements found = plate.commissioned();
       plate.physics().supply = 1.0;
-      EXPECT_EQ(judge(found, plate.physics(), TypeParam::exchange_ms), "") << i << " from " << from_s << " s";
+      EXPECT_EQ(accuracy.compare(found, plate.physics(), TypeParam::exchange_ms), "")
+          << i << " from " << from_s << " s";
     } catch (const PlateFailure&) {
       ++refused;
     }
@@ -461,16 +437,15 @@ TEST(PlateCommission, WritesTheFileOfADynamixel) {
   EXPECT_TRUE(is_in_guide(outcome.out, folder / "", ""));
   EXPECT_EQ(read_plate_file(folder / "plate.json").description, "Dynamixel XL330-M077, id 1, firmware 52");
   EXPECT_TRUE(has(read_file(folder / "plate.json"), "hardware error 0"));
-  EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
 }
 
-TEST(PlateCommission, RefusesAServoThatTurnsTheWrongWay) {
+TEST(PlateCommission, RefusesAServoThatTurnsClockwise) {
   EmulatedDynamixel servo(1, 1190);
   const TemporaryFolder folder;
   const Outcome outcome =
       run_with(servo, {"commission", "dynamixel:board", "--out", folder / "plate.json"}, entered({"", "n"}));
   EXPECT_EQ(outcome.exit_code, 9);
-  EXPECT_TRUE(has(outcome.err, "turns the wrong way"));
+  EXPECT_TRUE(has(outcome.err, "turns clockwise"));
 }
 
 TEST(PlateFile, IsRefusedIfDamagedOrIncomplete) {
@@ -505,16 +480,16 @@ TEST(PlateFile, IsRefusedIfDamagedOrIncomplete) {
     EXPECT_NE(refusal(other), "") << at;
     EXPECT_NE(refusal(text.substr(0, at)), "") << at;
   }
-  EXPECT_EQ(refusal("{}"), "plate file " + path + " has no checksum; name a file of hrt-plate commission");
+  EXPECT_EQ(refusal("{}"),
+            "plate file " + path + " has no checksum; give a file that hrt-plate commission has written");
   EXPECT_TRUE(has(refusal(with_checksum("{\n")),
-                  "commission it again: [json.exception.out_of_range.403] key 'format' not found"));
+                  "commission the plate again: [json.exception.out_of_range.403] key 'format' not found"));
   EXPECT_THROW(read_plate_file("/nonexistent.json"), std::system_error);
 }
 
 TEST(PlateTool, RunsAsAProgram) {
   const Outcome none = expect_exit(9, Process({HRT_PLATE_PROGRAM, "commission", "/dev/null"}, {}).wait());
-  EXPECT_EQ(none.err,
-            "hrt-plate: the plate at /dev/null is not a serial line; name a serial device, such as /dev/ttyACM0\n");
+  EXPECT_TRUE(has(none.err, "hrt-plate: the plate at /dev/null is not a serial line"));
   PtyPlate device;
   const Outcome saved =
       Process({"/bin/sh", "-c", "printf -- '\\n-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + device.device()}, {}).wait();

@@ -103,7 +103,7 @@ TEST(ReachCalibrate, TurnsASerialPlateToEachAngle) {
   program.send_signal(SIGINT);
   const Outcome outcome = expect_exit(130, program.wait());
   EXPECT_TRUE(has(outcome.out, "slide   1")) << outcome.err;
-  const std::vector<std::string> heard = plate.heard();
+  const std::vector<std::string> heard = plate.received_lines();
   EXPECT_TRUE(std::any_of(heard.begin(), heard.end(), [](const std::string& line) { return line.starts_with("SET"); }));
 }
 

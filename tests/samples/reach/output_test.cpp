@@ -86,8 +86,8 @@ TEST(ReachPlate, ASerialPlateSteersToTheTarget) {
   const Outcome outcome =
       expect_exit(0, run_scripted(real_time, {desk, "--target", "goblet", "--plate", "serial:" + device.device()}));
   EXPECT_EQ(rows_of(outcome).size(), 1U);
-  ASSERT_FALSE(device.heard().empty());
-  EXPECT_EQ(device.heard().back(), "STOP");
+  ASSERT_FALSE(device.received_lines().empty());
+  EXPECT_EQ(device.received_lines().back(), "STOP");
 }
 
 // The controller plans with the speed that the device reports, and reports that the plate is always late.
@@ -107,7 +107,7 @@ TEST(ReachPlate, OnASerialLineNeedsRealTime) {
   const Outcome outcome =
       expect_exit(9, run_program({desk, "--target", "goblet", "--plate", "serial:" + device.device()}));
   EXPECT_TRUE(has(outcome.err, "turns in real time, but the clock of the OpenXR runtime"));
-  EXPECT_TRUE(device.heard().empty());
+  EXPECT_TRUE(device.received_lines().empty());
 }
 
 TEST(ReachPlate, IsUnpluggedOrFallsSilentInTheMiddleOfAReach) {
@@ -118,14 +118,14 @@ TEST(ReachPlate, IsUnpluggedOrFallsSilentInTheMiddleOfAReach) {
       if (unplugged)
         device.unplug();
       else
-        device.with([](plate::HobbyPlate& board) { board.fall_silent(); });
+        device.with([](plate::HobbyPlate& board) { board.stop_answering(); });
     });
     const std::string file = scratch_folder() + "/r.csv";
     const Outcome outcome =
         run_scripted(real_time, {desk, "--target", "goblet", "--record", file, "--plate", "serial:" + device.device()});
     fault.join();
     EXPECT_EQ(outcome.exit_code, 9) << outcome.err;
-    EXPECT_TRUE(has(outcome.err, unplugged ? "is unplugged" : "has not been heard for half a second"));
+    EXPECT_TRUE(has(outcome.err, unplugged ? "is unplugged" : "has not answered for half a second"));
     expect_replays(file);
   }
 }
@@ -142,7 +142,7 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsFinishedReaches) {
     const Outcome outcome = expect_exit(130, program.wait());
     EXPECT_EQ(outcome.err, "The run was interrupted; the unfinished reach is not counted.\n");
     EXPECT_TRUE(has(outcome.out, "0 of 0 reaches"));
-    EXPECT_TRUE(eventually([&] { return device.heard().back() == "STOP"; }));
+    EXPECT_TRUE(eventually([&] { return device.received_lines().back() == "STOP"; }));
     EXPECT_FALSE(device.is_following());
     expect_replays(folder + "/r.csv");
   }

@@ -8,9 +8,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto silence_limit = 500ms;
-constexpr auto glance = 5ms;  // longest wait for bytes before the line is read again
+constexpr auto wait_step = 5ms;  // interval between two reads of the serial line
 constexpr int max_tries = 10;
-constexpr std::size_t max_timed = 4;  // longest answer, in bytes, whose round trip is representative of a command
+constexpr std::size_t max_timed =
+    4;  // largest answer, in bytes, whose round trip is counted: a longer one takes longer than a command
 
 // Size of the parameters of an answer without an error.
 std::size_t size_of_answer(const Packet& request) {
@@ -36,10 +37,10 @@ Packet Bus::write_request(Entry entry, std::int64_t value) const {
 std::optional<Packet> Bus::try_once(const Packet& request) {
   send(request);
   while (awaits_answer()) {
-    line_->wait(glance);
+    line_->wait(wait_step);
     if (std::optional<Packet> found = answer()) return found;
   }
-  pass_over_late_answer();
+  discard_late_answer();
   return std::nullopt;
 }
 
@@ -67,11 +68,11 @@ void Bus::send(const Packet& request) {
   line_->send(encode(request));
 }
 
-// Ignores instructions, which some adapters echo to the host, and the answers of other servos.
+// Skips instructions, which some adapters echo to the host, and the answers of other servos.
 std::optional<Packet> Bus::answer() {
   std::string bytes;
   line_->receive(bytes);
-  reader_.take(bytes);
+  reader_.append(bytes);
   while (std::optional<Packet> packet = reader_.next()) {
     if (packet->instruction != Instruction::status || packet->id != id_) continue;
     if (is_answered_) continue;
@@ -86,12 +87,12 @@ std::optional<Packet> Bus::answer() {
 
 bool Bus::has_missed_answer() {
   if (is_answered_ || awaits_answer()) return false;
-  give_up_answer();
+  abandon_request();
   return true;
 }
 
-// Drops a partial packet: a damaged length would make it take the next answers as its parameters.
-void Bus::give_up_answer() {
+// Drops a partial packet, whose length may be damaged. Otherwise the next answers would be read as its parameters.
+void Bus::abandon_request() {
   is_answered_ = true;
   reader_.drop_partial();
 }
@@ -100,11 +101,11 @@ void Bus::check_silence() const {
   if (silent_since_ && line_->now() - *silent_since_ > silence_limit) throw PlateFailure(Fault::silent, silent_text);
 }
 
-// Waits until a late answer can no longer arrive, which would be taken for the answer to the next request.
-void Bus::pass_over_late_answer() {
-  give_up_answer();
+// Waits until a late answer can no longer arrive. Otherwise it would be taken for the answer to the next request.
+void Bus::discard_late_answer() {
+  abandon_request();
   for (const auto end = line_->now() + answer_limit; line_->now() < end;) {
-    line_->wait(glance);
+    line_->wait(wait_step);
     answer();
   }
 }

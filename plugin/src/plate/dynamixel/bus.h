@@ -1,5 +1,5 @@
-// Requests to one servo on a Dynamixel bus, one at a time, and its answers. Models of servos that can turn a plate,
-// with the entries of their control tables that are used (ROBOTIS e-manuals of XL330-M077 and XL330-M288).
+// Requests to one servo on a Dynamixel bus, one at a time, and the answers. Models of servos that can turn a plate, and
+// the entries of their control tables that the driver uses (ROBOTIS e-manuals of XL330-M077 and XL330-M288).
 #pragma once
 
 #include <array>
@@ -15,8 +15,9 @@
 
 namespace hrt::plate::dynamixel {
 
-/// An entry of the control table. Those below 64 keep their value without power, and may be written only
-/// while torque is off. `motion` is the profile velocity and, in the upper four bytes, the goal position.
+/// An entry of the control table. Entries with an address below 64 keep their values across power-off, and may be
+/// written only while the torque is off. `motion` consists of the profile velocity and, in the upper four bytes, the
+/// goal position.
 struct Entry {
   int address;
   int size;
@@ -26,7 +27,7 @@ inline constexpr Entry drive_mode{10, 1}, operating_mode{11, 1}, homing_offset{2
     profile_velocity{112, 4}, motion{112, 8}, present_position{132, 4}, present_voltage{144, 2},
     present_temperature{146, 1};
 
-/// Model of a servo, with its stall torque at 5 V and 1.47 A: https://emanual.robotis.com/docs/en/dxl/x/xl330-m077/ and
+/// Model of a servo, and its stall torque at 5 V and 1.47 A: https://emanual.robotis.com/docs/en/dxl/x/xl330-m077/ and
 /// xl330-m288/, section "Specifications".
 struct Model {
   int number;
@@ -35,21 +36,21 @@ struct Model {
 };
 inline constexpr std::array models = {Model{1190, "XL330-M077", 0.215}, Model{1200, "XL330-M288", 0.52}};
 inline constexpr double stall_ma = 1470.0;
-/// Largest torque: 4 N at the rim, 75 mm from the axis. This is a fifth below the permitted 5 N, because no servo has
-/// been measured.
+/// Largest torque: 4 N at the rim, 75 mm from the axis. This is a fifth below the 5 N that
+/// samples/plate/guide/safety.md allows, because no servo has been measured.
 inline constexpr double max_torque_nm = 4.0 * 0.075;
 
 inline constexpr int current_based_position_mode = 5;
 inline constexpr int normal_drive_mode = 0;  ///< counter-clockwise is positive; profiles are velocities
 inline constexpr int middle_step = 2048;
-inline constexpr int max_homing_steps = 1024;  ///< limit in either direction; some modes ignore larger offsets
+inline constexpr int max_homing_steps = 1024;  ///< largest offset in either direction; some modes ignore a larger one
 inline constexpr double deg_per_step = 360.0 / 4096.0;
 inline constexpr double deg_s_per_unit = 0.229 * 6.0;   ///< unit of velocity: 0.229 revolutions a minute
 inline constexpr int min_supply = 37, max_supply = 60;  ///< input voltage of an XL330, tenths of a volt
 inline constexpr int watchdog_ticks = 15;               ///< in units of 20 ms
 inline constexpr int watchdog_expired = -1;
 
-/// All calls throw PlateFailure when the line has failed. One thread.
+/// Communication with one servo. All functions throw PlateFailure if the serial line has failed. One thread.
 class Bus {
  public:
   Bus(std::unique_ptr<Line> line, std::uint8_t id) : line_(std::move(line)), id_(id) {}
@@ -67,37 +68,38 @@ class Bus {
 
   // ---- Calls that wait for the answer.
 
-  /// Sends a request once. Returns nullopt without an answer; the caller handles an error in the answer.
+  /// Sends a request once. Returns nullopt if no answer arrives. The caller handles an error in the answer.
   std::optional<Packet> try_once(const Packet& request);
-  /// Repeats a request while the line is disturbed. Throws PlateFailure with the servo's error, or if it is silent.
+  /// Repeats a request until an undamaged answer arrives. Throws PlateFailure if the servo reports an error, or if it
+  /// does not answer.
   Packet transact(const Packet& request);
   std::int64_t read(Entry entry);
   void write(Entry entry, std::int64_t value) { transact(write_request(entry, value)); }
 
   // ---- Calls that do not wait.
 
-  /// Sends a request. Requires that no answer is awaited.
+  /// Sends a request. Requires that awaits_answer() is false.
   void send(const Packet& request);
-  /// Returns the answer to the last request, once.
+  /// Returns the answer to the last request if it has arrived. Returns each answer once.
   std::optional<Packet> answer();
   bool awaits_answer() const { return !is_answered_ && line_->now() - asked_ <= answer_limit; }
   /// Returns true, once, if the last request was not answered in time.
   bool has_missed_answer();
-  /// The last request, and the time when it was sent.
+  /// Last request, and the time at which it was sent.
   const Packet& request() const { return request_; }
   Line::Time asked() const { return asked_; }
   /// Throws PlateFailure if no request has been answered for half a second.
   void check_silence() const;
   /// Counts an answer which reports that the request was damaged.
   void count_refusal() { ++refused_; }
-  /// Describes the error of a servo in an answer to `request`.
+  /// Returns the text of a failure: the error of a servo in its answer to `request`.
   static std::string describe(const Packet& request, StatusError error);
 
  private:
   // A packet of 48 bytes takes 9 ms at 57600 baud.
   static constexpr auto answer_limit = std::chrono::milliseconds(60);
-  void pass_over_late_answer();
-  void give_up_answer();
+  void discard_late_answer();
+  void abandon_request();
 
   std::unique_ptr<Line> line_;
   std::uint8_t id_;

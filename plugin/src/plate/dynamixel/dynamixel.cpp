@@ -1,5 +1,5 @@
-// An XL330 servo under the plate. Position 2048, the middle of the servo's turn, is orientation 0;
-// the horn points up, so that counter-clockwise is positive.
+// Device: an XL330 servo under the plate. Position 2048, the middle of a turn of the servo, is orientation 0. The horn
+// points up, so that counter-clockwise is positive.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,18 +16,18 @@ namespace {
 using namespace std::chrono_literals;
 using namespace dynamixel;
 
-constexpr double stop_deg = 360.0;  // the servo counts turns; 360 is the range of a report
-constexpr double slack_deg = 3.0;   // tolerance beyond the stop
-constexpr auto ping_limit = 3s;     // adapters and servos need a moment after the line is opened
-constexpr int probes = 11;
-// Latency of the servo itself, whose control loop runs every millisecond.
-constexpr auto servo_latency = 2ms;
-// Profile of a plate at rest, 1.4 degrees a second, so that a goal of another program moves the plate slowly.
+constexpr double stop_deg =
+    360.0;  // the servo counts turns; the driver limits the orientation to a turn in each direction
+constexpr double slack_deg = 3.0;    // tolerance beyond stop_deg
+constexpr auto ping_limit = 3s;      // adapters and servos need time after the serial line is opened
+constexpr int probes = 11;           // reads that measure the round trip
+constexpr auto servo_latency = 2ms;  // of the servo itself, whose control loop runs every millisecond
+// Profile velocity at rest: 1.4 degrees a second, so that a goal of another program moves the plate slowly.
 constexpr std::int64_t resting_units = 1;
 constexpr auto rest_time = 100ms;   // a plate that has not moved for this time is at rest
 constexpr double rest_deg = 1.0;    // largest distance from the goal at rest
 constexpr double still_deg = 0.5;   // largest motion of a plate at rest: noise of its sensor
-constexpr int polls_per_check = 8;  // period of reading the torque, which is at a distant address
+constexpr int polls_per_check = 8;  // every eighth poll reads the torque, which is at a distant address
 
 struct Settings {
   std::uint8_t id;
@@ -61,12 +61,12 @@ class Servo : public Device {
     fastest_units_ = std::max<std::int64_t>(1, bus_.read(velocity_limit));
     if (start == Start::hold) set_up();
     watch_.emplace(PlateGreeting{-stop_deg, stop_deg, speed_deg_s(), 0.0, true}, now());
-    for (int i = 0; i < probes; ++i) take_position(bus_.read(present_position));
-    if (start == Start::hold) hold();
+    for (int i = 0; i < probes; ++i) handle_position(bus_.read(present_position));
+    if (start == Start::hold) start_holding();
   }
 
   ~Servo() override {
-    if (holds_) stop_if_heard();
+    if (has_torque_command_) try_to_stop();
   }
   Servo(const Servo&) = delete;
   Servo& operator=(const Servo&) = delete;
@@ -91,7 +91,7 @@ class Servo : public Device {
       bus_.line().wait(limit);
       exchange();
     } catch (const PlateFailure&) {
-      stop_if_heard();
+      try_to_stop();
       throw;
     }
   }
@@ -101,13 +101,13 @@ class Servo : public Device {
     if (goal_step_ == step) return;
     goal_step_ = step;
     next_ = Next::turn;
-    watch_->commanded(deg_of(step));
+    watch_->note_command(deg_of(step));
   }
 
   void stop() override {
     goal_step_.reset();
     next_ = Next::stop;
-    watch_->stopped();
+    watch_->note_stop();
   }
 
   std::vector<std::string> details() override {
@@ -124,13 +124,13 @@ class Servo : public Device {
             value("hardware error ", hardware_error, "")};
   }
 
-  // The position of a servo is the position of its shaft plus the homing offset.
+  // The servo reports the position of its shaft plus the homing offset.
   double zero_deg() override {
     finish_exchange();
     return static_cast<double>(-bus_.read(homing_offset)) * deg_per_step;
   }
 
-  // Switches the torque off for some milliseconds: with torque, the memory of the offset is locked.
+  // Switches the torque off for some milliseconds, because the servo refuses to store an offset while it has torque.
   void set_zero(double zero_deg) override {
     const std::int64_t offset = -std::llround(zero_deg / deg_per_step);
     if (std::abs(offset) > max_homing_steps)
@@ -139,13 +139,13 @@ class Servo : public Device {
     finish_exchange();
     bus_.write(torque_enable, 0);
     bus_.write(homing_offset, offset);
-    take_position(bus_.read(present_position));
-    hold();
+    handle_position(bus_.read(present_position));
+    start_holding();
     repeat_motion();
   }
 
-  void keep_zero() override { stop(); }          // the servo stores the offset when it is written
-  void hurry() override { poll_period_ = 0ms; }  // the speed stays limited by the servo's profile
+  void save_zero() override { stop(); }                      // the servo has stored the offset already
+  void begin_measurement() override { poll_period_ = 0ms; }  // the profile still limits the speed
   double report_step_deg() const override { return deg_per_step; }
   std::chrono::nanoseconds sensor_filter() const override { return 0ns; }
 
@@ -158,7 +158,7 @@ class Servo : public Device {
   }
   double speed_deg_s() const { return static_cast<double>(speed_units()) * deg_s_per_unit; }
 
-  // ---- Before the servo may turn.
+  // ---- Opening.
 
   void identify() {
     for (const auto give_up = now() + ping_limit; now() <= give_up;) {
@@ -178,12 +178,13 @@ class Servo : public Device {
     const auto found =
         std::find_if(models.begin(), models.end(), [&](const Model& model) { return model.number == number; });
     if (found == models.end())
-      throw PlateFailure(Fault::no_answer, "is a Dynamixel of model number " + std::to_string(number) +
-                                               "; allowed: 1190 and 1200 (XL330)");
+      throw PlateFailure(Fault::no_answer,
+                         "is a Dynamixel of model number " + std::to_string(number) +
+                             "; allowed: 1190 (XL330-M077) and 1200 (XL330-M288). Use one of these servos");
     model_ = &*found;
   }
 
-  // Writes the modes only if they differ, because their memory wears out.
+  // Writes the modes only if they differ, because each write wears out the memory of the servo.
   void set_up() {
     bus_.write(bus_watchdog, 0);
     bus_.write(torque_enable, 0);
@@ -196,24 +197,24 @@ class Servo : public Device {
   }
 
   // The servo replaces the goal by its present position when the torque is switched on.
-  void hold() {
-    holds_ = true;
+  void start_holding() {
+    has_torque_command_ = true;
     bus_.write(motion, motion_of(resting_units, step_of(*orientation_deg_)));
     bus_.write(torque_enable, 1);
     bus_.write(bus_watchdog, watchdog_ticks);
-    known_motion_ = bus_.read(motion);
+    motion_in_servo_ = bus_.read(motion);
   }
 
-  // Value of the two adjacent entries of the profile and the goal, which one request writes.
+  // Value of the entry `motion`: profile velocity and goal, which one request writes.
   static std::int64_t motion_of(std::int64_t profile_units, std::int64_t goal) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(goal) << 32U |
                                      static_cast<std::uint64_t>(profile_units));
   }
 
-  // ---- In motion.
+  // ---- Operation.
 
   void exchange() {
-    if (const std::optional<Packet> answer = bus_.answer()) take(*answer);
+    if (const std::optional<Packet> answer = bus_.answer()) handle_answer(*answer);
     repeat_lost_motion();
     bus_.check_silence();
     if (bus_.awaits_answer()) return;
@@ -230,7 +231,7 @@ class Servo : public Device {
     bus_.line().flush();
   }
 
-  void take(const Packet& answer) {
+  void handle_answer(const Packet& answer) {
     const Packet request = bus_.request();
     const StatusError error = answer.status_error();
     const bool writes = request.instruction == Instruction::write;
@@ -243,13 +244,14 @@ class Servo : public Device {
     } else if (error != StatusError::none) {
       throw PlateFailure(Fault::protocol, Bus::describe(request, error));
     } else if (!writes) {
-      take_poll(answer.parameters);
+      handle_poll(answer.parameters);
     } else {
-      known_motion_ = number_at(request.parameters, 2, motion.size);
+      motion_in_servo_ = number_at(request.parameters, 2, motion.size);
     }
   }
 
-  // Request for the entries from watchdog to voltage; every eighth one for the torque; after hurry() for the position.
+  // Returns the request of the next poll: the entries from the watchdog to the voltage, in every eighth poll the
+  // torque, and after begin_measurement() only the position.
   Packet poll_request() {
     if (poll_period_ == 0ms) return bus_.read_request(present_position);
     if (++polls_ % polls_per_check == 0) return bus_.read_request(torque_enable);
@@ -257,9 +259,9 @@ class Servo : public Device {
     return bus_.read_request({bus_watchdog.address, size});
   }
 
-  void take_poll(const std::string& table) {
+  void handle_poll(const std::string& table) {
     if (table.size() == std::size_t{present_position.size})
-      return take_position(number_at(table, 0, present_position.size));
+      return handle_position(number_at(table, 0, present_position.size));
     if (table.size() == std::size_t{torque_enable.size}) {
       has_torque_ = table[0] != 0;
       return;
@@ -271,19 +273,19 @@ class Servo : public Device {
     if (watchdog == 0) throw PlateFailure(Fault::restarted, restarted_text);
     if (!has_torque_)
       throw PlateFailure(Fault::device, "has no torque: another program or the servo switched it off. Open it again");
-    take_position(value(present_position));
+    handle_position(value(present_position));
     check_supply(value(present_voltage));
     if (watchdog == watchdog_expired) {
       recover_from_watchdog();
-    } else if ((known_motion_ && value(motion) != *known_motion_) || value(goal_current) != effort_) {
-      has_second_program_ = true;
+    } else if ((motion_in_servo_ && value(motion) != *motion_in_servo_) || value(goal_current) != effort_) {
+      has_other_program_ = true;
       throw PlateFailure(Fault::line, second_program_text);
     }
   }
 
-  void take_position(std::int64_t step) {
+  void handle_position(std::int64_t step) {
     const double seconds = std::chrono::duration<double>(now() - reported_).count();
-    if (orientation_deg_ && seconds > 0.0) speed_seen_deg_s_ = (deg_of(step) - *orientation_deg_) / seconds;
+    if (orientation_deg_ && seconds > 0.0) observed_speed_deg_s_ = (deg_of(step) - *orientation_deg_) / seconds;
     orientation_deg_ = deg_of(step);
     if (std::abs(*orientation_deg_) > stop_deg + slack_deg)
       throw PlateFailure(Fault::limits, "was turned by " + std::to_string(std::lround(*orientation_deg_)) +
@@ -293,10 +295,10 @@ class Servo : public Device {
       rested_deg_ = *orientation_deg_;
       rested_since_ = reported_;
     }
-    watch_->reported(reported_, orientation_deg_);
+    watch_->note_report(reported_, orientation_deg_);
   }
 
-  // Restarts a servo whose watchdog has expired during a pause of the host: it has stopped, and accepts no goal.
+  // Resets the watchdog, which has expired during a pause of the host: the servo has stopped, and accepts no goal.
   void recover_from_watchdog() {
     bus_.write(bus_watchdog, 0);
     bus_.write(profile_velocity, resting_units);
@@ -310,7 +312,7 @@ class Servo : public Device {
   }
 
   void repeat_motion() {
-    known_motion_.reset();
+    motion_in_servo_.reset();
     next_ = goal_step_ ? Next::turn : Next::stop;
   }
 
@@ -325,12 +327,13 @@ class Servo : public Device {
     bus_.send(bus_.write_request(motion, motion_of(profile_units, goal)));
   }
 
-  // Stops at the present position, so that the plate does not turn back.
+  // Sets the goal to the present position, which is extrapolated from the last report, so that the plate does not turn
+  // back.
   void send_stop() {
     next_ = Next::poll;
     if (!orientation_deg_) return;
     const double age_s = std::min(0.05, std::chrono::duration<double>(now() - reported_).count());
-    send_motion(resting_units, step_of(*orientation_deg_ + age_s * speed_seen_deg_s_));
+    send_motion(resting_units, step_of(*orientation_deg_ + age_s * observed_speed_deg_s_));
   }
 
   static void check_supply(std::int64_t tenths) {
@@ -339,7 +342,7 @@ class Servo : public Device {
                                           " tenths of a volt; allowed: 37 to 60. Check adapter, fuse and wires");
   }
 
-  // Waits for the answer to the last request: either the host or the servo may send on the bus, not both.
+  // Waits for the answer to the last request, because only one end of the bus may send at a time.
   void await_answer() {
     while (bus_.awaits_answer() && !bus_.answer()) {
       bus_.line().wait(5ms);
@@ -352,14 +355,14 @@ class Servo : public Device {
     repeat_lost_motion();
   }
 
-  // Tries to stop the servo. If it receives nothing, its own watchdog stops it. If another program sends goals, it also
-  // switches the torque off, so that no further goal turns the plate.
-  void stop_if_heard() {
+  // Sends a stop if the serial line still works. Otherwise the watchdog of the servo stops it. If another program sends
+  // goals, also switches the torque off, so that no further goal turns the plate.
+  void try_to_stop() {
     try {
       await_answer();
       send_stop();
       await_answer();
-      if (!has_second_program_) return;
+      if (!has_other_program_) return;
       bus_.send(bus_.write_request(torque_enable, 0));
       await_answer();
     } catch (const PlateFailure&) {
@@ -374,18 +377,18 @@ class Servo : public Device {
   std::int64_t fastest_units_ = 1;
   std::int64_t effort_ = 0;  // goal current, mA
   bool has_torque_ = true;
-  bool has_second_program_ = false;
-  double speed_seen_deg_s_ = 0.0;  // between the last two reports
+  bool has_other_program_ = false;
+  double observed_speed_deg_s_ = 0.0;  // between the last two reports
   int polls_ = 0;
   std::optional<PlateWatch> watch_;
   std::optional<double> orientation_deg_;
   std::optional<int> goal_step_;
-  std::optional<std::int64_t> known_motion_;  // profile and goal in the servo; nullopt after a lost answer
+  std::optional<std::int64_t> motion_in_servo_;  // profile and goal that the servo has; nullopt after a lost answer
   enum class Next { poll, turn, stop } next_ = Next::poll;
-  bool is_fast_ = false;     // the profile in the servo is that of a motion
-  double rested_deg_ = 0.0;  // position from which the plate has not moved ...
-  Line::Time rested_since_;  // ... since this time
-  bool holds_ = false;
+  bool is_fast_ = false;     // the servo has the profile of a motion, not that of rest
+  double rested_deg_ = 0.0;  // position from which the plate has not moved
+  Line::Time rested_since_;  // time since which it has not moved
+  bool has_torque_command_ = false;
   std::chrono::milliseconds poll_period_{20};
   Line::Time reported_;
 };
@@ -393,12 +396,13 @@ class Servo : public Device {
 }  // namespace
 
 DeviceMaker dynamixel_device(const DeviceName& name) {
-  name.allow({"id", "baud", "speed", "effort"});
-  const int baud = name.number("baud", 57600, 1, 1'000'000'000);
+  name.check_options({"id", "baud", "speed", "effort"});
+  const int baud = name.integer("baud", 57600, 1, 1'000'000'000);
   if (std::find(std::begin(baud_rates), std::end(baud_rates), baud) == std::end(baud_rates))
     throw std::invalid_argument("option baud is " + std::to_string(baud) + "; allowed: 57600, 115200, 1000000");
-  const Settings settings{static_cast<std::uint8_t>(name.number("id", 1, 0, 252)),
-                          static_cast<double>(name.number("speed", 300, 10, 1000)), name.number("effort", 50, 5, 100)};
+  const Settings settings{static_cast<std::uint8_t>(name.integer("id", 1, 0, 252)),
+                          static_cast<double>(name.integer("speed", 300, 10, 1000)),
+                          name.integer("effort", 50, 5, 100)};
   return [path = name.path, baud, settings](const LineOpener& open, Start start) {
     return std::make_unique<Servo>(open(path, baud), settings, start);
   };

@@ -1,4 +1,4 @@
-#include "samples/app/firmware/line.h"
+#include "plugin/include/plate_driver/plate_text.h"
 
 #include <stddef.h>
 
@@ -8,57 +8,29 @@ enum { MAX_NUMBER = 12 };
 
 static const char hex_digits[] = "0123456789ABCDEF";
 
-const char* line_error_word(LineError error) {
-  switch (error) {
-    case LINE_TOO_LONG:
-      return "length";
-    case LINE_BAD_BYTE:
-      return "byte";
-    case LINE_BAD_SUM:
-      return "sum";
-    case LINE_BAD_WORD:
-      return "word";
-    case LINE_BAD_NUMBER:
-      return "number";
-    case LINE_OUT_OF_RANGE:
-      return "range";
-    case LINE_NOT_GREETED:
-      return "greeting";
-    case LINE_BUSY:
-      return "busy";
-    case LINE_STEP:
-      return "step";
-    case LINE_SESSION:
-      return "session";
-    case LINE_OK:
-      break;
-  }
-  return "none";
-}
-
 enum { SUM_DIGITS = 4 };
 
-/* Writes the checksum of `body` as upper-case digits, without a 0 at the end. */
-static void put_sum(char* out, const char* body, uint8_t length) {
+/* Writes the checksum of `body` as upper-case hexadecimal digits, without a 0 at the end. */
+static void write_checksum(char* out, const char* body, uint8_t length) {
   unsigned sum = crc16_ccitt(body, length);
   for (uint8_t i = SUM_DIGITS; i > 0; --i, sum >>= 4) out[i - 1] = hex_digits[sum & 15];
 }
 
-/* Checks a line, and replaces the asterisk before its checksum by a 0. */
+/* Checks a complete line. If it is valid, replaces the asterisk before the checksum by a 0. */
 static LineError check(char* text, uint8_t length) {
   uint8_t star = 0;
   for (; star < length && text[star] != '*'; ++star)
     if (text[star] < 0x20 || text[star] > 0x7E) return LINE_BAD_BYTE;
   if (star == 0 || length != star + 1 + SUM_DIGITS) return LINE_BAD_SUM;
   char sum[SUM_DIGITS];
-  put_sum(sum, text, star);
+  write_checksum(sum, text, star);
   for (int i = 0; i < SUM_DIGITS; ++i)
     if (text[star + 1 + i] != sum[i]) return LINE_BAD_SUM;
   text[star] = 0;
   return LINE_OK;
 }
 
-bool line_take(LineBuffer* buffer, char byte, LineError* error) {
+bool line_receive(LineBuffer* buffer, char byte, LineError* error) {
   if (byte != '\n') {
     if (buffer->length + 1 == LINE_SIZE) buffer->too_long = true;
     if (!buffer->too_long) buffer->text[buffer->length++] = byte;
@@ -75,7 +47,7 @@ bool line_take(LineBuffer* buffer, char byte, LineError* error) {
   return true;
 }
 
-uint8_t line_seal(char* out, const char* body) {
+uint8_t line_encode(char* out, const char* body) {
   uint8_t length = 0;
   while (body[length] != 0) {
     if (length + 6 >= LINE_SIZE) return 0;
@@ -83,27 +55,14 @@ uint8_t line_seal(char* out, const char* body) {
     ++length;
   }
   out[length] = '*';
-  put_sum(out + length + 1, body, length);
+  write_checksum(out + length + 1, body, length);
   out[length + 1 + SUM_DIGITS] = '\n';
   return (uint8_t)(length + 2 + SUM_DIGITS);
 }
 
-char* line_word(char** rest) {
-  char* word = *rest;
-  if (word == NULL || *word == 0 || *word == ' ') return NULL;
-  char* end = word;
-  while (*end != 0 && *end != ' ') ++end;
-  if (*end == ' ') {
-    if (end[1] == 0) return NULL; /* a space ends the body */
-    *end++ = 0;
-  }
-  *rest = end;
-  return word;
-}
-
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-bool line_hundredths(const char* word, int32_t* out) {
+bool line_parse_hundredths(const char* word, int32_t* out) {
   uint8_t length = 0;
   while (word[length] != 0)
     if (++length > MAX_NUMBER) return false;
@@ -131,7 +90,7 @@ bool line_hundredths(const char* word, int32_t* out) {
   return true;
 }
 
-bool line_fixed_angle(const char* word, int32_t* out) {
+bool line_parse_angle(const char* word, int32_t* out) {
   static const char pattern[] = "+000.00";
   for (size_t i = 0; i < sizeof pattern; ++i) {
     const char c = word[i];
@@ -145,7 +104,7 @@ bool line_fixed_angle(const char* word, int32_t* out) {
   return true;
 }
 
-bool line_sequence(const char* word, uint16_t* out) {
+bool line_parse_sequence(const char* word, uint16_t* out) {
   uint32_t value = 0;
   for (uint8_t i = 0; i < 5; ++i) {
     if (!is_digit(word[i])) return false;
@@ -156,13 +115,13 @@ bool line_sequence(const char* word, uint16_t* out) {
   return true;
 }
 
-char* line_put_text(char* end, const char* text) {
+char* line_append_text(char* end, const char* text) {
   while (*text != 0) *end++ = *text++;
   *end = 0;
   return end;
 }
 
-char* line_put_digits(char* end, uint32_t value, uint8_t width) {
+char* line_append_digits(char* end, uint32_t value, uint8_t width) {
   char digits[10];
   uint8_t count = 0;
   do {
@@ -175,19 +134,19 @@ char* line_put_digits(char* end, uint32_t value, uint8_t width) {
   return end;
 }
 
-static char* put_angle(char* end, int32_t hundredths, uint8_t width) {
+static char* append_angle(char* end, int32_t hundredths, uint8_t width) {
   const uint32_t size = (uint32_t)(hundredths < 0 ? -hundredths : hundredths);
-  end = line_put_digits(end, size / 100, width);
+  end = line_append_digits(end, size / 100, width);
   *end++ = '.';
-  return line_put_digits(end, size % 100, 2);
+  return line_append_digits(end, size % 100, 2);
 }
 
-char* line_put_hundredths(char* end, int32_t hundredths) {
+char* line_append_hundredths(char* end, int32_t hundredths) {
   if (hundredths < 0) *end++ = '-';
-  return put_angle(end, hundredths, 1);
+  return append_angle(end, hundredths, 1);
 }
 
-char* line_put_fixed_angle(char* end, int32_t hundredths) {
+char* line_append_angle(char* end, int32_t hundredths) {
   *end++ = hundredths < 0 ? '-' : '+';
-  return put_angle(end, hundredths, 3);
+  return append_angle(end, hundredths, 3);
 }
