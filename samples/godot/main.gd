@@ -135,7 +135,7 @@ func _begin_set_up(what: int) -> void:
 func _on_setup_step(step: Dictionary) -> void:
 	if step.instruction == HapticRetargeting.STEP_FINISH:
 		return
-	_wearer.say(step.text)
+	_wearer.show_instruction(step.text)
 	_desk.show_hint(step.place_m)
 	finger.asked_for_step.emit(step)
 
@@ -191,7 +191,7 @@ func _go_to_start() -> void:
 	_state = State.GOING_TO_START
 	finger.show_to_wearer(true)
 	_rested_s = 0.0
-	_wearer.say("Put your finger on the start.")
+	_wearer.show_instruction("Put your finger on the start.")
 	_desk.show_hint(_plate.start_position_m)
 	finger.asked_to_touch.emit(_plate.to_global(_plate.start_position_m))
 
@@ -208,7 +208,7 @@ func _begin_reach() -> void:
 	_state = State.REACHING
 	_rested_s = 0.0
 	finger.show_to_wearer(false)
-	_wearer.say("Slide to the %s, and stop there." % _target_name())
+	_wearer.show_instruction("Slide to the %s, and stop there." % _target_name())
 	_desk.show_hint(_plate.to_local(_desk.object(_target_name()).global_position))
 	_experimenter.begin(finger.global_position)
 	finger.asked_to_slide.emit(virtual_target)
@@ -266,7 +266,7 @@ func _finish() -> void:
 	_cancel()
 	_plate.close_device()
 	var text := _results.text() + (" (simulated)." if finger is SimulatedFinger else ".")
-	_wearer.say(text)
+	_wearer.show_instruction(text)
 	_experimenter.report(text)
 	ended.emit()
 	if DisplayServer.get_name() != "headless":

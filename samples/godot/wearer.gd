@@ -25,7 +25,7 @@ func start() -> bool:
 
 
 ## Shows an instruction.
-func say(instruction: String) -> void:
+func show_instruction(instruction: String) -> void:
 	if instruction != _instruction:
 		print(instruction)
 	_instruction = instruction
