@@ -104,7 +104,7 @@ double smooth_along_mm(const std::vector<Place>& places, double time_s, std::siz
 std::optional<TimedPoint> find_onset(const std::vector<TimedPoint>& samples) {
   FingerPhase finger;
   for (const TimedPoint& sample : samples) {
-    finger.see(sample.time_s, sample.position);
+    finger.process(sample.time_s, sample.position);
     if (finger.phase() == Phase::moving) return TimedPoint{finger.left_s(), finger.rest_place()};
   }
   return std::nullopt;

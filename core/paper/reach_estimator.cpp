@@ -142,10 +142,10 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
   position_ns_ = sample.time_ns;
   if (!first_ns_) first_ns_ = sample.time_ns;
   const double time_s = elapsed_s(*first_ns_, sample.time_ns);
-  const FingerPhase::Seen seen = finger_.see(time_s, sample.position);
-  if (seen == FingerPhase::Seen::place) finger_.find_pause();
+  const FingerPhase::Outcome outcome = finger_.process(time_s, sample.position);
+  if (outcome == FingerPhase::Outcome::place) finger_.find_pause();
   estimator_.set_tracker_noise(white_noise_mm());
-  if (seen == FingerPhase::Seen::ignored) {
+  if (outcome == FingerPhase::Outcome::ignored) {
     ++counts_.dropped_samples;
     return Observation::none;
   }

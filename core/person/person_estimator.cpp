@@ -42,16 +42,16 @@ PersonEstimator::PersonEstimator(const PersonBelief& belief, double virtual_dire
 
 bool PersonEstimator::observe(double time_s, const PlatePoint& position, const PlateTrace& plate) {
   const bool was_waiting = !begun();
-  const FingerPhase::Seen seen = finger_.see(time_s, position);
-  if (seen == FingerPhase::Seen::ignored) return false;
-  if (seen == FingerPhase::Seen::merged) return true;
+  const FingerPhase::Outcome outcome = finger_.process(time_s, position);
+  if (outcome == FingerPhase::Outcome::ignored) return false;
+  if (outcome == FingerPhase::Outcome::merged) return true;
   if (!begun()) {
     filter_s_ = time_s;
     return true;
   }
   if (was_waiting) {
     begin_motion();
-  } else if (seen == FingerPhase::Seen::set_down) {
+  } else if (outcome == FingerPhase::Outcome::set_down) {
     clock_stopped_ = true;
     carry_to(time_s, plate);
     filter_.place_at(position - origin());
@@ -59,7 +59,7 @@ bool PersonEstimator::observe(double time_s, const PlatePoint& position, const P
   } else {
     ++backlog_;
     if (finger_.phase() == Phase::moving && std::exchange(clock_stopped_, false))
-      filter_.loosen_clock(tuning().pause_clock_sd_s);
+      filter_.add_phase_sd(tuning().pause_clock_sd_s);
   }
   const bool taken = catch_up(plate);
   if (caught_up()) finger_.find_pause();
@@ -182,7 +182,7 @@ bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
 void PersonEstimator::relocate(const PlatePoint& position) {
   log_.close();
   filter_.place_at(position - origin_);
-  filter_.loosen_clock(tuning().pause_clock_sd_s);
+  filter_.add_phase_sd(tuning().pause_clock_sd_s);
   gate_.reset();
 }
 

@@ -18,11 +18,11 @@ constexpr double min_path_mm = 1.0;
 // Quantities of one step of the motion, and its derivatives.
 struct PersonFilter::Step {
   double seconds, travel_mm, sine, cosine, turn_deg, phase;
-  double wander_kept, noise_kept, strayed_kept;  // factors of decay in the step
+  double wander_kept, noise_kept, displacement_kept;  // factors of decay in the step
   FeltShift felt;
   double travel_by_phase, travel_by_evenness;
-  double own_by_habit, own_by_phase, own_by_strayed;
-  double strayed_by_travel;
+  double own_by_habit, own_by_phase, own_by_displacement;
+  double displacement_by_travel;
   double turn_by_felt, turn_by_steered, turn_by_own, turn_by_gain;
 };
 
@@ -68,13 +68,13 @@ PersonFilter PersonFilter::with_wander(double change) const {
 }
 
 // Derivative of o by y, deg/mm.
-double PersonFilter::strayed_deg_mm(double path_fraction) const {
+double PersonFilter::displacement_deg_mm(double path_fraction) const {
   return -deg_per_rad / (path_mm_ * std::max(1.0 - path_fraction, tuning_.min_return_fraction));
 }
 
 double PersonFilter::own_deg(double path_fraction, double wander_kept) const {
   return wander_kept * mean_(X::wander) + mean_(X::habit) * (1.0 - 2.0 * path_fraction) +
-         strayed_deg_mm(path_fraction) * mean_(X::strayed);
+         displacement_deg_mm(path_fraction) * mean_(X::displacement);
 }
 
 double PersonFilter::turn_kept(double seconds) const {
@@ -83,7 +83,7 @@ double PersonFilter::turn_kept(double seconds) const {
 
 double PersonFilter::own_to_come_mm() const {
   const double s = pace(mean_(X::phase)).share;
-  return -mean_(X::strayed) - rad_per_deg * mean_(X::habit) * path_mm_ * s * (1.0 - s);
+  return -mean_(X::displacement) - rad_per_deg * mean_(X::habit) * path_mm_ * s * (1.0 - s);
 }
 
 double PersonFilter::direction_deg() const { return mean_(X::steered) + own_deg(pace(mean_(X::phase)).share, 1.0); }
@@ -119,8 +119,8 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double k = mean_(X::gain);
   const SteeringStep steering = steer(k, mean_(X::steered), g, goal_deg(), seconds, tuning_.max_slope);
   const SinCos way = sin_cos_deg(mean_(X::steered) + own + 0.5 * steering.turn_deg);
-  const double by_strayed = strayed_deg_mm(middle.share);
-  const double return_deg = by_strayed * mean_(X::strayed);
+  const double by_displacement = displacement_deg_mm(middle.share);
+  const double return_deg = by_displacement * mean_(X::displacement);
   const Step step{
       .seconds = seconds,
       .travel_mm = travel_mm,
@@ -130,18 +130,18 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
       .phase = rate_ * seconds,
       .wander_kept = exponential(-seconds / tuning_.wander_s),
       .noise_kept = exponential(-seconds / noise_.correlation_s),
-      .strayed_kept = std::max(0.0, 1.0 + rad_per_deg * travel_mm * by_strayed),
+      .displacement_kept = std::max(0.0, 1.0 + rad_per_deg * travel_mm * by_displacement),
       .felt = g,
       .travel_by_phase = travel_scale * begun.acceleration,
       .travel_by_evenness = travel_scale * begun.by_evenness,
       .own_by_habit = 1.0 - 2.0 * middle.share,
       .own_by_phase = middle.rate *
                       (return_deg / std::max(1.0 - middle.share, tuning_.min_return_fraction) - 2.0 * mean_(X::habit)),
-      .own_by_strayed = by_strayed,
-      .strayed_by_travel = rad_per_deg * (mean_(X::wander) + return_deg),
+      .own_by_displacement = by_displacement,
+      .displacement_by_travel = rad_per_deg * (mean_(X::wander) + return_deg),
       .turn_by_felt = k * seconds,
-      .turn_by_steered = -steering.decay_s * seconds,
-      .turn_by_own = (k - steering.decay_s) * seconds,
+      .turn_by_steered = -steering.decay_per_s * seconds,
+      .turn_by_own = (k - steering.decay_per_s) * seconds,
       .turn_by_gain = -steering.felt_error_deg * seconds};
   carry(step);
   move_state(step);
@@ -158,7 +158,7 @@ void PersonFilter::carry(Step f) {
   const auto transform = [&f](auto&& row) {
     const double along =
         f.travel_by_phase * row(X::phase) + f.travel_mm * row(X::log_rate) + f.travel_by_evenness * row(X::evenness);
-    const double own = row(X::wander) + f.own_by_habit * row(X::habit) + f.own_by_strayed * row(X::strayed) +
+    const double own = row(X::wander) + f.own_by_habit * row(X::habit) + f.own_by_displacement * row(X::displacement) +
                        f.own_by_phase * row(X::phase);
     const double across = f.travel_mm * rad_per_deg * (row(X::steered) + own);
     row(X::right) -= f.sine * along + f.cosine * across;
@@ -167,8 +167,8 @@ void PersonFilter::carry(Step f) {
         f.felt.by_weight * row(X::weight) + f.felt.by_curve * row(X::curve) + f.felt.by_fading * row(X::fading);
     row(X::steered) += f.turn_by_steered * row(X::steered) + f.turn_by_own * own + f.turn_by_gain * row(X::gain) +
                        f.turn_by_felt * (row(X::bias) - shift);
-    row(X::strayed) =
-        f.strayed_kept * row(X::strayed) + f.travel_mm * rad_per_deg * row(X::wander) + f.strayed_by_travel * along;
+    row(X::displacement) = f.displacement_kept * row(X::displacement) + f.travel_mm * rad_per_deg * row(X::wander) +
+                           f.displacement_by_travel * along;
     row(X::phase) += f.phase * row(X::log_rate);
     row(X::wander) *= f.wander_kept;
     row(X::noise_right) *= f.noise_kept;
@@ -186,7 +186,8 @@ void PersonFilter::move_state(const Step& step) {
   mean_(X::away) += step.travel_mm * step.cosine;
   mean_(X::steered) += step.turn_deg;
   mean_(X::phase) = std::min(mean_(X::phase) + step.phase, 1.0);
-  mean_(X::strayed) = step.strayed_kept * mean_(X::strayed) + step.travel_mm * rad_per_deg * mean_(X::wander);
+  mean_(X::displacement) =
+      step.displacement_kept * mean_(X::displacement) + step.travel_mm * rad_per_deg * mean_(X::wander);
   mean_(X::wander) *= step.wander_kept;
   mean_(X::noise_right) *= step.noise_kept;
   mean_(X::noise_away) *= step.noise_kept;
@@ -276,10 +277,10 @@ void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool
   // Another motion.
   path_mm_ = std::max(path_mm_, left_mm);
   mean_(X::phase) = phase_at(mean_(X::evenness), 1.0 - left_mm / path_mm_, tuning_.pace_skew);
-  loosen_clock(tuning_.new_motion_sd_s);
+  add_phase_sd(tuning_.new_motion_sd_s);
 }
 
-void PersonFilter::loosen_clock(double seconds) { covariance_(X::phase, X::phase) += square(rate_ * seconds); }
+void PersonFilter::add_phase_sd(double seconds) { covariance_(X::phase, X::phase) += square(rate_ * seconds); }
 
 double PersonFilter::sd(X::Index index) const { return std::sqrt(std::max(0.0, covariance_(index, index))); }
 

@@ -81,7 +81,7 @@ class PersonFilter {
   void retarget(double virtual_direction_deg, double longer_mm, bool answered);
 
   /// Increases the uncertainty of the phase u by an SD of `seconds`.
-  void loosen_clock(double seconds);
+  void add_phase_sd(double seconds);
 
   double mean(X::Index index) const { return mean_(index); }
   double sd(X::Index index) const;
@@ -126,14 +126,13 @@ class PersonFilter {
   void carry(Step step);
   void move_state(const Step& step);
   void add_noise(const Step& step);
-  double strayed_deg_mm(double path_fraction) const;
+  double displacement_deg_mm(double path_fraction) const;
   void keep_in_range();
 
   Tuning tuning_;
   double virtual_direction_deg_;
-  double unanswered_deg_ =
-      // Former minus present virtual direction: the part of a target's move to which the person has not responded yet.
-      0.0;
+  // Former minus present virtual direction: the part of a target's move to which the person has not responded yet.
+  double unanswered_deg_ = 0.0;
   double path_mm_;
   TrackerNoise noise_;
   double wander_deg2_;  // variance of the wander

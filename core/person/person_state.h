@@ -21,11 +21,11 @@ struct PersonState {
     traits,                 ///< number of traits
     right = traits,         ///< position of the finger relative to the rest position
     away,
-    steered,      ///< psi: direction that the person steers, without the own path
-    phase,        ///< u: fraction of the duration
-    wander,       ///< dr: random part of the own path's direction
-    strayed,      ///< y: lateral displacement that the wander has caused, left positive
-    noise_right,  ///< correlated noise of the tracker
+    steered,       ///< psi: direction that the person steers, without the own path
+    phase,         ///< u: fraction of the duration
+    wander,        ///< dr: random part of the own path's direction
+    displacement,  ///< y: lateral displacement that the wander has caused, left positive
+    noise_right,   ///< correlated noise of the tracker
     noise_away,
     count
   };
@@ -54,7 +54,7 @@ inline constexpr StateVariable person_state[PersonState::count] = {
     {PersonState::steered, "steered", "deg", -3600.0, 3600.0},
     {PersonState::phase, "phase", "", 0.0, 1.0},
     {PersonState::wander, "wander", "deg", -360.0, 360.0},
-    {PersonState::strayed, "strayed", "mm", -10000.0, 10000.0},
+    {PersonState::displacement, "displacement", "mm", -10000.0, 10000.0},
     {PersonState::noise_right, "noise_right", "mm", 0.0, 0.0},
     {PersonState::noise_away, "noise_away", "mm", 0.0, 0.0},
 };

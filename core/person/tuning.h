@@ -1,9 +1,10 @@
 // Every tuned number of the controller for people, with value, unit, source and meaning. `hrt-study robustness --tune
 // NAME=VALUE` runs a variant; tuning_fields() lists names and ranges.
 //
-// Sources: [s] chosen by search on the simulated people of hrt-study robustness; [m] from the model,
-// core/person/README.md; [p] bound on computing time. "Kept for" names the test that fails without a number whose
-// effect on the results in samples/study/RESULTS.md is below half a point.
+// A comment has the unit of a number and its meaning. Numbers were chosen by search on the simulated people of
+// hrt-study robustness, except those with [model] (from the model, core/person/README.md) and [time] (limited by
+// computing time). "Kept for" names the test that fails without a number whose effect on the results in
+// samples/study/RESULTS.md is below half a point.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace hrt {
 
-/// Prior of a trait of an unknown person; all values are [s].
+/// Prior of a trait of an unknown person; all values are chosen by search.
 struct TraitTuning {
   double mean;    ///< mean of the prior
   double sd;      ///< SD of the prior
@@ -36,111 +37,114 @@ struct Tuning {
       {1.2, 0.8, 0.1},     // scatter, deg
       {1.4, 1.2, 0.15},    // log_wander
   };
-  double weight_curve_correlation = 0.85;  ///< [s] prior correlation of weight and curve
-  double steered_habit_sd_deg = 2.0;       ///< deg [s] upper limit of the SD of the habit with which a reach begins
-  double known_weight_sd = 0.001;          ///< [m] this and the next three: SDs of known_person()
+  double weight_curve_correlation = 0.85;  ///< prior correlation of weight and curve
+  double steered_habit_sd_deg = 2.0;       ///< deg: upper limit of the SD of the habit with which a reach begins
+  double known_weight_sd = 0.001;          ///< [model] this and the next three: SDs of known_person()
   double known_bias_sd_deg = 0.05;         ///< deg
   double known_fading_sd = 0.01;
   double known_scatter_sd_deg = 0.05;   ///< deg
-  double min_weight_sd = 0.01;          ///< [s] lower bounds of the SDs of calibrated_person(): people change
-  double min_curve_sd = 0.015;          ///< [s] includes the misfit of curves that are not cubic
+  double min_weight_sd = 0.01;          ///< lower bounds of the SDs of calibrated_person(): people change
+  double min_curve_sd = 0.015;          ///< includes the misfit of curves that are not cubic
   double min_bias_sd_deg = 0.5;         ///< deg
   double min_habit_sd_deg = 0.4;        ///< deg
   double max_correlation = 0.95;        ///< largest correlation of weight and curve in calibrated_person()
-  double given_duration_log_sd = 0.12;  ///< [s] SD of log_rate if the host gives the duration
+  double given_duration_log_sd = 0.12;  ///< SD of log_rate if the host gives the duration
 
   // Illusion.
-  double touch_memory_s = 0.3;  ///< s [m] time constant of the decay of the cue from touch
-  double first_ridge = 1.2;     ///< [s] A of a finger that has just travelled one ridge spacing
-  double max_slope = 3.0;       ///< [m] bound of |1 - dg/dt| in steering.h
+  double touch_memory_s = 0.3;  ///< s: [model] time constant of the decay of the cue from touch
+  double first_ridge = 1.2;     ///< A of a finger that has just travelled one ridge spacing
+  double max_slope = 3.0;       ///< [model] bound of |1 - dg/dtheta| in steering.h
 
-  // Filter. Random walks are per second.
-  double first_direction = 0.2;            ///< [s] h: initial direction as a fraction of the virtual direction
-  double first_direction_sd = 0.45;        ///< [s] SD of h from reach to reach
-  double direction_density_deg2_s = 14.0;  ///< deg^2/s [s]
-  double log_rate_density_s = 0.07;        ///< 1/s [s]
-  double place_density_mm2_s = 0.018;      ///< mm^2/s [s]
-  /// s [s] process noise along the motion, per squared speed. Kept for RetargetTest.BringsAPersonToTheMovedTarget.
+  // Filter. A density is the variance that a state gains per second as process noise.
+  double first_direction = 0.2;            ///< h: initial direction as a fraction of the virtual direction
+  double first_direction_sd = 0.45;        ///< SD of h from reach to reach
+  double direction_density_deg2_s = 14.0;  ///< deg^2/s: density of psi
+  double log_rate_density_s = 0.07;        ///< 1/s: rho, the log rate
+  double place_density_mm2_s = 0.018;      ///< mm^2/s: x and z
+  /// s: process noise along the motion, per squared speed. Kept for RetargetTest.BringsAPersonToTheMovedTarget.
   double speed_variance_s = 4e-4;
-  double resting_density_mm2_s = 0.5;  ///< mm^2/s [s] process noise of the position in a pause
-  double wander_s = 0.3;               ///< s [m] time constant of the wander, the random part of the own path
-  /// [s] SD of the habit from reach to reach over the SD of the wander; recorded reaches have 9.1 over 3.8 degrees
+  double resting_density_mm2_s = 0.5;  ///< mm^2/s: process noise of the position in a pause
+  double wander_s = 0.3;               ///< s: [model] time constant of the wander, the random part of the own path
+  /// SD of the habit from reach to reach over the SD of the wander; recorded reaches have 9.1 over 3.8 degrees
   double habit_scatter = 1.0;
-  double min_return_fraction = 0.1;  ///< [m] lower bound of 1 - s in the return to the line
-  double pace_skew = 0.4;            ///< [m] skew of the pace; recorded reaches have 0.54 and 0.14, +-0.4
-  double answer_s = 0.3;             ///< s [m] time constant of the response to a moved target
-  /// s [m] delay from the plate to the perceived direction; half of the largest simulated delay of 0.12
+  double min_return_fraction = 0.1;  ///< [model] lower bound of 1 - s in the return to the line
+  double pace_skew = 0.4;            ///< [model] skew of the pace; recorded reaches have 0.54 and 0.14, +-0.4
+  double answer_s = 0.3;             ///< s: [model] time constant of the response to a moved target
+  /// s: [model] delay from the plate to the perceived direction; half of the largest simulated delay of 0.12
   double sensory_delay_s = 0.06;
-  /// [s] SD of the response to a moved target, as a fraction of the change of direction
+  /// SD of the response to a moved target, as a fraction of the change of direction
   double turn_sd_fraction = 0.5;
-  /// [s] a moved target that lengthens the remaining path by more than this factor requires another motion
+  /// a moved target that lengthens the remaining path by more than this factor requires another motion
   double max_stretch = 1.5;
-  double new_motion_sd_s = 0.15;  ///< s [s] SD of the phase if another motion follows
+  double new_motion_sd_s = 0.15;  ///< s: SD of the phase if another motion follows
 
   // Onset.
-  double fit_spacing_s = 0.02;   ///< s [p] spacing of the positions in the fit of the onset
-  double rate_deviations = 0.4;  ///< [s] step of the grid of rates, in SDs
-  double onset_sd_s = 0.02;      ///< s [s] SD of the onset
+  double fit_spacing_s = 0.02;   ///< s: [time] spacing of the positions in the fit of the onset
+  double rate_deviations = 0.4;  ///< step of the grid of rates, in SDs
+  double onset_sd_s = 0.02;      ///< s: SD of the onset
 
   // Gate and fit statistics.
   double max_accepted_nis = 25.0;  ///< a position with a NIS above this is an outlier
-  /// [s] successive outliers before a position is accepted as a jump. Kept for
+  /// successive outliers before a position is accepted as a jump. Kept for
   /// PersonEstimatorTest.AnOutlierIsRejectedAndAJump_IsFollowed.
   double max_outliers = 4;
-  double fit_sample_weight = 0.05;  ///< [s] weight of one position in the running means
-  /// [s] upper bound of the NIS of one position in the mean. Kept for
+  double fit_sample_weight = 0.05;  ///< weight of one position in the running means
+  /// upper bound of the NIS of one position in the mean. Kept for
   /// PersonTest.MotionThatIsNoReachIsAMisfitAndTeachesNothing.
   double max_counted_nis = 9.0;
-  double misfit_nis = 6.0;           ///< [s] mean above which the model does not fit
-  double misfit_correlation = 0.75;  ///< [s] correlation above which the model does not fit
-  /// [s] unless the mean NIS is below this. Kept for PersonReach.PeopleOfTheModel_ReachTheRealTarget, with a tracker
-  /// without noise.
+  double misfit_nis = 6.0;           ///< mean above which the model does not fit
+  double misfit_correlation = 0.75;  ///< correlation above which the model does not fit
+  /// with a mean NIS below this, the model fits at any correlation. Kept for
+  /// PersonReach.PeopleOfTheModel_ReachTheRealTarget, with a tracker without noise.
   double min_correlated_nis = 1.0;
 
   // Rest and motion: core/tracker/finger_phase.h.
   PhaseTuning phase;
 
   // Pauses.
-  double min_pausing_nis = 6.0;          ///< [s] lower bound of the NIS of the first position of a pause
-  double min_pausing_speed_mm_s = 25.0;  ///< mm/s [s] pauses of a slower finger are not detected
-  double pause_clock_sd_s = 0.07;        ///< s [s] SD that the phase gains at the start and at the end of a pause
-  double reaction_time_s = 0.2;          ///< s [m] time from a target's move to the person's response
+  double min_pausing_nis = 6.0;          ///< lower bound of the NIS of the first position of a pause
+  double min_pausing_speed_mm_s = 25.0;  ///< mm/s: pauses of a slower finger are not detected
+  double pause_clock_sd_s = 0.07;        ///< s: SD that the phase gains at the start and at the end of a pause
+  double reaction_time_s = 0.2;          ///< s: [model] time from a target's move to the person's response
 
   // Plan.
-  /// mm/deg [s] miss that is accepted to avoid a change of the shift by one degree
+  /// mm/deg: miss that is accepted to avoid a change of the shift by one degree
   double change_weight_mm_deg = 0.08;
-  double weight_caution = 0.2;    ///< [s] SDs by which the plan's weight is below its mean
+  double weight_caution = 0.2;    ///< SDs by which the plan's weight is below its mean
   double min_plan_weight = 0.03;  ///< lower limit of the plan's weight
 
   // Flags.
-  double last_phase = 0.97;  ///< [m] fraction of the duration after which the person no longer responds to the plate
-  double first_judged_phase = 0.5;  ///< [s] fraction before which OFF_TARGET is not raised
-  double min_margin_deg = 0.3;      ///< deg [s] the gap is unreachable if the margin is below this
-  double margin_deviations = 0.9;   ///< [s] SDs subtracted from min_margin_deg
-  double min_aim_fraction =
-      0.1;  ///< Fraction of the path; if less remains, the bearing of the target is no longer updated.
+  /// [model] fraction of the duration after which the person no longer responds to the plate
+  double last_phase = 0.97;
+  double first_judged_phase = 0.5;  ///< fraction before which OFF_TARGET is not raised
+  double min_margin_deg = 0.3;      ///< deg: the gap is unreachable if the margin is below this
+  double margin_deviations = 0.9;   ///< SDs subtracted from min_margin_deg
+  /// fraction of the path; if less remains, the bearing of the target from the finger is no longer updated
+  double min_aim_fraction = 0.1;
 
   // Tracker noise that the host knows.
-  /// mm [s] lower limit of each part; without noise, every deviation would be attributed to the person
+  /// mm: lower limit of each part; without noise, every deviation would be attributed to the person
   double min_known_noise_mm = 0.02;
-  double white_noise_fraction = 0.66;       ///< [s] parts of a total noise; their squares add up to 1
-  double correlated_noise_fraction = 0.75;  ///< [s]
-  double min_leg_mm = 10.0;  ///< mm [s] smaller distances do not determine a bearing, because of tracker noise
+  double white_noise_fraction = 0.66;  ///< parts of a total noise; their squares add up to 1
+  double correlated_noise_fraction = 0.75;
+  double min_leg_mm = 10.0;  ///< mm: smaller distances do not determine a bearing, because of tracker noise
 
   // Learning.
-  double wander_step = 0.5;      ///< [s] step of log_wander between the compared filters, eps in motion_log.h
-  double wander_evidence = 0.8;  ///< [s] factor of a motion's log likelihood, beta in motion_log.h: positions correlate
-  /// [s] limit of the change of log_wander in one reach: beyond it the quadratic approximation is invalid
+  /// difference of log_wander between the three filters that motion_log.h compares
+  double wander_step = 0.5;
+  /// factor of the log likelihood of a motion; below 1, because successive positions are correlated
+  double wander_evidence = 0.8;
+  /// limit of the change of log_wander in one reach: beyond it the quadratic approximation is invalid
   double max_wander_change = 1.0;
-  /// [s] a reach that ends before this fraction of the duration changes no estimate, as hrt_adaptation promises.
+  /// a reach that ends before this fraction of the duration changes no estimate, as hrt_adaptation promises.
   double min_taught_phase = 0.7;
-  /// [s] drop of the weight, in SDs, at which the illusion is reset to its prior. Kept for
+  /// drop of the weight, in SDs, at which the illusion is reset to its prior. Kept for
   /// SimulationPeople.AWeightThatDrops_IsEstimatedAgainWithinTwoReaches.
   double illusion_fall_deviations = 1.2;
-  double min_scatter_deg = 0.2;  ///< deg [s] lower bound of the scatter
-  /// [s] lower bound of the SD of w_T after a reach with the paper's estimator: people change
+  double min_scatter_deg = 0.2;  ///< deg: lower bound of the scatter
+  /// lower bound of the SD of w_T after a reach with the paper's estimator: people change
   double min_carried_weight_sd = 0.01;
-  double min_carried_motor_variance_sd_deg2 = 0.1;  ///< deg^2 [s] lower bound of the SD of sigma_u^2, likewise
+  double min_carried_motor_variance_sd_deg2 = 0.1;  ///< deg^2: lower bound of the SD of sigma_u^2, likewise
 };
 
 /// A field of a Tuning: its name, its value, and the range in which it may be set.

@@ -55,7 +55,8 @@ double half_turns_between_stops(double lowest_deg, double highest_deg, double cu
 /// Limits of one reach.
 class PlateLimits {
  public:
-  /// For a plate without a limit of speed: each command is the nearest orientation with the same ridges.
+  /// For a plate without a limit of speed. The ridges are the same after half a turn: each command is the orientation
+  /// with the planned ridges that is nearest to the present one.
   PlateLimits(const PlateStops& stops, double goal_direction_deg);
 
   /// For a plate with a limit of speed: it stays within one half turn during the reach, so that the person does not

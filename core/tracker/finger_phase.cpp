@@ -34,17 +34,18 @@ double PhaseDetector<Point>::sigma_mm() const {
 }
 
 template <class Point>
-typename PhaseDetector<Point>::Seen PhaseDetector<Point>::see(double time_s, const Point& position) {
+typename PhaseDetector<Point>::Outcome PhaseDetector<Point>::process(double time_s, const Point& position) {
   if (at_rest()) {
-    if (is_wild(time_s, position)) return Seen::ignored;
-    if (std::exchange(wild_, 0) > tuning_.max_wild) phase_ = Phase::lifted;  // too many for outliers: a rest elsewhere
+    if (is_outlier(time_s, position)) return Outcome::ignored;
+    if (std::exchange(outliers_, 0) > tuning_.max_outliers)
+      phase_ = Phase::lifted;  // too many for outliers: a rest elsewhere
   }
   const double gap_s = places_.count() > 0 ? time_s - places_[0].time_s : 0.0;
-  if (!places_.add(time_s, position)) return Seen::merged;
+  if (!places_.add(time_s, position)) return Outcome::merged;
   if (gap_s > tuning_.max_gap_s) rest_.since_s = time_s;
   if (phase_ == Phase::lifted) {
     set_down();
-    return Seen::set_down;
+    return Outcome::set_down;
   }
   if (at_rest() && has_left()) {
     phase_ = Phase::moving;
@@ -55,16 +56,16 @@ typename PhaseDetector<Point>::Seen PhaseDetector<Point>::see(double time_s, con
   } else {
     noise_.learn_moving(places_);
   }
-  return Seen::place;
+  return Outcome::place;
 }
 
 template <class Point>
-bool PhaseDetector<Point>::is_wild(double time_s, const Point& position) {
+bool PhaseDetector<Point>::is_outlier(double time_s, const Point& position) {
   if (places_.count() == 0) return false;
   const double allowed_mm =
-      tuning_.max_start_speed_mm_s * (time_s - places_[0].time_s) + tuning_.wild_deviations * sigma_mm();
-  wild_ = square_distance_mm2(position, places_[0].position) > square(allowed_mm) ? wild_ + 1 : 0;
-  return wild_ > 0 && wild_ <= tuning_.max_wild;
+      tuning_.max_start_speed_mm_s * (time_s - places_[0].time_s) + tuning_.outlier_deviations * sigma_mm();
+  outliers_ = square_distance_mm2(position, places_[0].position) > square(allowed_mm) ? outliers_ + 1 : 0;
+  return outliers_ > 0 && outliers_ <= tuning_.max_outliers;
 }
 
 template <class Point>
@@ -166,7 +167,7 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
 template <class Point>
 void PhaseDetector<Point>::observe(std::int64_t time_ns, const Point& position) {
   if (!origin_ns_) origin_ns_ = time_ns;
-  if (see(elapsed_s(*origin_ns_, time_ns), position) == Seen::place) find_pause();
+  if (process(elapsed_s(*origin_ns_, time_ns), position) == Outcome::place) find_pause();
 }
 
 template <class Point>

@@ -32,29 +32,29 @@
 
 namespace hrt {
 
-/// Parameters of the detector. Fields `..._deviations` are in SDs of the noise of a coordinate. Sources: [s] chosen by
-/// search on the simulated people of hrt-study robustness, [m] the model above.
+/// Parameters of the detector. Fields `..._deviations` are in SDs of the noise of a coordinate. Numbers were chosen by
+/// search on the simulated people of hrt-study robustness, except those with [model]: from the model above.
 struct PhaseTuning {
-  double leaving_deviations = 3.3;  ///< [s] distance from the rest position at which the mean of 3 positions has left
-  double min_leaving_mm = 1.0;      ///< mm [s] lower limit of that distance: tremor and skin
-  double hidden_share = 2.0;        ///< [s] the SD of n steps is multiplied by 1 + hidden_share / n
-  double still_places = 10;         ///< [s] minimum number of positions in the test "still"
-  double still_s = 0.11;            ///< s [s] minimum duration of the test "still"
-  double still_deviations = 2.5;    ///< [s] limit of the displacement in the test "still"
-  double slow_mm_s = 15.0;          ///< mm/s [s] slower motions may be mistaken for a rest
-  double max_creep_mm_s = 8.6;      ///< mm/s [s] upper limit of the drift of a resting hand
-  double max_start_speed_mm_s = 600.0;  ///< mm/s [s] upper limit of the speed of a first motion from rest
-  double wild_deviations = 5.7;         ///< [m] 4 SDs of the difference of two positions
-  double max_wild = 2;                  ///< [s] number of successive outliers that are ignored
-  double rest_place_deviations = 3.0;   ///< [m] positions further away are not in the mean of the rest position
-  double place_memory_s = 1.0;          ///< s [s] memory of the mean of the rest position
-  double start_tolerance_mm = 15.0;     ///< mm [s] a first position further from the expected start is a rest elsewhere
-  /// [s] a position closer to the rest position shows that the finger still rests
+  double leaving_deviations = 3.3;  ///< distance from the rest position at which the mean of 3 positions has left
+  double min_leaving_mm = 1.0;      ///< mm: lower limit of that distance: tremor and skin
+  double hidden_share = 2.0;        ///< the SD of n steps is multiplied by 1 + hidden_share / n
+  double still_places = 10;         ///< minimum number of positions in the test "still"
+  double still_s = 0.11;            ///< s: minimum duration of the test "still"
+  double still_deviations = 2.5;    ///< limit of the displacement in the test "still"
+  double slow_mm_s = 15.0;  ///< mm/s: a motion at this speed fails the test "still"; a slower one may pass as a rest
+  double max_creep_mm_s = 8.6;          ///< mm/s: upper limit of the drift of a resting hand
+  double max_start_speed_mm_s = 600.0;  ///< mm/s: upper limit of the speed of a first motion from rest
+  double outlier_deviations = 5.7;      ///< [model] 4 SDs of the difference of two positions
+  double max_outliers = 2;              ///< number of successive outliers that are ignored
+  double rest_place_deviations = 3.0;   ///< [model] positions further away are not in the mean of the rest position
+  double place_memory_s = 1.0;          ///< s: memory of the mean of the rest position
+  double start_tolerance_mm = 15.0;     ///< mm: a first position further from the expected start is a rest elsewhere
+  /// a position closer to the rest position shows that the finger still rests
   double seen_at_rest_deviations = 1.0;
-  double min_seen_at_rest_mm = 0.1;  ///< mm [s] lower limit of that distance
-  double max_gap_s = 0.2;            ///< s [s] a longer gap restarts the duration of a rest
-  double max_departure_s = 0.5;      ///< s [s] a shorter departure does not end the rest
-  double min_place_sd_mm = 0.05;     ///< mm [s] lower limit of the SD of the rest position
+  double min_seen_at_rest_mm = 0.1;  ///< mm: lower limit of that distance
+  double max_gap_s = 0.2;            ///< s: a longer gap restarts the duration of a rest
+  double max_departure_s = 0.5;      ///< s: a shorter departure does not end the rest
+  double min_place_sd_mm = 0.05;     ///< mm: lower limit of the SD of the rest position
 };
 
 /// Phase of the finger. The end of a reach also depends on position and duration of the rest: see reach_end.h.
@@ -74,7 +74,7 @@ class PhaseDetector {
   explicit PhaseDetector(const std::optional<Point>& start = {}, const std::optional<TrackerNoise>& noise = {},
                          const PhaseTuning& tuning = {});
 
-  enum class Seen {
+  enum class Outcome {
     ignored,  ///< an outlier during a rest
     merged,   ///< averaged with the last position; the phase is unchanged
     place,    ///< a new position
@@ -82,12 +82,12 @@ class PhaseDetector {
   };
   /// Processes one position, not earlier than the last one. The phase may become moving, and after a lift waiting or
   /// paused.
-  Seen see(double time_s, const Point& position);
-  /// Tests whether a moving finger has come to rest; call it after see(). `expected_mm_s`: speed that the motion is
+  Outcome process(double time_s, const Point& position);
+  /// Tests whether a moving finger has come to rest; call it after process(). `expected_mm_s`: speed that the motion is
   /// expected to have, if known; a finger that is expected to be so slow does not pause. Returns true if the phase
   /// became paused.
   bool find_pause(std::optional<double> expected_mm_s = {});
-  /// Calls see() and find_pause(), with a time in nanoseconds.
+  /// Calls process() and find_pause(), with a time in nanoseconds.
   void observe(std::int64_t time_ns, const Point& position);
   /// Reports that the finger is lifted.
   void lift() { phase_ = Phase::lifted; }
@@ -120,7 +120,7 @@ class PhaseDetector {
     double seen_s = 0.0;
   };
   double sigma_mm() const;
-  bool is_wild(double time_s, const Point& position);
+  bool is_outlier(double time_s, const Point& position);
   bool has_left() const;
   double leaving_mm() const;
   void rest_on();
@@ -135,7 +135,7 @@ class PhaseDetector {
   bool start_known_;
   bool moved_ = false;
   double moving_since_s_ = 0.0;
-  int wild_ = 0;  // successive outliers
+  int outliers_ = 0;  // successive outliers
 };
 
 using FingerPhase = PhaseDetector<PlatePoint>;

@@ -182,7 +182,7 @@ TEST(PersonFilter, LongRuns_KeepTheCovariancePositive) {
       for (int i = 0; i < 2000; ++i) {
         filter.move(seconds, 60.0 * std::sin(0.01 * i));
         observe(filter, {filter.mean(X::right) + 0.01 * (i % 7 - 3), filter.mean(X::away)}, 25.0);
-        if (i % 100 == 0) filter.loosen_clock(0.07);
+        if (i % 100 == 0) filter.add_phase_sd(0.07);
         if (i % 500 == 0) filter.place_at({1.0, 2.0});
       }
       EXPECT_TRUE(filter.mean().allFinite());

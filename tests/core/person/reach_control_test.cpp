@@ -122,7 +122,7 @@ TEST(ReachControl, NoGap_KeepsTheRidgesAcrossTheMotion) {
 TEST(Steering, OneStep_GivesTheHandCalculatedRotation) {
   const SteeringStep step = steer(10.0, 0.0, {}, 10.0, 0.01);
   EXPECT_DOUBLE_EQ(step.felt_error_deg, -10.0);
-  EXPECT_DOUBLE_EQ(step.decay_s, 10.0);
+  EXPECT_DOUBLE_EQ(step.decay_per_s, 10.0);
   EXPECT_NEAR(step.turn_deg, 0.952381, 1e-6);
 }
 

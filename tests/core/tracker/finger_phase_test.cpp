@@ -20,11 +20,11 @@ struct FingerWatch {
   FingerPhase finger{PlatePoint{10.0, -50.0}, half_a_millimetre};
   int i = 0;
 
-  void see(const PlatePoint& position) {
-    if (finger.see(sample_period_s * i++, position) == FingerPhase::Seen::place) finger.find_pause();
+  void process(const PlatePoint& position) {
+    if (finger.process(sample_period_s * i++, position) == FingerPhase::Outcome::place) finger.find_pause();
   }
   void until(double time_s) {
-    while (sample_period_s * i < time_s - 1e-9) see(straight_at(sample_period_s * i));
+    while (sample_period_s * i < time_s - 1e-9) process(straight_at(sample_period_s * i));
   }
 };
 
@@ -61,7 +61,7 @@ TEST(FingerPhase, AFingerAsSlowAsExpected_DoesNotPause) {
     FingerPhase finger(PlatePoint{}, half_a_millimetre);
     bool paused = false;
     for (int i = 0; i < 100; ++i) {
-      finger.see(sample_period_s * i, {0.0, i < 50 ? 1.0 * i : 50.0 + 0.08 * (i - 50)});  // then 8 mm/s
+      finger.process(sample_period_s * i, {0.0, i < 50 ? 1.0 * i : 50.0 + 0.08 * (i - 50)});  // then 8 mm/s
       paused = finger.find_pause(expected_mm_s) || paused;
     }
     EXPECT_EQ(paused, expected_mm_s > 20.0) << expected_mm_s;
@@ -73,11 +73,11 @@ TEST(FingerPhase, TwoOutliersAtRest_AreIgnoredAndTheThirdIsAccepted) {
   FingerWatch watch;
   watch.until(0.5);
   for (int n = 0; n < 2; ++n)
-    EXPECT_EQ(watch.finger.see(0.5 + sample_period_s * n, {40.0, -50.0}), FingerPhase::Seen::ignored);
-  EXPECT_EQ(watch.finger.see(0.52, {10.0, -50.0}), FingerPhase::Seen::place);
+    EXPECT_EQ(watch.finger.process(0.5 + sample_period_s * n, {40.0, -50.0}), FingerPhase::Outcome::ignored);
+  EXPECT_EQ(watch.finger.process(0.52, {10.0, -50.0}), FingerPhase::Outcome::place);
   EXPECT_EQ(watch.finger.phase(), Phase::waiting);
   EXPECT_NEAR(watch.finger.rest_place().right_mm, 10.0, 1e-9);
-  for (int n = 3; n < 6; ++n) watch.finger.see(0.5 + sample_period_s * n, {40.0, -50.0});
+  for (int n = 3; n < 6; ++n) watch.finger.process(0.5 + sample_period_s * n, {40.0, -50.0});
   EXPECT_EQ(watch.finger.phase(), Phase::waiting);
   EXPECT_EQ(watch.finger.rest_place().right_mm, 40.0);
   EXPECT_EQ(watch.finger.rest_s(), 0.0);
@@ -91,7 +91,7 @@ TEST(FingerPhase, Touchdown_SetsTheRestPosition) {
     EXPECT_EQ(watch.finger.phase(), Phase::lifted);
     EXPECT_EQ(watch.finger.rest_s(), 0.0);
     watch.i += 20;
-    watch.see({-30.0, 20.0});
+    watch.process({-30.0, 20.0});
     EXPECT_EQ(watch.finger.phase(), lifted_s < 0.5 ? Phase::waiting : Phase::paused);
     EXPECT_EQ(watch.finger.rest_place().right_mm, -30.0);
     EXPECT_EQ(watch.finger.rest_s(), 0.0);
@@ -102,9 +102,9 @@ TEST(FingerPhase, Touchdown_SetsTheRestPosition) {
 TEST(FingerPhase, ADepartureOf50Ms_DoesNotEndTheRest) {
   FingerWatch watch;
   watch.until(0.4);
-  for (int n = 0; n < 5; ++n) watch.see({13.0, -50.0});
+  for (int n = 0; n < 5; ++n) watch.process({13.0, -50.0});
   EXPECT_EQ(watch.finger.phase(), Phase::moving);
-  for (int n = 0; n < 40; ++n) watch.see({10.0, -50.0});
+  for (int n = 0; n < 40; ++n) watch.process({10.0, -50.0});
   EXPECT_EQ(watch.finger.phase(), Phase::paused);
   EXPECT_NEAR(watch.finger.rest_s(), 0.84, 1e-9);
 }
@@ -114,7 +114,7 @@ TEST(FingerPhase, AReversal_IsNoPause) {
   FingerWatch watch;
   watch.until(0.5);
   for (int n = 0; n < 30; ++n) {
-    watch.see({10.0, 10.0 - std::abs(60.0 - 4.0 * n)});
+    watch.process({10.0, 10.0 - std::abs(60.0 - 4.0 * n)});
     EXPECT_NE(watch.finger.phase(), Phase::paused) << n;
   }
 }
@@ -122,7 +122,7 @@ TEST(FingerPhase, AReversal_IsNoPause) {
 TEST(FingerPhase, AGap_RestartsTheDurationOfTheRest) {
   FingerWatch watch;
   watch.until(0.4);
-  watch.finger.see(0.65, {10.0, -50.0});
+  watch.finger.process(0.65, {10.0, -50.0});
   EXPECT_EQ(watch.finger.phase(), Phase::waiting);
   EXPECT_EQ(watch.finger.rest_s(), 0.0);
 }
@@ -138,7 +138,7 @@ TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
           const TrackerNoise noise{0.66 * std::max(noise_mm, 0.01), 0.75 * std::max(noise_mm, 0.01)};
           FingerPhase finger(PlatePoint{}, known ? std::optional(noise) : std::nullopt);
           for (int i = 0; i < 10.0 * rate_hz && finger.phase() != Phase::moving; ++i)
-            finger.see(i / rate_hz, {noise_mm * draws.normal(), noise_mm * draws.normal()});
+            finger.process(i / rate_hz, {noise_mm * draws.normal(), noise_mm * draws.normal()});
           left += finger.phase() == Phase::moving;
         }
         EXPECT_LE(left, 1) << rate_hz << ' ' << noise_mm << ' ' << known;
@@ -160,7 +160,7 @@ TEST(FingerPhase, AnySpeedAndNoise_GivesMotionAndPause) {
           for (int i = 0; i < (duration_s + 1.2) * rate_hz; ++i) {
             const double t = i / rate_hz;
             const double u = (t - 0.5) / duration_s;
-            finger.see(t, {noise_mm * draws.normal(), 100.0 * progress(0.0, u).share + noise_mm * draws.normal()});
+            finger.process(t, {noise_mm * draws.normal(), 100.0 * progress(0.0, u).share + noise_mm * draws.normal()});
             const bool paused = finger.find_pause();
             early += paused && u > 0.3 && u < 0.85;
           }
