@@ -331,10 +331,33 @@ TEST_F(RecordingTest, TruncationAtAnyByteIsIncompleteOrRejected) {
   }
 }
 
-TEST_F(RecordingTest, MalformedRecordingsAreRejectedNamingTheLine) {
+// Expects an error that contains `part`.
+void expect_malformed(const std::string& text, const std::string& part) {
+  auto report = output<hrt_replay_report>();
+  report.rows = 77;
+  const std::string lines = text + "\n";
+  expect_error(hrt_recording_replay(nullptr, lines.data(), lines.size(), &report), HRT_ERROR_BAD_FORMAT, part);
+  EXPECT_EQ(report.rows, 77u);
+}
+
+TEST_F(RecordingTest, MalformedHeadersAreRejectedNamingTheLine) {
   const std::string golden = recording();
   const std::string header = golden.substr(0, golden.find("# config"));
-  const std::string with_config = golden.substr(0, golden.find('\n', header.size()) + 1);
+  const std::string version = "# haptic retargeting recording, version ";
+  expect_malformed("", "");
+  expect_malformed("time,x\n1,2\n", "");
+  expect_malformed(version + "3\n", "version 3");
+  expect_malformed(version + "5\r\n", "version 5");
+  expect_malformed(version + "4\nupdate,0\n", "line 2");
+  expect_malformed(version + "4\ncall,result,time_ns\n", "line 2");
+  expect_malformed(header + "update,0\n", "line 9");
+  expect_malformed(header + "# config {\"horizons\":3}\n", "\"horizons\"");
+  expect_malformed(golden + "update,0", "end line");
+}
+
+TEST_F(RecordingTest, MalformedRowsAreRejectedNamingTheField) {
+  const std::string golden = recording();
+  const std::string with_config = golden.substr(0, golden.find('\n', golden.find("# config")) + 1);
   const auto row = [](const std::string& call, std::string_view column, const std::string& cell) {
     std::string text = call + ",0";
     for (const std::string_view name : std::span(plugin::recording_columns).subspan(2))
@@ -345,43 +368,26 @@ TEST_F(RecordingTest, MalformedRecordingsAreRejectedNamingTheLine) {
     return "# target added 1 {\"name\":" + name + ",\"role\":1," + place +
            ",\"direction_deg\":-5,\"distance_m\":0.1,\"position_m\":[0,0,0]}";
   };
-  const std::string version = "# haptic retargeting recording, version ", added = target("\"a\"", "\"place\":1");
-  // A text, and a part of the expected error.
-  const std::pair<std::string, std::string> refused[] = {
-      {"", ""},
-      {"time,x\n1,2\n", ""},
-      {version + "3\n", "version 3"},
-      {version + "5\r\n", "version 5"},
-      {version + "4\nupdate,0\n", "line 2"},
-      {version + "4\ncall,result,time_ns\n", "line 2"},
-      {header + "update,0\n", "line 9"},
-      {header + "# config {\"horizons\":3}\n", "\"horizons\""},
-      {with_config + "update,0", "2 columns"},
-      {with_config + row("jump", "", ""), "\"jump\""},
-      {with_config + row("update", "time_ns", "soon"), "time_ns"},
-      {with_config + row("begin", "reach_flags", "-1"), "reach_flags"},
-      {with_config + row("begin", "refused_argument", "sample"), "\"sample\""},
-      {with_config + "# plate nan", "NaN"},
-      {with_config + "# plate 1 ", "\"1 \""},
-      {with_config + "# target lost 1", "\"lost\""},
-      {with_config + "# target added", "number"},
-      {with_config + "# target added 1 {}", "role"},
-      {with_config + "# target set 1", "JSON"},
-      {with_config + "# target removed 1", "target 1"},
-      {with_config + target("\"a\"", "\"place\":4"), "place"},
-      {with_config + target("7", "\"place\":1"), "name"},
-      {with_config + target('"' + std::string(64, 'x') + '"', "\"place\":1"), "name"},
-      {with_config + target("\"a\"", "\"plaice\":1"), "\"plaice\""},
-      {with_config + added + "\n" + added, "line 11"},
-      {golden + "update,0", "end line"},
-  };
-  for (const auto& [text, part] : refused) {
-    auto report = output<hrt_replay_report>();
-    report.rows = 77;
-    const std::string lines = text + "\n";
-    expect_error(hrt_recording_replay(nullptr, lines.data(), lines.size(), &report), HRT_ERROR_BAD_FORMAT, part);
-    EXPECT_EQ(report.rows, 77u);
-  }
+  const std::string added = target("\"a\"", "\"place\":1");
+  const std::pair<std::string, std::string> malformed[] = {
+      {"update,0", "2 columns"},
+      {row("jump", "", ""), "\"jump\""},
+      {row("update", "time_ns", "soon"), "time_ns"},
+      {row("begin", "reach_flags", "-1"), "reach_flags"},
+      {row("begin", "refused_argument", "sample"), "\"sample\""},
+      {"# plate nan", "NaN"},
+      {"# plate 1 ", "\"1 \""},
+      {"# target lost 1", "\"lost\""},
+      {"# target added", "number"},
+      {"# target added 1 {}", "role"},
+      {"# target set 1", "JSON"},
+      {"# target removed 1", "target 1"},
+      {target("\"a\"", "\"place\":4"), "place"},
+      {target("7", "\"place\":1"), "name"},
+      {target('"' + std::string(64, 'x') + '"', "\"place\":1"), "name"},
+      {target("\"a\"", "\"plaice\":1"), "\"plaice\""},
+      {added + "\n" + added, "line 11"}};
+  for (const auto& [text, part] : malformed) expect_malformed(with_config + text, part);
 }
 
 TEST_F(RecordingTest, CallsOutOfOrderAreRejected) {

@@ -29,9 +29,21 @@ Eigen::Quaternionf orientation(const XrHandJointLocationEXT& joint) {
 // "the returned radius must be a positive value". "XR_HAND_JOINT_PALM_EXT: the center of the middle finger's metacarpal
 // bone". "The backward (+Z) direction is parallel to the corresponding bone and points away from the finger tip"; "up
 // (+Y) [...] points out of the back of the hand"; +X is right, towards the little finger on a right hand.
-TEST_F(MockHand, JointsOfBothHandsHaveTheAxesOfTheSpecification) {
-  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
-  begin_with(R"({"hands": {"left": {"tracked": true}}})");
+class MockBothHands : public MockHand {
+ protected:
+  void SetUp() override {
+    MockHand::SetUp();
+    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+    begin_with(R"({"hands": {"left": {"tracked": true}}})");
+    const XrTime time = frame();
+    for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
+      hands.push_back(locate_hand(create_hand_tracker(side), local, time));
+  }
+
+  std::vector<Hand> hands;  // left, right
+};
+
+TEST_F(MockBothHands, BackwardAxesOfJointsAreParallelToTheirBones) {
   struct Bone {
     std::size_t joint, from, to;
   };
@@ -41,9 +53,17 @@ TEST_F(MockHand, JointsOfBothHandsHaveTheAxesOfTheSpecification) {
   for (std::size_t joint = XR_HAND_JOINT_THUMB_METACARPAL_EXT; joint < XR_HAND_JOINT_LITTLE_TIP_EXT; ++joint)
     if (joint % 5 != 0) bones.push_back({joint, joint, joint + 1});
   EXPECT_EQ(bones.size(), 2U + 3U + 4U * 4U);
-  const XrTime time = frame();
-  for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
-    const Hand each = locate_hand(create_hand_tracker(side), local, time);
+  for (const Hand& each : hands)
+    for (const auto& [joint, from, to] : bones) {
+      const Eigen::Vector3f bone = position(each.joints[from]) - position(each.joints[to]);
+      EXPECT_GT((orientation(each.joints[joint]) * Eigen::Vector3f::UnitZ()).dot(bone.normalized()), 1.0F - 1e-6F)
+          << joint;
+      EXPECT_GT(bone.norm(), 0.01F) << joint;
+    }
+}
+
+TEST_F(MockBothHands, AllJointsAreLocatedAboveTheIndexFingertip) {
+  for (const Hand& each : hands) {
     ASSERT_TRUE(each.active);
     for (const XrHandJointVelocityEXT& unknown : each.velocities) EXPECT_EQ(unknown.velocityFlags, 0U);
     const XrHandJointLocationEXT& tip = each.joints[XR_HAND_JOINT_INDEX_TIP_EXT];
@@ -55,12 +75,12 @@ TEST_F(MockHand, JointsOfBothHandsHaveTheAxesOfTheSpecification) {
       // Only the index fingertip may touch the plate.
       EXPECT_GE(position(joint).y() - joint.radius, position(tip).y() - tip.radius);
     }
-    for (const auto& [joint, from, to] : bones) {
-      const Eigen::Vector3f bone = position(each.joints[from]) - position(each.joints[to]);
-      EXPECT_GT((orientation(each.joints[joint]) * Eigen::Vector3f::UnitZ()).dot(bone.normalized()), 1.0F - 1e-6F)
-          << joint;
-      EXPECT_GT(bone.norm(), 0.01F) << joint;
-    }
+  }
+}
+
+TEST_F(MockBothHands, PalmIsInTheMiddleOfTheMetacarpalAndFacesDown) {
+  for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
+    const Hand& each = hands[side == XR_HAND_RIGHT_EXT];
     const XrHandJointLocationEXT& palm = each.joints[XR_HAND_JOINT_PALM_EXT];
     const Eigen::Vector3f bone_ends = position(each.joints[XR_HAND_JOINT_MIDDLE_METACARPAL_EXT]) +
                                       position(each.joints[XR_HAND_JOINT_MIDDLE_PROXIMAL_EXT]);

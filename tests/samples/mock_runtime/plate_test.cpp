@@ -40,6 +40,21 @@ void add(plugin::Hash& hash, const Value& value) {
   hash.add({reinterpret_cast<const char*>(&value), sizeof value});
 }
 
+const Person scripted_person{
+    .illusion = {.family = IllusionFamily::saturating, .tactile_weight = 0.22, .scale_deg = 50.0},
+    .steering = Steering::place,
+    .gain_per_s = 7.0,
+    .delay_s = 0.09,
+    .noise_deg2_per_s = 5.0,
+    .start_direction_deg = 1.5,
+    .bias_deg = 2.0,
+    .own_bias_deg = -1.0,
+    .habit_deg = 4.0,
+    .weight_drift = 0.03,
+    .pace = Pace::stop_and_go,
+    .duration_s = 1.3,
+    .path_scale = 1.1};
+
 // Every key of a participant takes effect: the reach equals that of a SlidingPerson with the same values.
 TEST_F(MockPlate, ReachEqualsThatOfAPersonWithTheValuesOfTheScript) {
   begin_on_plate(R"({"seed": 6, "participants": [{
@@ -49,20 +64,7 @@ TEST_F(MockPlate, ReachEqualsThatOfAPersonWithTheValuesOfTheScript) {
       "path_scale": 1.1, "reaction_ms": 250}]})");
   place_plate();
   instruct(5.0);
-  const Person person{.illusion = {.family = IllusionFamily::saturating, .tactile_weight = 0.22, .scale_deg = 50.0},
-                      .steering = Steering::place,
-                      .gain_per_s = 7.0,
-                      .delay_s = 0.09,
-                      .noise_deg2_per_s = 5.0,
-                      .start_direction_deg = 1.5,
-                      .bias_deg = 2.0,
-                      .own_bias_deg = -1.0,
-                      .habit_deg = 4.0,
-                      .weight_drift = 0.03,
-                      .pace = Pace::stop_and_go,
-                      .duration_s = 1.3,
-                      .path_scale = 1.1};
-  SlidingPerson expected(person, {0.0, -50.0}, 5.0, 100.0, Draws(6, 1, 0, 0));
+  SlidingPerson expected(scripted_person, {0.0, -50.0}, 5.0, 100.0, Draws(6, 1, 0, 0));
   XrTime now = 1'000'000'000;  // first time of a manual clock
   double plate_deg = 0.0, peak_deg = 0.0;
   for (int period = 0; !truth().isDone; ++period) {
