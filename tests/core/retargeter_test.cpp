@@ -144,6 +144,17 @@ TEST(Retargeter, ARetarget_IsSeenFromTheTrackedAndThePerceivedPosition) {
   }
 }
 
+// The second leg begins where the person perceived the finger at the first retarget, 50 mm from the start at 5 degrees.
+TEST(Retargeter, ASecondRetarget_IsSeenFromTheEndOfTheFirstLeg) {
+  Retargeter retargeter = slid_until(ControlMode::mpc, 1050 * ms);
+  const double leg_deg = retargeter.retarget(real_place, moved(virtual_place, -60.0, 0.0)).virtual_direction_deg;
+  for (std::int64_t time_ns = 1060 * ms; time_ns <= 1300 * ms; time_ns += 10 * ms)
+    retargeter.update(seen(time_ns, slid(time_ns)));
+  const PlatePoint felt = point_ahead(point_ahead({}, 5.0, 50.0), leg_deg, slid(1300 * ms).away_mm - 50.0);
+  EXPECT_NEAR(retargeter.retarget(real_place, virtual_place).virtual_direction_deg, bearing_deg(felt, virtual_place),
+              4.0);
+}
+
 // If a move of the target makes the gap infeasible, every command from the next one on has `unreachable`.
 TEST(Retargeter, AGapThatGrowsTooLarge_IsReportedUnreachable) {
   for (const ControlMode mode : both_modes) {

@@ -65,7 +65,10 @@ TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
     auto registered = output<hrt_target_config>();
     ASSERT_OK(hrt_target_get(session, ids[i], &registered));
     EXPECT_STREQ(registered.name, target.name);
-    if (target.role != HRT_TARGET_VIRTUAL) continue;
+    if (target.role == HRT_TARGET_REAL) {
+      EXPECT_EQ(registered.served_by.value, 0u);
+      continue;
+    }
     auto real = output<hrt_scene_target>();
     ASSERT_OK(hrt_scene_get_target(scene, static_cast<uint32_t>(target.served_by), &real));
     EXPECT_EQ(registered.served_by.value, ids[static_cast<std::size_t>(target.served_by)].value);

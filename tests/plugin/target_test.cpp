@@ -115,7 +115,11 @@ TEST_F(GapTest, GapOfAPairIsAsDerivedByHand) {
   EXPECT_NEAR(gap.margin_deg, 84.5 * 0.15 / 0.85 - 10.0, 1e-12);
   EXPECT_NEAR(gap.plate_orientation_deg, 5.0 + 10.0 * 0.85 / 0.15, 1e-12);
   EXPECT_NEAR(gap.settling_direction_deg, -5.0, 1e-12);
-  expect_error(hrt_gap_query(session, virtual_target, real, &gap), HRT_ERROR_OUT_OF_RANGE, "real_target");
+  expect_error(hrt_gap_query(session, virtual_target, real, &gap), HRT_ERROR_OUT_OF_RANGE,
+               "real_target: target " + std::to_string(virtual_target.value) + " is virtual");
+  // Behind the user, the directions of a pair are on both sides of 180 degrees.
+  const hrt_reach_config behind = reach_config(add(HRT_TARGET_REAL, -175.0), add(HRT_TARGET_VIRTUAL, 175.0));
+  EXPECT_OK(hrt_reach_begin(session, &behind));
 }
 
 // A linear illusion of 0.15 shifts the perceived direction by 0.15 t: by 11.25 with the plate 75 degrees from the

@@ -1,8 +1,10 @@
 // Scenes with hand-computed results. The default plate has a radius of 75 mm, so that reaches start at z = +50 mm.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <vector>
 
 #include "core/plate/plate_frame.h"
 #include "tests/scene/scene_document.h"
@@ -88,6 +90,19 @@ TEST(SceneGeometry, NestedTransformsEqualNestedMatrices) {
   }
 }
 
+// Each component in turn is the largest.
+TEST(SceneGeometry, AnyRotationOfThePlateIsReturned) {
+  for (std::vector<double> q = {0.8, 0.4, -0.4, 0.2}; const int turn : {0, 1, 2, 3}) {
+    const Quaternion found = load(document({plate({{"rotation", q}}), real()})).plate.pose.orientation;
+    const double sign = q[3] < 0.0 ? -1.0 : 1.0;
+    EXPECT_NEAR(found.x, sign * q[0], 1e-12) << turn;
+    EXPECT_NEAR(found.y, sign * q[1], 1e-12) << turn;
+    EXPECT_NEAR(found.z, sign * q[2], 1e-12) << turn;
+    EXPECT_NEAR(found.w, sign * q[3], 1e-12) << turn;
+    std::rotate(q.begin(), q.begin() + 1, q.end());
+  }
+}
+
 // Scale moves the children of the scaled node, and does not change the plate's radius.
 TEST(SceneGeometry, ScaleMovesChildrenAndKeepsTheRadius) {
   const Json doubled = node("Group", {}, {{"scale", {3.0, 5.0, 2.0}}, {"children", {1, 2}}});
@@ -112,6 +127,7 @@ TEST(SceneGeometry, NegativeScaleOfThePlateMirrorsItsAxes) {
   EXPECT_DOUBLE_EQ(position({1.0, 1.0, -1.0}).x, 0.03);
   EXPECT_DOUBLE_EQ(position({1.0, -1.0, 1.0}).x, 0.03);
   EXPECT_DOUBLE_EQ(position({-1.0, -1.0, -1.0}).x, -0.03);
+  EXPECT_DOUBLE_EQ(position({1.0, 1.0, 1e-5}).x, -0.03);
 }
 
 // Within a non-uniform scale, a rotation by 90 degrees keeps the axes perpendicular; one by 45 degrees does not.

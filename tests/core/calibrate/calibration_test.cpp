@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/calibrate/slide_scatter.h"
 #include "core/paper_simulation/paper_slide.h"
 #include "tests/core/calibrate/calibrated.h"
 
@@ -131,6 +132,12 @@ TEST(Calibration, TooFewSlidesOrAngles_AreRejected) {
     for (TimedPoint& sample : trial.samples) sample.position = {};
   }
   EXPECT_NE(refused(resting).find("0 of 10"), std::string::npos);
+}
+
+TEST(Calibration, PlateAnglesWithin3Degrees_CountOnce) {
+  std::vector<SlideTrack> slides;
+  for (const double angle_deg : {30.0, 0.0, -30.0, -28.0, 0.0, 3.0}) slides.emplace_back().plate_deg = angle_deg;
+  EXPECT_EQ(different_angles(slides), 4);
 }
 
 // Rotations of the plate before and after the motion of the finger do not count.

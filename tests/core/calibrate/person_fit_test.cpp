@@ -32,6 +32,9 @@ TEST(IllusionCurve, OneBendAt45Degrees_GivesTheHandCalculatedCurve) {
   EXPECT_NEAR(curve_peak(curve, 1.0).shift_deg, 9.0, 0.2);
   EXPECT_NEAR(curve_peak(curve, -1.0).offset_deg, 75.0, 1e-12);
   EXPECT_NEAR(curve_slope(curve), 0.2, 1e-12);
+  EXPECT_NEAR(curve_bend_deg(curve, 30.0), 0.0, 1e-12);
+  EXPECT_NEAR(curve_bend_deg(curve, 45.0), 1.5, 1e-12);
+  EXPECT_EQ(curve_peak(bent_curve(0.0), 1.0).shift_deg, 0.0);
   for (std::size_t i = 0; i < bends.size(); ++i) EXPECT_NEAR(bends_of(curve)[i], bends[i], 1e-12);
 }
 

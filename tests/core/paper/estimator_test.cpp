@@ -45,6 +45,15 @@ TEST(Estimator, OneStep_GivesTheHandCalculatedWeight) {
   EXPECT_NEAR(estimator.estimate().tactile_weight_sd, std::sqrt(0.0025 + 1e-6 - 0.075 * 0.075 / 2.75), 1e-6);
 }
 
+TEST(Estimator, ValuesBeyondTheirLimits_AreInvalid) {
+  EXPECT_TRUE(
+      is_valid(EstimatorConfig{.tracker_noise_mm = 100.0, .correlated_noise_mm = 100.0, .correlation_s = 0.01}));
+  EXPECT_FALSE(is_valid(EstimatorConfig{.tactile_weight_sd = 0.0}));
+  EXPECT_FALSE(is_valid(EstimatorConfig{.tracker_noise_mm = 101.0}));
+  EXPECT_FALSE(is_valid(EstimatorConfig{.correlated_noise_mm = 101.0}));
+  EXPECT_FALSE(is_valid(EstimatorConfig{.correlation_s = 0.009}));
+}
+
 TEST(Estimator, WithoutAdaptation_TheWeightIsConstant) {
   Estimator estimator({.adapt = false}, Participant{}, 0.0, {});
   for (int k = 0; k < 30; ++k) {

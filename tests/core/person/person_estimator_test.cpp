@@ -44,6 +44,11 @@ class PersonEstimatorTest : public ::testing::Test {
   PersonEstimator estimator_{unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt};
 };
 
+TEST_F(PersonEstimatorTest, WithoutASample_ThePositionIsTheStart) {
+  const PersonEstimator estimator(unknown_person(), 0.0, 100.0, {30.0, -20.0}, std::nullopt);
+  EXPECT_EQ(distance_mm(estimator.place(), {30.0, -20.0}), 0.0);
+}
+
 // The tracker is precise, because noise would hide the first millimetres. The peak of the speed is at half of the time,
 // later than the prior of the evenness expects.
 TEST_F(PersonEstimatorTest, PrecisePositions_DateTheOnsetWithin40Ms) {

@@ -194,10 +194,13 @@ TEST(Registration, TooFewMarksOrMarksOnALine_AreRejected) {
   touches.resize(2);
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::too_few);
   EXPECT_EQ(fit_registration({}, {}).verdict, RegistrationVerdict::too_few);
-  // Centre, start and far rim lie on the mid-line.
+  // Centre, start and far rim lie on the mid-line; with a third mark 15 mm from it, the spread is 7 mm.
   const std::vector<MarkTouch> all = exact_touches(some_rotation(), {0.0, 0.0, 0.0});
   EXPECT_EQ(fit_registration({}, std::vector<MarkTouch>{all[0], all[1], all[5]}).verdict,
             RegistrationVerdict::degenerate);
+  std::vector<MarkTouch> narrow = {all[0], all[3], all[5]};
+  narrow[0].mark_mm.x() = 15.0;
+  EXPECT_EQ(fit_registration({}, narrow).verdict, RegistrationVerdict::degenerate);
   EXPECT_EQ(fit_registration({}, std::vector<MarkTouch>{all[0], all[0], all[0], all[0]}).verdict,
             RegistrationVerdict::degenerate);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/setup/setup.h"
+#include "core/setup/setup_progress.h"
 #include "core/simulation/random.h"
 #include "tests/times.h"
 
@@ -171,6 +172,16 @@ TEST(Setup, PlannedAngles_AlternateAndDiffer) {
     }
     for (int k = 0; k < i; ++k) EXPECT_NE(planned_share(i), planned_share(k));
     EXPECT_EQ(planned_share(i + first_slides), -planned_share(i));
+  }
+}
+
+TEST(SetupProgress, AFingerThatDoesNotRestAtItsMark_IsReportedAfter20Seconds) {
+  SetupProgress progress;
+  for (int t = 0; t <= 25'000; t += 100) {
+    progress.observe(at(t, 0.0, 0.0));
+    const Observed found = progress.observed(PlatePoint{10.0, 0.0}, std::nullopt);
+    EXPECT_EQ(found.kind, t < 20'000 ? Observed::Kind::none : Observed::Kind::no_rest) << t;
+    EXPECT_EQ(found.first, 0.0);
   }
 }
 

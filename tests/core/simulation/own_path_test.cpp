@@ -48,6 +48,31 @@ TEST(SimulationOwnPath, MeanDeflection_IsZeroUnlessReturnsIsFalse) {
   EXPECT_NEAR(mean_deg({}), 0.0, 1e-5);
   EXPECT_GT(std::abs(mean_deg({.returns = false})), 0.2);
   EXPECT_EQ(own_direction_deg({.returns = false}, shape, 0.6), 0.0);
+  EXPECT_DOUBLE_EQ(own_direction_deg({.returns = false}, shape, 0.45), 0.5 * own_direction_deg({}, shape, 0.45));
+}
+
+// The component of o(s) along 1 - 2 s, whose mean square is 1/3.
+TEST(SimulationOwnPath, TheMeanHabit_IsTheProjectionOfTheMeanPath) {
+  const OwnPath path{.mean_deg = {3.0, -5.0, 7.0, 11.0}};
+  double habit_deg = 0.0;
+  for (int i = 0; i < 10'000; ++i) {
+    const double s = (i + 0.5) / 10'000.0;
+    habit_deg += 3.0 * (1.0 - 2.0 * s) * own_direction_deg(path, path.mean_deg, s) / 10'000.0;
+  }
+  EXPECT_NEAR(mean_habit_deg(path), habit_deg, 1e-5);
+}
+
+// Two recordings that differ from 6 (1 - 2 s) by 2 degrees to either side.
+TEST(SimulationOwnPath, RecordedReaches_GiveTheirHabitAndScatter) {
+  std::vector<RecordedReach> reaches(2);
+  for (std::size_t i = 0; i < 21; ++i) {
+    const double mean_deg = 6.0 * (1.0 - 0.1 * static_cast<double>(i));
+    reaches[0].direction_deg[i] = mean_deg + 2.0;
+    reaches[1].direction_deg[i] = mean_deg - 2.0;
+  }
+  const OwnPath path = own_path_of(reaches);
+  EXPECT_NEAR(mean_habit_deg(path), 6.0, 1e-12);
+  EXPECT_NEAR(wander_sd_deg(path), 2.0, 1e-12);
 }
 
 // Without an illusion, the motion ends on the line to the virtual target.

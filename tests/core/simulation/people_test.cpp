@@ -307,6 +307,18 @@ TEST(SimulationPeople, AWeightThatDrops_IsEstimatedAgainWithinTwoReaches) {
   EXPECT_GE(near, 70);
 }
 
+// The tracker's frame is rotated by 6 degrees. Contacts with the real target measure the rotation.
+TEST(SimulationPeople, Contacts_CorrectARotatedFrame) {
+  PersonCondition condition = draw("linear");
+  condition.tracker.turned_deg = 6.0;
+  const RetargeterConfig controller = people_controller();
+  const double without_deg = simulate_person(condition, &controller, 4, 1, 0).back().bearing_error_deg;
+  condition.contact_sd_mm = 1.0;
+  const double with_deg = simulate_person(condition, &controller, 4, 1, 0).back().bearing_error_deg;
+  EXPECT_GT(std::abs(without_deg), 4.0);
+  EXPECT_LT(std::abs(with_deg), 2.0);
+}
+
 TEST(SlidingFinger, TimesOutsideThePath_LeaveTheFingerAtRest) {
   SlidingFinger finger({0.01, -0.05}, 0.1, 2.0);
   finger.slide(-1.0, 45.0);

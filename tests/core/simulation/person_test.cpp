@@ -14,8 +14,8 @@ namespace {
 
 constexpr double virtual_deg = 5.0;
 constexpr double path_mm = 100.0;
-constexpr Pace paces[] = {Pace::minimum_jerk, Pace::even,      Pace::skewed,  Pace::stop_and_go,
-                          Pace::pause,        Pace::two_parts, Pace::reversal};
+constexpr Pace paces[] = {Pace::minimum_jerk, Pace::even,      Pace::skewed,   Pace::stop_and_go,
+                          Pace::pause,        Pace::two_parts, Pace::reversal, Pace::submovements};
 
 SimulatedIllusion illusion(IllusionFamily family, double scale_deg = 45.0, double weight = 0.2) {
   return {.family = family, .tactile_weight = weight, .scale_deg = scale_deg};
@@ -77,6 +77,8 @@ TEST(SimulationPerson, Illusions_GiveTheHandCalculatedShifts) {
   EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(dead_band, 10.0), -30.0), -4.0);
   EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(unequal), 30.0), 6.0);
   EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(unequal), -30.0), -3.0);
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(peaked), 30.0), 6.0);
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(peaked), -60.0), -6.0);
 }
 
 TEST(SimulationPerson, HalfTurnsAndMirrors_GiveTheSameShift) {
@@ -186,6 +188,19 @@ TEST(SimulationPerson, SteeringInSteps_ChangesDirectionEvery100Ms) {
     sum_deg += bearing_deg({}, now.position());
   }
   EXPECT_NEAR(sum_deg / 200.0, virtual_deg, 0.15);
+}
+
+// Each correction removes the fraction of the error that continuous steering would remove meanwhile.
+TEST(SimulationPerson, SteeringByCorrections_ChangesDirectionEvery250Ms) {
+  Person person = numb();
+  person.steering = Steering::corrections;
+  person.start_direction_deg = 0.0;
+  SlidingPerson now(person, {}, virtual_deg, path_mm, draws());
+  const double left = std::exp(-0.25 * person.gain_per_s);
+  for (int millisecond = 1; millisecond < 740; ++millisecond) {
+    now.advance(0.0);
+    EXPECT_NEAR(now.direction_deg(), virtual_deg * (1.0 - std::pow(left, millisecond / 250)), 1e-9) << millisecond;
+  }
 }
 
 // At 50 degrees from the motion the shift is 0.2 * 50 = 10: the motion is 10 to the right of the perceived direction.

@@ -87,12 +87,37 @@ TEST(SimulatedTracker, TheConfiguredFractionOfReaches_LosesTrackingAtTheEnd) {
       const double off_mm = distance_mm(sample.position, slide(time_s));
       if (time_s < 0.5) excursions_s += off_mm > 5.0 ? 1.0 / 71.0 : 0.0;
       is_lost = is_lost || (time_s > 1.5 && off_mm > 100.0);
+      EXPECT_LT(off_mm, 902.0) << "an excursion is at most 900 mm, and the finger moves within a sample";
     }
     lost += is_lost;
   }
   EXPECT_NEAR(lost / 500.0, 0.14, 0.05);
   EXPECT_GT(excursions_s, 0.0);
   EXPECT_LT(excursions_s, 500.0 * 0.5 / 12.0 * 0.1);
+}
+
+TEST(SimulatedTracker, ABurst_DisplacesItsSamples) {
+  TrackerModel model{.white_mm = 0.0};
+  model.burst_mm = 100.0;
+  model.burst_at_s = 0.2;
+  model.burst_samples = 2;
+  const auto samples = seen(model, 0, 0.4, [](double) { return tracked_start; });
+  for (const FingerSample& sample : samples) {
+    const bool displaced = sample.time_ns >= 200'000'000 && sample.time_ns < 220'000'000;
+    EXPECT_NEAR(distance_mm(tracked_start, sample.position), displaced ? 100.0 : 0.0, 1e-9) << sample.time_ns;
+  }
+}
+
+TEST(SimulatedTracker, LateSamples_HaveAnUnequalLatency) {
+  TrackerModel model{.rate_hz = 100.0, .latency_s = 0.03, .late_s = 0.008};
+  double earliest_s = 1.0, latest_s = 0.0;
+  for (const FingerSample& sample : seen(model, 0, 3.0, slide)) {
+    const double late_s = std::remainder(1e-9 * static_cast<double>(sample.time_ns) - 0.034, 0.01) + 0.034;
+    earliest_s = std::min(earliest_s, late_s);
+    latest_s = std::max(latest_s, late_s);
+  }
+  EXPECT_NEAR(earliest_s, 0.03, 1e-3);
+  EXPECT_NEAR(latest_s, 0.038, 1e-3);
 }
 
 }  // namespace

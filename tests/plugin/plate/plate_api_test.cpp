@@ -133,13 +133,15 @@ TEST_F(PlateApi, HomesAPlateOfUnknownOrientationOnlyIfAllowed) {
 TEST_F(PlateApi, OpensAFileOfItsPlateOnly) {
   const std::string file = testing::TempDir() + "/hrt_plate_api_test.json";
   PtyPlate device;
-  const auto write = [&](const std::string& serial, const std::string& span) {
+  const auto write = [&](const std::string& serial, const std::string& span, const std::string& latency_ms = "25.0") {
     std::ofstream(file) << with_checksum(R"({"format": "haptic plate 1", "device": "serial:)" + device.device() +
                                          R"(", "description": "protocol 2, firmware 1.1.0, serial number )" + serial +
                                          R"(", "details": ["setting span )" + span +
                                          R"(", "test loop 1"], "max_error_deg": 1.5,
             "session": {"plate_max_speed_deg_s": 190.0, "plate_max_acceleration_deg_s2": 5000.0},
-            "measured": {"latency_ms": [25.0, 1.0]},
+            "measured": {"latency_ms": [)" +
+                                         latency_ms +
+                                         R"(, 1.0]},
 )");
   };
   write("000007", "2000");
@@ -163,6 +165,9 @@ TEST_F(PlateApi, OpensAFileOfItsPlateOnly) {
     ASSERT_TRUE(reaches(plate, HRT_PLATE_STATE_FAILED));
     EXPECT_TRUE(has(report_of(plate).message, words));
   }
+  write("000007", "2000", "1001.0");
+  hrt_plate none{};
+  EXPECT_EQ(hrt_plate_open(file.c_str(), nullptr, &none), HRT_ERROR_OUT_OF_RANGE);
 }
 
 TEST_F(PlateApi, PlateStopsWhenTheHostIsSilent) {
