@@ -56,13 +56,13 @@ void require_type(const Action& action, XrActionType type) {
           action.name, name_of(action.action_type), name_of(type));
 }
 
-void create_action_set(Instance& instance, const XrActionSetCreateInfo* info, XrActionSet* set) {
+void xrCreateActionSet(Instance& instance, const XrActionSetCreateInfo* info, XrActionSet* set) {
   *set = handle_of<XrActionSet>(runtime().registry.create<ActionSet>(&instance, *info));
 }
 
-void destroy_action_set(XrActionSet handle) { runtime().registry.destroy<ActionSet>(handle); }
+void xrDestroyActionSet(XrActionSet handle) { runtime().registry.destroy<ActionSet>(handle); }
 
-void create_action(ActionSet& set, const XrActionCreateInfo* info, XrAction* action) {
+void xrCreateAction(ActionSet& set, const XrActionCreateInfo* info, XrAction* action) {
   require_mutable(set);
   const XrActionType type = info->actionType;
   require_valid((type >= XR_ACTION_TYPE_BOOLEAN_INPUT && type <= XR_ACTION_TYPE_POSE_INPUT) ||
@@ -71,9 +71,9 @@ void create_action(ActionSet& set, const XrActionCreateInfo* info, XrAction* act
   *action = handle_of<XrAction>(runtime().registry.create<Action>(&set, *info));
 }
 
-void destroy_action(XrAction handle) { runtime().registry.destroy<Action>(handle); }
+void xrDestroyAction(XrAction handle) { runtime().registry.destroy<Action>(handle); }
 
-void suggest_interaction_profile_bindings(Instance& instance, const XrInteractionProfileSuggestedBinding* info) {
+void xrSuggestInteractionProfileBindings(Instance& instance, const XrInteractionProfileSuggestedBinding* info) {
   require_valid(info->countSuggestedBindings > 0, "countSuggestedBindings is 0; must be > 0");
   require_pointer(info->suggestedBindings, "suggestedBindings");
   instance.paths.text(info->interactionProfile);  // throws for an invalid path, as below
@@ -83,7 +83,7 @@ void suggest_interaction_profile_bindings(Instance& instance, const XrInteractio
   }
 }
 
-void attach_session_action_sets(Session& session, const XrSessionActionSetsAttachInfo* info) {
+void xrAttachSessionActionSets(Session& session, const XrSessionActionSetsAttachInfo* info) {
   require_valid(info->countActionSets > 0, "countActionSets is 0; must be > 0");
   require_pointer(info->actionSets, "actionSets");
   std::vector<ActionSet*> sets;
@@ -98,56 +98,56 @@ void attach_session_action_sets(Session& session, const XrSessionActionSetsAttac
   }
 }
 
-XrResult sync_actions(Session& session, const XrActionsSyncInfo* info) {
+XrResult xrSyncActions(Session& session, const XrActionsSyncInfo* info) {
   if (info->countActiveActionSets > 0) require_pointer(info->activeActionSets, "activeActionSets");
   for (std::uint32_t i = 0; i < info->countActiveActionSets; ++i)
     require_attached(session, runtime().registry.get<ActionSet>(info->activeActionSets[i].actionSet));
   return focus_result(session);
 }
 
-void get_action_state_boolean(Session& session, const XrActionStateGetInfo* info, XrActionStateBoolean* state) {
+void xrGetActionStateBoolean(Session& session, const XrActionStateGetInfo* info, XrActionStateBoolean* state) {
   write_inactive(session, info, XR_ACTION_TYPE_BOOLEAN_INPUT, state);
 }
 
-void get_action_state_float(Session& session, const XrActionStateGetInfo* info, XrActionStateFloat* state) {
+void xrGetActionStateFloat(Session& session, const XrActionStateGetInfo* info, XrActionStateFloat* state) {
   write_inactive(session, info, XR_ACTION_TYPE_FLOAT_INPUT, state);
 }
 
-void get_action_state_vector2f(Session& session, const XrActionStateGetInfo* info, XrActionStateVector2f* state) {
+void xrGetActionStateVector2f(Session& session, const XrActionStateGetInfo* info, XrActionStateVector2f* state) {
   write_inactive(session, info, XR_ACTION_TYPE_VECTOR2F_INPUT, state);
 }
 
-void get_action_state_pose(Session& session, const XrActionStateGetInfo* info, XrActionStatePose* state) {
+void xrGetActionStatePose(Session& session, const XrActionStateGetInfo* info, XrActionStatePose* state) {
   write_inactive(session, info, XR_ACTION_TYPE_POSE_INPUT, state);
 }
 
-void get_current_interaction_profile(Session& session, XrPath top_level, XrInteractionProfileState* state) {
+void xrGetCurrentInteractionProfile(Session& session, XrPath top_level, XrInteractionProfileState* state) {
   session.instance().paths.text(top_level);  // throws for an invalid path
   require_any_attached(session);
   state->interactionProfile = XR_NULL_PATH;
 }
 
-void enumerate_bound_sources_for_action(Session& session, const XrBoundSourcesForActionEnumerateInfo* info,
-                                        std::uint32_t capacity, std::uint32_t* count, XrPath* sources) {
+void xrEnumerateBoundSourcesForAction(Session& session, const XrBoundSourcesForActionEnumerateInfo* info,
+                                      std::uint32_t capacity, std::uint32_t* count, XrPath* sources) {
   attached_action(session, info->action);
   two_call(std::array<XrPath, 0>{}, capacity, count, sources);
 }
 
 // Returns the text of the path, whichever components the application requests: no source is bound to an action.
-void get_input_source_localized_name(Session& session, const XrInputSourceLocalizedNameGetInfo* info,
-                                     std::uint32_t capacity, std::uint32_t* count, char* buffer) {
+void xrGetInputSourceLocalizedName(Session& session, const XrInputSourceLocalizedNameGetInfo* info,
+                                   std::uint32_t capacity, std::uint32_t* count, char* buffer) {
   std::string name = session.instance().paths.text(info->sourcePath);
   require_any_attached(session);
   name.push_back('\0');
   two_call(name, capacity, count, buffer);
 }
 
-XrResult apply_haptic_feedback(Session& session, const XrHapticActionInfo* info, const XrHapticBaseHeader*) {
+XrResult xrApplyHapticFeedback(Session& session, const XrHapticActionInfo* info, const XrHapticBaseHeader*) {
   require_type(attached_action(session, info->action), XR_ACTION_TYPE_VIBRATION_OUTPUT);
   return focus_result(session);
 }
 
-XrResult stop_haptic_feedback(Session& session, const XrHapticActionInfo* info) {
+XrResult xrStopHapticFeedback(Session& session, const XrHapticActionInfo* info) {
   require_type(attached_action(session, info->action), XR_ACTION_TYPE_VIBRATION_OUTPUT);
   return focus_result(session);
 }

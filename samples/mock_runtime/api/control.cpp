@@ -5,7 +5,7 @@
 
 namespace hrt::mock {
 
-void apply_script(Instance& instance, const char* json) {
+void xrApplyScriptHRTX(Instance& instance, const char* json) {
   require_pointer(json, "json");
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_CALL_ORDER_INVALID,
           "a session exists; call xrDestroySession before xrApplyScriptHRTX");
@@ -16,7 +16,7 @@ void apply_script(Instance& instance, const char* json) {
   instance.clock.set_kind(runtime().script.clock);
 }
 
-void advance_time(Instance& instance, XrDuration duration) {
+void xrAdvanceTimeHRTX(Instance& instance, XrDuration duration) {
   constexpr XrDuration hour = 3'600'000'000'000;
   require_valid(duration >= 0 && duration <= hour, "duration is {} ns; must be from 0 to {}, one hour", duration, hour);
   require(instance.clock.kind() == Clock::Kind::manual, XR_ERROR_CALL_ORDER_INVALID,
@@ -25,7 +25,7 @@ void advance_time(Instance& instance, XrDuration duration) {
   fire_due_events();
 }
 
-void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count, XrCallRecordHRTX* records) {
+void xrGetCallLogHRTX(XrInstance handle, std::uint32_t capacity, std::uint32_t* count, XrCallRecordHRTX* records) {
   runtime().registry.get_even_lost<Instance>(handle);
   two_call(runtime().log.records(), capacity, count, records, [](XrCallRecordHRTX& to, const CallRecord& from) {
     to.time = from.time;
@@ -36,7 +36,7 @@ void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* coun
   });
 }
 
-void convert_timespec_time_to_time(Instance&, const struct timespec* from, XrTime* time) {
+void xrConvertTimespecTimeToTimeKHR(Instance&, const struct timespec* from, XrTime* time) {
   constexpr std::int64_t second_ns = 1'000'000'000;
   const bool valid = from->tv_sec >= 0 && from->tv_sec < INT64_MAX / second_ns && from->tv_nsec >= 0 &&
                      from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
@@ -46,7 +46,7 @@ void convert_timespec_time_to_time(Instance&, const struct timespec* from, XrTim
   *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
 }
 
-void convert_time_to_timespec_time(Instance&, XrTime from, struct timespec* time) {
+void xrConvertTimeToTimespecTimeKHR(Instance&, XrTime from, struct timespec* time) {
   require_time(from);
   time->tv_sec = from / 1'000'000'000;
   time->tv_nsec = from % 1'000'000'000;

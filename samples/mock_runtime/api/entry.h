@@ -7,6 +7,7 @@
 #include <thread>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/space.h"
@@ -14,6 +15,50 @@
 #include "samples/mock_runtime/functions.h"
 
 namespace hrt::mock {
+
+// Overloads whose result is the parameter type of an implementation: the object instead of its handle.
+#define HRT_MOCK_OBJECT(Handle, Type) \
+  class Type;                         \
+  std::type_identity<Type&> parameter_for(Handle);
+HRT_MOCK_OBJECT(XrInstance, Instance)
+HRT_MOCK_OBJECT(XrSession, Session)
+HRT_MOCK_OBJECT(XrSpace, Space)
+HRT_MOCK_OBJECT(XrActionSet, ActionSet)
+HRT_MOCK_OBJECT(XrAction, Action)
+HRT_MOCK_OBJECT(XrSwapchain, Swapchain)
+HRT_MOCK_OBJECT(XrHandTrackerEXT, HandTracker)
+#undef HRT_MOCK_OBJECT
+template <typename Argument>
+std::type_identity<Argument> parameter_for(const Argument&);
+
+/// True for functions whose implementation receives handles and looks up their objects itself, because it accepts lost
+/// or null handles, or must look up again after a wait.
+constexpr bool takes_handles(std::string_view name) {
+  return name.starts_with("xrDestroy") || name == "xrWaitFrame" || name == "xrGetInstanceProcAddr" ||
+         name == "xrGetCallLogHRTX";
+}
+template <typename Argument, bool handles>
+using Parameter = typename std::conditional_t<handles, std::type_identity<Argument>,
+                                              decltype(parameter_for(std::declval<Argument>()))>::type;
+
+/// True for functions whose implementation returns the result, because OpenXR has several success codes for them. Other
+/// implementations return nothing: the call returns XR_SUCCESS unless they throw an Error.
+constexpr bool returns_result(std::string_view name) {
+  return name == "xrPollEvent" || name == "xrGetReferenceSpaceBoundsRect" || name == "xrBeginFrame" ||
+         name == "xrSyncActions" || name.ends_with("HapticFeedback");
+}
+
+template <bool returns, typename Function, bool handles>
+struct Implementation;
+template <bool returns, typename... Args, bool handles>
+struct Implementation<returns, XrResult (*)(Args...), handles> {
+  using Type = std::conditional_t<returns, XrResult, void>(Parameter<Args, handles>...);
+};
+
+#define HRT_MOCK_DECLARE(extension, name) \
+  Implementation<returns_result(#name), PFN_##name, takes_handles(#name)>::Type name;
+HRT_MOCK_FUNCTIONS(HRT_MOCK_DECLARE)
+#undef HRT_MOCK_DECLARE
 
 /// Number of the calling thread. Threads are numbered from 1 in the order in which they first call the runtime.
 inline std::uint32_t thread_number(Runtime& shared) {

@@ -25,7 +25,7 @@ void wait_until(XrSession handle, XrTime time) {
 
 }  // namespace
 
-void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
+void xrWaitFrame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
   running_session(handle);
   if (info != nullptr) require_struct(info);
   require_struct(state);
@@ -57,7 +57,7 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
   state->shouldRender = XrBool32{draws && visible};
 }
 
-XrResult begin_frame(Session& session, const XrFrameBeginInfo*) {
+XrResult xrBeginFrame(Session& session, const XrFrameBeginInfo*) {
   require_running(session);
   require(session.frames.waited, XR_ERROR_CALL_ORDER_INVALID,
           "no frame waits to begin; call xrWaitFrame before each xrBeginFrame");
@@ -69,7 +69,7 @@ XrResult begin_frame(Session& session, const XrFrameBeginInfo*) {
   return discarded ? XR_FRAME_DISCARDED : XR_SUCCESS;
 }
 
-void end_frame(Session& session, const XrFrameEndInfo* info) {
+void xrEndFrame(Session& session, const XrFrameEndInfo* info) {
   require_running(session);
   require(session.frames.begun, XR_ERROR_CALL_ORDER_INVALID,
           "no frame has begun; call xrBeginFrame before each xrEndFrame");

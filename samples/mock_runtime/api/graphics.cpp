@@ -57,30 +57,30 @@ std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, cons
   return nullptr;
 }
 
-void get_vulkan_graphics_requirements(Instance& instance, XrSystemId system,
-                                      XrGraphicsRequirementsVulkanKHR* requirements) {
+void xrGetVulkanGraphicsRequirements2KHR(Instance& instance, XrSystemId system,
+                                         XrGraphicsRequirementsVulkanKHR* requirements) {
   require_system(system);
   requirements->minApiVersionSupported = min_vulkan;
   requirements->maxApiVersionSupported = max_vulkan;
   instance.graphics.requirements_requested = true;
 }
 
-void create_vulkan_instance(Instance& instance, const XrVulkanInstanceCreateInfoKHR* info, VkInstance* vulkan,
-                            VkResult* result) {
+void xrCreateVulkanInstanceKHR(Instance& instance, const XrVulkanInstanceCreateInfoKHR* info, VkInstance* vulkan,
+                               VkResult* result) {
   const auto create = fetch_creator<PFN_vkCreateInstance>(*info, nullptr, "vkCreateInstance");
   *result = create(info->vulkanCreateInfo, info->vulkanAllocator, vulkan);
   instance.graphics.get_proc_addr = info->pfnGetInstanceProcAddr;
   instance.graphics.instance = *result == VK_SUCCESS ? *vulkan : nullptr;
 }
 
-void get_vulkan_graphics_device2(Instance& instance, const XrVulkanGraphicsDeviceGetInfoKHR* info,
-                                 VkPhysicalDevice* device) {
+void xrGetVulkanGraphicsDevice2KHR(Instance& instance, const XrVulkanGraphicsDeviceGetInfoKHR* info,
+                                   VkPhysicalDevice* device) {
   require_system(info->systemId);
   *device = first_physical_device(instance, info->vulkanInstance);
 }
 
-void create_vulkan_device(Instance& instance, const XrVulkanDeviceCreateInfoKHR* info, VkDevice* device,
-                          VkResult* result) {
+void xrCreateVulkanDeviceKHR(Instance& instance, const XrVulkanDeviceCreateInfoKHR* info, VkDevice* device,
+                             VkResult* result) {
   const auto create = fetch_creator<PFN_vkCreateDevice>(*info, instance.graphics.instance, "vkCreateDevice");
   require_valid(
       info->vulkanPhysicalDevice != nullptr && info->vulkanPhysicalDevice == instance.graphics.physical_device,

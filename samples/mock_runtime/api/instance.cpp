@@ -24,12 +24,12 @@ std::size_t find_extension(const char* name) {
 
 }  // namespace
 
-void enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count, XrApiLayerProperties* layers) {
+void xrEnumerateApiLayerProperties(std::uint32_t capacity, std::uint32_t* count, XrApiLayerProperties* layers) {
   two_call(std::array<XrApiLayerProperties, 0>{}, capacity, count, layers);
 }
 
-void enumerate_instance_extension_properties(const char* layer, std::uint32_t capacity, std::uint32_t* count,
-                                             XrExtensionProperties* properties) {
+void xrEnumerateInstanceExtensionProperties(const char* layer, std::uint32_t capacity, std::uint32_t* count,
+                                            XrExtensionProperties* properties) {
   require(layer == nullptr, XR_ERROR_API_LAYER_NOT_PRESENT, "layerName must be null: the runtime has no API layers");
   std::vector<ExtensionInfo> present;
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
@@ -40,7 +40,7 @@ void enumerate_instance_extension_properties(const char* layer, std::uint32_t ca
   });
 }
 
-void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
+void xrCreateInstance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   require_valid(info->createFlags == 0, "createFlags is {:#x}; must be 0", info->createFlags);
   const std::string_view name = text_in(info->applicationInfo.applicationName);
   require(!name.empty() && name.size() < XR_MAX_APPLICATION_NAME_SIZE, XR_ERROR_NAME_INVALID,
@@ -63,7 +63,7 @@ void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   *handle = handle_of<XrInstance>(instance);
 }
 
-void destroy_instance(XrInstance handle) {
+void xrDestroyInstance(XrInstance handle) {
   auto& instance = runtime().registry.get_even_lost<Instance>(handle);
   runtime().instance = nullptr;
   runtime().clock = nullptr;
@@ -71,37 +71,37 @@ void destroy_instance(XrInstance handle) {
   runtime().frame_begun.notify_all();
 }
 
-void get_instance_properties(Instance&, XrInstanceProperties* properties) {
+void xrGetInstanceProperties(Instance&, XrInstanceProperties* properties) {
   properties->runtimeVersion = XR_MAKE_VERSION(HRT_VERSION_MAJOR, HRT_VERSION_MINOR, HRT_VERSION_PATCH);
   std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "HRTX mock runtime");
 }
 
-XrResult poll_event(Instance& instance, XrEventDataBuffer* buffer) {
+XrResult xrPollEvent(Instance& instance, XrEventDataBuffer* buffer) {
   if (instance.events.empty()) return XR_EVENT_UNAVAILABLE;
   *buffer = instance.events.front();
   instance.events.pop_front();
   return XR_SUCCESS;
 }
 
-void result_to_string(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
+void xrResultToString(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
   const std::string name = name_of(value);
   const char* unknown = value < 0 ? "XR_UNKNOWN_FAILURE_" : "XR_UNKNOWN_SUCCESS_";
   std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s%s", name.starts_with("XR_") ? "" : unknown, name.c_str());
 }
 
-void structure_type_to_string(Instance&, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
+void xrStructureTypeToString(Instance&, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
   const std::string name = name_of(value);
   std::string text = (name.starts_with("XR_") ? "" : "XR_UNKNOWN_STRUCTURE_TYPE_") + name;
   text.resize(std::min<std::size_t>(text.size(), XR_MAX_STRUCTURE_NAME_SIZE - 1));  // newer headers have longer names
   std::strcpy(buffer, text.c_str());
 }
 
-void string_to_path(Instance& instance, const char* text, XrPath* path) {
+void xrStringToPath(Instance& instance, const char* text, XrPath* path) {
   require_pointer(text, "pathString");
   *path = instance.paths.intern(text);
 }
 
-void path_to_string(Instance& instance, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer) {
+void xrPathToString(Instance& instance, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer) {
   std::string text = instance.paths.text(path);
   text.push_back('\0');
   two_call(text, capacity, count, buffer);

@@ -33,15 +33,15 @@ XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* r
   request->runtime_interface_version = interface_version;
   request->runtime_api_version = std::min(max_api_version, loader->max_api_version);
   request->get_instance_proc_addr =
-      &Entry<FunctionId::xrGetInstanceProcAddr, PFN_xrGetInstanceProcAddr, true, &get_instance_proc_addr>::call;
+      &Entry<FunctionId::xrGetInstanceProcAddr, PFN_xrGetInstanceProcAddr, true, &xrGetInstanceProcAddr>::call;
   return XR_SUCCESS;
 }
 
 // Entry points, indexed by FunctionId.
 const PFN_xrVoidFunction entries[] = {
-#define HRT_MOCK_ENTRY(name, implementation, extension, returned) \
-  reinterpret_cast<PFN_xrVoidFunction>(                           \
-      &Entry<FunctionId::name, PFN_##name, takes_handles(#name), &(implementation)>::call),
+#define HRT_MOCK_ENTRY(extension, name) \
+  reinterpret_cast<PFN_xrVoidFunction>( \
+      &Entry<FunctionId::name, PFN_##name, takes_handles(#name), &hrt::mock::name>::call),
     HRT_MOCK_FUNCTIONS(HRT_MOCK_ENTRY)
 #undef HRT_MOCK_ENTRY
 };
@@ -53,7 +53,7 @@ bool needs_no_instance(std::string_view name) {
 
 }  // namespace
 
-void get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidFunction* function) {
+void xrGetInstanceProcAddr(XrInstance handle, const char* name, PFN_xrVoidFunction* function) {
   require_pointer(function, "function");
   *function = nullptr;
   require_pointer(name, "name");

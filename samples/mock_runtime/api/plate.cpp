@@ -17,7 +17,7 @@ void require_angle(double angle_deg, double max_deg, const char* field) {
 
 }  // namespace
 
-void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
+void xrPlacePlateHRTX(Session& session, const XrPlatePlacementHRTX* placement) {
   const Space& space = space_of(session, placement->space);
   const Pose pose = checked_pose(placement->pose);
   require_length(placement->radius, "radius");
@@ -26,21 +26,21 @@ void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
   session.world().place_plate(*in_world * pose);
 }
 
-void set_simulation_seed(Session& session, std::uint64_t seed, std::uint32_t next_reach) {
+void xrSetSimulationSeedHRTX(Session& session, std::uint64_t seed, std::uint32_t next_reach) {
   session.world().set_seed(seed, next_reach);
 }
 
-void set_plate_orientation(Session& session, double orientation_deg) {
+void xrSetPlateOrientationHRTX(Session& session, double orientation_deg) {
   require_angle(orientation_deg, 360.0, "orientation");
   session.world().command_plate(orientation_deg);
 }
 
-void get_plate_orientation(Session& session, XrTime time, double* orientation_deg) {
+void xrGetPlateOrientationHRTX(Session& session, XrTime time, double* orientation_deg) {
   require_time(time);
   *orientation_deg = session.world().plate_orientation_deg(time);
 }
 
-void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction) {
+void xrInstructReachHRTX(Session& session, const XrReachInstructionHRTX* instruction) {
   require_hand(instruction->hand);
   const Eigen::Vector3d start_m = from_xr(instruction->start);
   require_valid(start_m.allFinite() && start_m.norm() <= 10.0, "start is {} m from the plate's centre; at most 10",
@@ -54,7 +54,7 @@ void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction)
                  start_m.y(), session.instance().clock.now());
 }
 
-void get_reach_truth(Session& session, XrHandEXT hand, XrReachTruthHRTX* truth) {
+void xrGetReachTruthHRTX(Session& session, XrHandEXT hand, XrReachTruthHRTX* truth) {
   require_hand(hand);
   World& world = session.world();
   const Reach* reach = world.reach(hand);

@@ -134,7 +134,7 @@ void Session::recenter(const Recenter& change) {
   }
 }
 
-void create_session(Instance& instance, const XrSessionCreateInfo* info, XrSession* session_handle) {
+void xrCreateSession(Instance& instance, const XrSessionCreateInfo* info, XrSession* session_handle) {
   require_valid(info->createFlags == 0, "createFlags is {:#x}; must be 0", info->createFlags);
   require_system(info->systemId);
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_LIMIT_REACHED,
@@ -148,7 +148,7 @@ void create_session(Instance& instance, const XrSessionCreateInfo* info, XrSessi
   *session_handle = handle_of<XrSession>(session);
 }
 
-void destroy_session(XrSession handle) {
+void xrDestroySession(XrSession handle) {
   auto& session = runtime().registry.get_even_lost<Session>(handle);
   // Drops the queued events of the session, all of which have its handle at the same offset, after `next`.
   std::erase_if(session.instance().events, [&](const XrEventDataBuffer& event) {
@@ -164,7 +164,7 @@ void require_running(const Session& session) {
           name_of(session.state()));
 }
 
-void begin_session(Session& session, const XrSessionBeginInfo* info) {
+void xrBeginSession(Session& session, const XrSessionBeginInfo* info) {
   require(!session.running, XR_ERROR_SESSION_RUNNING, "the session is running already");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY,
           "the session is {}; wait for XR_SESSION_STATE_READY", name_of(session.state()));
@@ -181,13 +181,13 @@ void begin_session(Session& session, const XrSessionBeginInfo* info) {
   session.go_to(XR_SESSION_STATE_FOCUSED);
 }
 
-void request_exit_session(Session& session) {
+void xrRequestExitSession(Session& session) {
   require_running(session);
   session.exit_requested = true;
   session.go_to(XR_SESSION_STATE_STOPPING);
 }
 
-void end_session(Session& session) {
+void xrEndSession(Session& session) {
   require_running(session);
   require(session.state() == XR_SESSION_STATE_STOPPING, XR_ERROR_SESSION_NOT_STOPPING,
           "the session is {}; call xrRequestExitSession and wait for XR_SESSION_STATE_STOPPING",

@@ -49,25 +49,25 @@ bool Space::is_fixed_to_room() const { return reference_ && *reference_ != XR_RE
 
 bool Space::head_is_tracked() const { return !session().world().head_is_lost(); }
 
-void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::uint32_t* count,
+void xrEnumerateReferenceSpaces(Session& session, std::uint32_t capacity, std::uint32_t* count,
                                 XrReferenceSpaceType* types) {
   two_call(reference_spaces(session), capacity, count, types);
 }
 
-void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
+void xrCreateReferenceSpace(Session& session, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
   require_reference_space(session, info->referenceSpaceType);
   const Pose pose = checked_pose(info->poseInReferenceSpace);
   *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, info->referenceSpaceType, pose));
 }
 
-void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
+void xrCreateActionSpace(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
   const auto& action = runtime().registry.get<Action>(info->action);
   require_type(action, XR_ACTION_TYPE_POSE_INPUT);
   const Pose pose = checked_pose(info->poseInActionSpace);
   *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, std::nullopt, pose));
 }
 
-XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType type, XrExtent2Df* bounds) {
+XrResult xrGetReferenceSpaceBoundsRect(Session& session, XrReferenceSpaceType type, XrExtent2Df* bounds) {
   require_reference_space(session, type);
   const bool bounded = type == XR_REFERENCE_SPACE_TYPE_STAGE;
   *bounds = bounded ? stage_bounds_m : XrExtent2Df{0.0F, 0.0F};
@@ -75,7 +75,7 @@ XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType 
 }
 
 // Velocities in the chain have no valid bit: the runtime does not compute them.
-void locate_space(Space& space, Space& base, XrTime time, XrSpaceLocation* location) {
+void xrLocateSpace(Space& space, Space& base, XrTime time, XrSpaceLocation* location) {
   require_valid(space.parent() == base.parent(), "space and baseSpace belong to different sessions");
   require_time(time);
   if (auto* velocity = chained<XrSpaceVelocity>(location->next))
@@ -86,10 +86,10 @@ void locate_space(Space& space, Space& base, XrTime time, XrSpaceLocation* locat
   location->pose = to_xr(located && origin ? inverse(*origin) * *located : Pose{});
 }
 
-void destroy_space(XrSpace handle) { runtime().registry.destroy<Space>(handle); }
+void xrDestroySpace(XrSpace handle) { runtime().registry.destroy<Space>(handle); }
 
-void locate_views(Session& session, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
-                  std::uint32_t* count, XrView* views) {
+void xrLocateViews(Session& session, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
+                   std::uint32_t* count, XrView* views) {
   const Space& space = space_of(session, info->space);
   require_view_configuration(info->viewConfigurationType);
   require_time(info->displayTime);
@@ -119,7 +119,7 @@ void require_hand(XrHandEXT hand) {
                 static_cast<int>(hand));
 }
 
-void create_hand_tracker(Session& session, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
+void xrCreateHandTrackerEXT(Session& session, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
   require_hand(info->hand);
   require_valid(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, "handJointSet is {}; must be 0, the default set",
                 static_cast<int>(info->handJointSet));
@@ -128,10 +128,10 @@ void create_hand_tracker(Session& session, const XrHandTrackerCreateInfoEXT* inf
   *tracker = handle_of<XrHandTrackerEXT>(runtime().registry.create<HandTracker>(&session, info->hand));
 }
 
-void destroy_hand_tracker(XrHandTrackerEXT handle) { runtime().registry.destroy<HandTracker>(handle); }
+void xrDestroyHandTrackerEXT(XrHandTrackerEXT handle) { runtime().registry.destroy<HandTracker>(handle); }
 
-void locate_hand_joints(HandTracker& tracker, const XrHandJointsLocateInfoEXT* info,
-                        XrHandJointLocationsEXT* locations) {
+void xrLocateHandJointsEXT(HandTracker& tracker, const XrHandJointsLocateInfoEXT* info,
+                           XrHandJointLocationsEXT* locations) {
   const Space& base = space_of(tracker.session(), info->baseSpace);
   require_time(info->time);
   require_joint_count(locations->jointCount);

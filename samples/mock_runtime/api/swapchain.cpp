@@ -77,30 +77,30 @@ void Swapchain::release() {
   waited_ = false;
 }
 
-void enumerate_swapchain_formats(Session& session, std::uint32_t capacity, std::uint32_t* count,
+void xrEnumerateSwapchainFormats(Session& session, std::uint32_t capacity, std::uint32_t* count,
                                  std::int64_t* formats) {
   two_call(session.graphics == nullptr ? std::vector<std::int64_t>{} : session.graphics->formats(), capacity, count,
            formats);
 }
 
-void create_swapchain(Session& session, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
+void xrCreateSwapchain(Session& session, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
   require_possible(*info, session);
   *swapchain = handle_of<XrSwapchain>(runtime().registry.create<Swapchain>(&session, *info));
 }
 
-void destroy_swapchain(XrSwapchain handle) { runtime().registry.destroy<Swapchain>(handle); }
+void xrDestroySwapchain(XrSwapchain handle) { runtime().registry.destroy<Swapchain>(handle); }
 
-void enumerate_swapchain_images(Swapchain& swapchain, std::uint32_t capacity, std::uint32_t* count,
+void xrEnumerateSwapchainImages(Swapchain& swapchain, std::uint32_t capacity, std::uint32_t* count,
                                 XrSwapchainImageBaseHeader* images) {
   swapchain.images->enumerate(capacity, count, images);
 }
 
-void acquire_swapchain_image(Swapchain& swapchain, const XrSwapchainImageAcquireInfo*, std::uint32_t* index) {
+void xrAcquireSwapchainImage(Swapchain& swapchain, const XrSwapchainImageAcquireInfo*, std::uint32_t* index) {
   *index = swapchain.acquire();
 }
 
-void wait_swapchain_image(Swapchain& swapchain, const XrSwapchainImageWaitInfo*) { swapchain.wait(); }
+void xrWaitSwapchainImage(Swapchain& swapchain, const XrSwapchainImageWaitInfo*) { swapchain.wait(); }
 
-void release_swapchain_image(Swapchain& swapchain, const XrSwapchainImageReleaseInfo*) { swapchain.release(); }
+void xrReleaseSwapchainImage(Swapchain& swapchain, const XrSwapchainImageReleaseInfo*) { swapchain.release(); }
 
 }  // namespace hrt::mock

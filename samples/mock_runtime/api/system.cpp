@@ -16,13 +16,13 @@ void require_view_configuration(XrViewConfigurationType type) {
           "view configuration {} is not supported; must be XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO", name_of(type));
 }
 
-void get_system(Instance&, const XrSystemGetInfo* info, XrSystemId* system) {
+void xrGetSystem(Instance&, const XrSystemGetInfo* info, XrSystemId* system) {
   require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
           "formFactor is {}; must be XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY", name_of(info->formFactor));
   *system = the_system;
 }
 
-void get_system_properties(Instance& instance, XrSystemId system, XrSystemProperties* properties) {
+void xrGetSystemProperties(Instance& instance, XrSystemId system, XrSystemProperties* properties) {
   require_system(system);
   properties->systemId = system;
   properties->vendorId = 0;
@@ -34,29 +34,29 @@ void get_system_properties(Instance& instance, XrSystemId system, XrSystemProper
     hands->supportsHandTracking = runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
 }
 
-void enumerate_environment_blend_modes(Instance&, XrSystemId system, XrViewConfigurationType type,
-                                       std::uint32_t capacity, std::uint32_t* count, XrEnvironmentBlendMode* modes) {
+void xrEnumerateEnvironmentBlendModes(Instance&, XrSystemId system, XrViewConfigurationType type,
+                                      std::uint32_t capacity, std::uint32_t* count, XrEnvironmentBlendMode* modes) {
   require_system(system);
   require_view_configuration(type);
   two_call(std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE}, capacity, count, modes);
 }
 
-void enumerate_view_configurations(Instance&, XrSystemId system, std::uint32_t capacity, std::uint32_t* count,
+void xrEnumerateViewConfigurations(Instance&, XrSystemId system, std::uint32_t capacity, std::uint32_t* count,
                                    XrViewConfigurationType* types) {
   require_system(system);
   two_call(std::array{XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO}, capacity, count, types);
 }
 
-void get_view_configuration_properties(Instance&, XrSystemId system, XrViewConfigurationType type,
-                                       XrViewConfigurationProperties* properties) {
+void xrGetViewConfigurationProperties(Instance&, XrSystemId system, XrViewConfigurationType type,
+                                      XrViewConfigurationProperties* properties) {
   require_system(system);
   require_view_configuration(type);
   properties->viewConfigurationType = type;
   properties->fovMutable = XR_FALSE;
 }
 
-void enumerate_view_configuration_views(Instance&, XrSystemId system, XrViewConfigurationType type,
-                                        std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* views) {
+void xrEnumerateViewConfigurationViews(Instance&, XrSystemId system, XrViewConfigurationType type,
+                                       std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* views) {
   require_system(system);
   require_view_configuration(type);
   two_call(std::array{0, 1}, capacity, count, views, [](XrViewConfigurationView& view, int) {

@@ -16,6 +16,8 @@
 
 namespace hrt::mock {
 
+class Session;
+
 /// An event that occurs in a session, at a frame or at a time.
 struct ScriptEvent {
   std::uint64_t session;  ///< number of the session, from 1; 0: every session

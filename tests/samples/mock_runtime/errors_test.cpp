@@ -72,7 +72,7 @@ class MockErrors : public MockNegotiation {
   // Calls `call(name, function)` for every function of the runtime.
   template <typename Call>
   void for_each_function(Call call) {
-#define HRT_CALL(name, implementation, extension, returned) call(std::string(#name), XR(name));
+#define HRT_CALL(extension, name) call(std::string(#name), XR(name));
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }
