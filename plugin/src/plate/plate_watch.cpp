@@ -96,7 +96,7 @@ void PlateWatch::expect_motion(const Position& now) {
   const double min_deg = std::min(moved_deg, 0.25 * greeting_.speed_deg_s);
   if (!moved_ || std::abs(now.orientation_deg - moved_->orientation_deg) >= min_deg) moved_ = now;
   if (now.time - moved_->time > stuck_limit)
-    throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) + " deg; it was note_command to " +
+    throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) + " deg; it must turn to " +
                                          degrees(*command_deg_) + " deg. Remove the obstacle, and open it again");
 }
 
