@@ -73,8 +73,7 @@ if(HRT_BUILD_MOCK_RUNTIME)
   install(TARGETS hrtx_mock_runtime LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_mock_runtime.json DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/hrtx-run TYPE BIN COMPONENT mock_runtime EXCLUDE_FROM_ALL)
-  install(FILES samples/app/xr/openxr_hrtx_ridged_plate.h samples/mock_runtime/openxr_hrtx_mock_control.h
-          TYPE INCLUDE COMPONENT mock_runtime EXCLUDE_FROM_ALL)
+  install(FILES samples/app/xr/openxr_hrtx_ridged_plate.h TYPE INCLUDE COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_script.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/hrtx COMPONENT mock_runtime EXCLUDE_FROM_ALL)
 endif()

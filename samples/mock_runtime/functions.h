@@ -9,7 +9,6 @@
 
 #include "samples/app/xr/openxr_hrtx_ridged_plate.h"
 #include "samples/mock_runtime/openxr_all.h"
-#include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 
 // Each function, by topic: the extension that it needs, and its name, which is also that of its implementation.
 // clang-format off
@@ -42,7 +41,6 @@
   X(timespec, xrConvertTimespecTimeToTimeKHR) X(timespec, xrConvertTimeToTimespecTimeKHR) \
   X(vulkan_enable2, xrGetVulkanGraphicsRequirements2KHR) X(vulkan_enable2, xrCreateVulkanInstanceKHR) \
   X(vulkan_enable2, xrGetVulkanGraphicsDevice2KHR) X(vulkan_enable2, xrCreateVulkanDeviceKHR) \
-  X(mock_control, xrApplyScriptHRTX) X(mock_control, xrAdvanceTimeHRTX) X(mock_control, xrGetCallLogHRTX) \
   X(ridged_plate, xrPlacePlateHRTX) X(ridged_plate, xrSetSimulationSeedHRTX) \
   X(ridged_plate, xrSetPlateOrientationHRTX) X(ridged_plate, xrGetPlateOrientationHRTX) \
   X(ridged_plate, xrInstructReachHRTX) X(ridged_plate, xrGetReachTruthHRTX)
@@ -64,8 +62,7 @@ enum class FunctionId {
   X(timespec, XR_KHR_CONVERT_TIMESPEC_TIME, XR_KHR_convert_timespec_time) \
   X(local_floor, XR_EXT_LOCAL_FLOOR, XR_EXT_local_floor)                  \
   X(vulkan_enable2, XR_KHR_VULKAN_ENABLE2, XR_KHR_vulkan_enable2)         \
-  X(ridged_plate, XR_HRTX_RIDGED_PLATE, XR_HRTX_ridged_plate)             \
-  X(mock_control, XR_HRTX_MOCK_CONTROL, XR_HRTX_mock_control)
+  X(ridged_plate, XR_HRTX_RIDGED_PLATE, XR_HRTX_ridged_plate)
 
 enum class Extension {
   core,  ///< OpenXR 1.0 itself

@@ -7,7 +7,6 @@
 
 #include "samples/app/xr/openxr_hrtx_ridged_plate.h"
 #include "samples/mock_runtime/error.h"
-#include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 
 namespace hrt::mock {
 
@@ -25,7 +24,6 @@ XR_LIST_STRUCTURE_TYPES(HRT_MOCK_TYPE)
 HRT_MOCK_TYPE(XrPlatePlacementHRTX, XR_TYPE_PLATE_PLACEMENT_HRTX)
 HRT_MOCK_TYPE(XrReachInstructionHRTX, XR_TYPE_REACH_INSTRUCTION_HRTX)
 HRT_MOCK_TYPE(XrReachTruthHRTX, XR_TYPE_REACH_TRUTH_HRTX)
-HRT_MOCK_TYPE(XrCallRecordHRTX, XR_TYPE_CALL_RECORD_HRTX)
 #undef HRT_MOCK_TYPE
 
 template <typename Struct>

@@ -34,8 +34,7 @@ std::type_identity<Argument> parameter_for(const Argument&);
 /// True for functions whose implementation receives handles and looks up their objects itself, because it accepts lost
 /// or null handles, or must look up again after a wait.
 constexpr bool takes_handles(std::string_view name) {
-  return name.starts_with("xrDestroy") || name == "xrWaitFrame" || name == "xrGetInstanceProcAddr" ||
-         name == "xrGetCallLogHRTX";
+  return name.starts_with("xrDestroy") || name == "xrWaitFrame" || name == "xrGetInstanceProcAddr";
 }
 template <typename Argument, bool handles>
 using Parameter = typename std::conditional_t<handles, std::type_identity<Argument>,
@@ -133,10 +132,8 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
       record.why = error.what();
     }
     const XrResult result = record.result;
-    // Two functions are not logged: a loader looks up every function, and the log must not grow between the two calls
-    // that read it.
-    if constexpr (id != FunctionId::xrGetInstanceProcAddr && id != FunctionId::xrGetCallLogHRTX)
-      log(shared, std::move(record));
+    // A loader looks up every function.
+    if constexpr (id != FunctionId::xrGetInstanceProcAddr) log(shared, std::move(record));
     return result;
   }
 
@@ -157,14 +154,10 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
     if (fault.result) throw Error{*fault.result, "the script sets this error for this call"};
   }
 
-  static void log(Runtime& shared, CallRecord record) noexcept {
-    try {
-      record.thread = thread_number(shared);
-      record.time = shared.now();
-      shared.log.append(std::move(record));
-    } catch (const std::bad_alloc&) {
-      // The call proceeds without a record.
-    }
+  static void log(Runtime& shared, CallRecord record) {
+    record.thread = thread_number(shared);
+    record.time = shared.now();
+    shared.log.write(record);
   }
 };
 

@@ -96,6 +96,22 @@ void xrStructureTypeToString(Instance&, XrStructureType value, char buffer[XR_MA
   std::strcpy(buffer, text.c_str());
 }
 
+void xrConvertTimespecTimeToTimeKHR(Instance&, const struct timespec* from, XrTime* time) {
+  constexpr std::int64_t second_ns = 1'000'000'000;
+  const bool valid = from->tv_sec >= 0 && from->tv_sec < INT64_MAX / second_ns && from->tv_nsec >= 0 &&
+                     from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
+  require(valid, XR_ERROR_TIME_INVALID,
+          "timespec is {} s, {} ns; must be > 0 and < 2^63 ns in all, with tv_nsec from 0 to 999999999", from->tv_sec,
+          from->tv_nsec);
+  *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
+}
+
+void xrConvertTimeToTimespecTimeKHR(Instance&, XrTime from, struct timespec* time) {
+  require_time(from);
+  time->tv_sec = from / 1'000'000'000;
+  time->tv_nsec = from % 1'000'000'000;
+}
+
 void xrStringToPath(Instance& instance, const char* text, XrPath* path) {
   require_pointer(text, "pathString");
   *path = instance.paths.intern(text);

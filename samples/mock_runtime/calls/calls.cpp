@@ -38,12 +38,6 @@ std::optional<XrResult> find_error(std::string_view name) {
       return std::nullopt;
 }
 
-namespace {
-
-constexpr std::size_t remembered_calls = 100'000;
-
-}  // namespace
-
 void CallLog::open() {
   const char* variable = std::getenv("HRT_MOCK_CALL_LOG");
   const std::string path = variable == nullptr ? "" : variable;
@@ -53,7 +47,7 @@ void CallLog::open() {
   if (path.empty()) return;
   file_.reset(std::fopen(path_.c_str(), "a"));
   if (file_ == nullptr) {
-    std::fprintf(stderr, "mock runtime: HRT_MOCK_CALL_LOG: %s cannot be written: %s. Calls are not logged to a file\n",
+    std::fprintf(stderr, "mock runtime: HRT_MOCK_CALL_LOG: %s cannot be written: %s. Calls are not logged\n",
                  path_.c_str(), std::strerror(errno));
     return;
   }
@@ -61,14 +55,9 @@ void CallLog::open() {
 }
 
 void CallLog::write(const CallRecord& record) {
+  if (file_ == nullptr) return;
   std::fprintf(file_.get(), "%lld thread %u %s %s%s%s\n", static_cast<long long>(record.time), record.thread,
                record.function, name_of(record.result).c_str(), record.why.empty() ? "" : ": ", record.why.c_str());
-}
-
-void CallLog::append(CallRecord record) {
-  if (file_ != nullptr) write(record);
-  records_.push_back(std::move(record));
-  if (records_.size() > remembered_calls) records_.pop_front();
 }
 
 }  // namespace hrt::mock

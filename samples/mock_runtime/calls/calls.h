@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,18 +64,12 @@ struct CallRecord {
 
 class CallLog {
  public:
-  /// Makes append() also write to the file that the environment variable HRT_MOCK_CALL_LOG names, if it is set. Prints
-  /// an error if the file cannot be opened.
+  /// Opens the file that the environment variable HRT_MOCK_CALL_LOG names. Prints an error if it cannot be opened.
   void open();
-
-  void append(CallRecord record);
-  /// Returns the latest 100,000 records, oldest first.
-  const std::deque<CallRecord>& records() const { return records_; }
-
- private:
+  /// Writes a line to the file, if one is open.
   void write(const CallRecord& record);
 
-  std::deque<CallRecord> records_;
+ private:
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
 };

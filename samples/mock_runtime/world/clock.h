@@ -9,7 +9,7 @@
 
 namespace hrt::mock {
 
-/// A manual clock advances only in xrWaitFrame and xrAdvanceTimeHRTX, so that runs are fast and give the same results
+/// A manual clock advances only in xrWaitFrame, so that runs are fast and give the same results
 /// each time. A real-time clock is CLOCK_MONOTONIC.
 class Clock {
  public:
@@ -18,7 +18,6 @@ class Clock {
   explicit Clock(Kind kind) : kind_(kind) {}
 
   Kind kind() const { return kind_; }
-  void set_kind(Kind kind) { kind_ = kind; }
   XrTime now() const {
     if (kind_ == Kind::manual) return manual_now_;
     std::timespec time{};

@@ -31,11 +31,8 @@ class MockErrors : public MockNegotiation {
 
   void SetUp() override {
     MockNegotiation::SetUp();
-    std::ofstream(folder / "script.json") << '{' << settings << '}';
     setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
-    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-    create_instance({"XR_MND_headless", "XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time", "XR_KHR_vulkan_enable2",
-                     "XR_HRTX_ridged_plate", "XR_HRTX_mock_control"});
+    start("");
   }
   void TearDown() override {
     EXPECT_XR(XR_SUCCESS, XR(xrDestroyInstance)(instance));
@@ -43,13 +40,23 @@ class MockErrors : public MockNegotiation {
     MockNegotiation::TearDown();
   }
 
+  // Creates an instance with a script of `settings` and these keys.
+  void start(const std::string& keys) {
+    if (instance != XR_NULL_HANDLE) {
+      EXPECT_XR(XR_SUCCESS, XR(xrDestroyInstance)(instance));
+    }
+    std::ofstream(folder / "script.json") << '{' << settings << keys << '}';
+    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+    create_instance({"XR_MND_headless", "XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time", "XR_KHR_vulkan_enable2",
+                     "XR_HRTX_ridged_plate"});
+  }
   void create_instance(const std::vector<const char*>& extensions) {
     const XrInstanceCreateInfo info = instance_info(extensions);
     ASSERT_XR(XR_SUCCESS, function_of<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance));
   }
   // Creates a session, and a handle of every type.
   void create_session(const std::string& keys = "") {
-    ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, (std::string("{") + settings + keys + "}").c_str()));
+    start(keys);
     Application::create_session();
     local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
     hand = create_hand_tracker();
@@ -96,8 +103,8 @@ class MockErrors : public MockNegotiation {
     constexpr bool is_of_session =
         std::is_same_v<First, XrSession> || std::is_same_v<First, XrSpace> || std::is_same_v<First, XrHandTrackerEXT>;
     if constexpr (is_handle<First>) {
-      const bool accepts_lost = name.starts_with("xrDestroy") || name == "xrGetInstanceProcAddr" ||
-                                name == "xrGetCallLogHRTX" || handle(First{}) == XR_NULL_HANDLE;
+      const bool accepts_lost =
+          name.starts_with("xrDestroy") || name == "xrGetInstanceProcAddr" || handle(First{}) == XR_NULL_HANDLE;
       if (accepts_lost || (loss == XR_ERROR_SESSION_LOST && !is_of_session)) return;
       EXPECT_XR(loss, function(handle(First{}), Rest{}...)) << name;
     }
@@ -421,7 +428,7 @@ TEST_F(MockErrors, LostSessionsAndInstances) {
 }
 
 TEST_F(MockErrors, SystemWithoutHandTrackingOrGraphics) {
-  ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, R"({"clock": "real-time", "hand_tracking": false})"));
+  start(R"(, "hand_tracking": false)");
   Application::create_session();
   EXPECT_INFO_ERROR(FEATURE_UNSUPPORTED, xrCreateHandTrackerEXT, session,
                     {XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT, XR_HAND_JOINT_SET_DEFAULT_EXT});

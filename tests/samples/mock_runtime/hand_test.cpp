@@ -210,13 +210,7 @@ TEST_F(MockDevices, PositionsInTheRoomAreInferredWhileTheHeadIsLost) {
 TEST_F(MockDevices, FailedCallIsLoggedWithTimeThreadAndReason) {
   begin_session();
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrBeginFrame(session, nullptr));
-  const auto log = call_log();
-  EXPECT_STREQ(log.back().function, "xrBeginFrame");
-  EXPECT_EQ(log.back().result, XR_ERROR_CALL_ORDER_INVALID);
-  EXPECT_STRNE(log.back().reason, "");
-  EXPECT_EQ(log.back().time, 1'000'000'000);
-  EXPECT_GE(log.back().thread, 1U);
-  EXPECT_EQ(log.back().thread, log.front().thread);
+  EXPECT_TRUE(has(last_call(), "1000000000 thread 1 xrBeginFrame XR_ERROR_CALL_ORDER_INVALID: no frame waits"));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-/* The headers of the vendor extensions compile as C11, and their structures have the same layout with every compiler.
+/* The header of the vendor extension compiles as C11, and its structures have the same layout with every compiler.
  */
 #include "samples/app/xr/openxr_hrtx_ridged_plate.h"
-#include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -11,8 +10,6 @@ static_assert(offsetof(XrPlatePlacementHRTX, radius) == 56, "4 bytes of padding 
 static_assert(sizeof(XrReachInstructionHRTX) == 48, "no padding at the end");
 static_assert(offsetof(XrReachInstructionHRTX, goalDirection) == 32, "no padding after start");
 static_assert(sizeof(XrReachTruthHRTX) == 80, "no padding at the end");
-static_assert(offsetof(XrCallRecordHRTX, reason) == 92, "no padding after function");
-static_assert(sizeof(XrCallRecordHRTX) == 352, "no padding at the end");
 
 XrStructureType hrt_structure_types[] = {XR_TYPE_PLATE_PLACEMENT_HRTX, XR_TYPE_REACH_INSTRUCTION_HRTX,
-                                         XR_TYPE_REACH_TRUTH_HRTX, XR_TYPE_CALL_RECORD_HRTX};
+                                         XR_TYPE_REACH_TRUTH_HRTX};

@@ -3,8 +3,6 @@
 
 #include "tests/plugin/plate/eventually.h"
 #include "tests/samples/mock_runtime/support.h"
-#include "tests/samples/process.h"
-#include "tests/samples/text.h"
 
 namespace hrt::mock {
 namespace {
@@ -73,7 +71,7 @@ TEST_F(MockPlateTerminal, SessionFailsIfAFileExistsAtTheTerminal) {
   apply(script());
   EXPECT_XR(XR_ERROR_RUNTIME_FAILURE,
             result_of(xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system}));
-  EXPECT_TRUE(has(call_log().back().reason, "script.plate.terminal: " + terminal()));
+  EXPECT_TRUE(has(last_call(), "script.plate.terminal: " + terminal()));
   EXPECT_EQ(read_file(terminal()), "thesis");
 }
 

@@ -12,6 +12,7 @@
 
 #include "samples/mock_runtime/abi/negotiation.h"
 #include "samples/mock_runtime/abi/structure.h"
+#include "tests/samples/process.h"
 
 namespace hrt::mock {
 
@@ -89,14 +90,19 @@ class Application : public ::testing::Test {
 /// Fixture with an instance that is created through the loader and enables the given extensions.
 class MockRuntime : public Application {
  protected:
-  explicit MockRuntime(std::vector<const char*> enabled = default_extensions()) : extensions_(std::move(enabled)) {}
+  explicit MockRuntime(std::vector<const char*> enabled = default_extensions(), bool creates_instance = true)
+      : extensions(std::move(enabled)), creates_instance_(creates_instance) {}
   void SetUp() override;
   void TearDown() override;
   PFN_xrVoidFunction look_up(const char* name) override { return fetch<PFN_xrVoidFunction>(instance, name); }
 
   /// Calls create_session() and focus(), and reads all events.
   void begin_session();
+  /// Replaces the script and the instance.
   void apply(const std::string& script);
+  XrResult try_apply(const std::string& script);
+  XrResult create_instance();
+  void destroy_instance();
   /// Calls apply() and begin_session(), and creates `local` and `hand`.
   void begin_with(const std::string& script);
 
@@ -111,15 +117,19 @@ class MockRuntime : public Application {
   /// Reads all events and returns the session states that they report.
   std::vector<XrSessionState> all_states();
 
-  std::vector<XrCallRecordHRTX> call_log();
+  /// Returns the last line of the call log.
+  std::string last_call();
 
   /// Places a plate with a radius of 75 mm at the origin of `in`.
   void place_plate(XrSpace in);
   void instruct(double goal_deg = 5.0, const XrVector3f& start = {}, double length_m = 0.1);
   XrReachTruthHRTX truth();
 
+  std::vector<const char*> extensions;
+  TemporaryFolder folder;  ///< of the script and the call log
+
  private:
-  std::vector<const char*> extensions_;
+  bool creates_instance_;
 };
 
 /// Fixture that negotiates with the runtime itself: loaders check some arguments before the runtime does.

@@ -44,9 +44,6 @@ class MockGraphics : public MockRuntime {
   MockGraphics() : MockRuntime(drawing_extensions) {}
   void SetUp() override {
     MockRuntime::SetUp();
-    application.emplace(instance, system);
-    application->request_requirements();
-    application->create_device();
     setenv("HRT_MOCK_PICTURES", folder.path.c_str(), 1);
   }
   void TearDown() override {
@@ -64,6 +61,9 @@ class MockGraphics : public MockRuntime {
   }
   void begin_drawing(const std::string& script = "{}") {
     apply(script);
+    application.emplace(instance, system);
+    application->request_requirements();
+    application->create_device();
     const XrGraphicsBindingVulkanKHR binding = application->binding();
     ASSERT_XR(XR_SUCCESS, create_drawing_session(&binding));
     focus();
@@ -127,7 +127,6 @@ class MockGraphics : public MockRuntime {
   }
   Picture picture(const std::string& name) { return read_png(folder / name); }
 
-  TemporaryFolder folder;
   std::optional<VulkanApplication> application;
 };
 
