@@ -1,4 +1,4 @@
-# Android on 64-bit ARM by Google's NDK in ANDROID_NDK_HOME. It has never been run, because no NDK or device was available.
+# Android on 64-bit ARM by Google's NDK in ANDROID_NDK_HOME. This file was never used, because no NDK or device was available.
 if(NOT EXISTS "$ENV{ANDROID_NDK_HOME}/build/cmake/android.toolchain.cmake")
   message(FATAL_ERROR "ANDROID_NDK_HOME is \"$ENV{ANDROID_NDK_HOME}\"; it must name the folder of an NDK, r23 or later")
 endif()

@@ -1,7 +1,8 @@
 # WebAssembly by Debian's emscripten; node runs programs.
 set(CMAKE_CROSSCOMPILING_EMULATOR node)
 include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
-# Uses WebAssembly's exceptions: JavaScript's would need functions of the loader for each call.
+# Uses exceptions of WebAssembly. Emulated in JavaScript, they would add a function of the loader for each call that may
+# throw.
 set(CMAKE_C_FLAGS_INIT -fwasm-exceptions)
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions -include ${CMAKE_CURRENT_LIST_DIR}/wasm_libcxx.h")
 include(${CMAKE_CURRENT_LIST_DIR}/debian_headers.cmake)

@@ -142,7 +142,7 @@ class SlidingPerson {
   PlatePoint felt_position_;
   bool feels_place_;
   int delay_;            // milliseconds
-  double noise_sd_deg_;  // SD per millisecond
+  double noise_sd_deg_;  // SD of the noise that each step of 1 ms adds to the direction
   double direction_deg_;
   double velocity_right_mm_s_ = 0.0, velocity_away_mm_s_ = 0.0;  // state of an arm
   double force_right_mn_ = 0.0, force_away_mn_ = 0.0;

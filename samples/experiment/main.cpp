@@ -85,7 +85,9 @@ void simulate(const Options& options) {
   freeze(design, options.data, Disk());
   for (unsigned first = 1; first <= options.threads; ++first) {
     const pid_t child = fork();
-    if (child < 0) throw Refusal(std::string("cannot start a process: ") + std::strerror(errno));
+    if (child < 0)
+      throw Refusal(format("cannot start process %u of %u: %s. Use fewer (--threads)", first, options.threads,
+                           std::strerror(errno)));
     if (child > 0) continue;
     try {
       for (unsigned participant = first; participant <= design.participants; participant += options.threads)
@@ -152,8 +154,10 @@ void add_commands(CLI::App& app, Options& options) {
                   "Registration file of hrt-reach --register [register by touches]")
       ->needs("--scene")
       ->excludes("--simulated", "--finger");
-  run->add_option("--live", options.live,
-                  "Serve a page on 127.0.0.1 that displays the session: look, or keys (with the experimenter's keys)")
+  run->add_option(
+         "--live", options.live,
+         "Serve a page on 127.0.0.1. look: it displays the session; keys: a second page also has the experimenter's "
+         "keys")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
   run->add_flag_callback(

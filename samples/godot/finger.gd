@@ -1,4 +1,4 @@
-## A tracked joint at the fingertip. This node has its pose. Each source of poses is a derived script.
+## A node with the pose of a tracked joint at the fingertip. Each source of poses is a derived script.
 class_name Finger
 extends Node3D
 

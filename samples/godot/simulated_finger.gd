@@ -5,10 +5,10 @@ extends Finger
 
 ## Offset from the tracked joint to the skin in the axes of the joint, which a set-up measures.
 const SKIN_OFFSET := Vector3(0, -0.008, -0.012)
-## Height to which the finger is lifted. A set-up detects this lift within three frames, also at 5 frames a second.
+## Height to which the finger is lifted. A set-up detects this lift even at 5 frames a second, within three frames.
 const LIFT := Vector3(0, 0.12, 0)
 const SPEED_M_S := 0.4
-## SD of each coordinate, equal to that of the simulated person of the library.
+## SD of the tracker noise of each coordinate, equal to that of the library's simulated person.
 const TRACKER_NOISE_M := 0.0012
 ## Rotations of the joint in the touches that measure the offset of the skin.
 const ROTATIONS: Array[Vector3] = [Vector3(), Vector3(0.9, 0, 0), Vector3(-0.3, 0, 0.6), Vector3(-0.3, 0, -0.6),

@@ -72,9 +72,9 @@ typedef uint32_t hrt_adaptation;
 /** @flags HRT_SESSION Options of a session: hrt_session_config::flags. */
 typedef uint32_t hrt_session_flags;
 /** The plate does not move until the finger moves. Set this flag if the finger rests on the ridges before a reach,
- *  because the user feels a plate that turns under a resting finger. Without the flag, the plate turns to the
- *  orientation that the start of the motion requires when the reach begins; with it, fewer fast reaches end at the
- *  target. */
+ *  because the user feels a plate that turns under a resting finger. Without the flag, the plate turns as soon as the
+ *  reach begins, to the orientation that the start of the motion requires. With the flag, fewer fast reaches end at
+ *  the target. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
 /** The plate's pose is from a registration made at registration.time_ns. A set-up sets this flag; hrt_scene_register(),
  *  which writes the scene's pose, clears it. Both discard contacts. */

@@ -126,7 +126,8 @@ class SerialLine : public Line {
     settings.c_cflag |= CLOCAL | CREAD;
     settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
     if (cfsetspeed(&settings, speed) != 0 || tcsetattr(line_, TCSANOW, &settings) != 0)
-      throw PlateFailure(Fault::line, "cannot be set up: " + reason());
+      throw PlateFailure(Fault::line, "does not accept its baud rate with 8 data bits and no parity: " + reason() +
+                                          ". Check that it is the plate's serial device");
     tcflush(line_, TCIOFLUSH);
   }
 

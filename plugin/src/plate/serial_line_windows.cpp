@@ -162,7 +162,9 @@ class SerialLine : public Line {
     // A read ends 1 ms after its first bytes have arrived.
     COMMTIMEOUTS timeouts{1, 0, 0, 0, 0};
     if (!SetCommState(line_, &settings) || !SetCommTimeouts(line_, &timeouts))
-      throw PlateFailure(Fault::line, "cannot be set up: " + reason());
+      throw PlateFailure(Fault::line, "does not accept " + std::to_string(baud) +
+                                          " baud with 8 data bits and no parity: " + reason() +
+                                          ". Check that it is the plate's serial device");
     PurgeComm(line_, PURGE_RXCLEAR | PURGE_TXCLEAR);
   }
 

@@ -77,7 +77,7 @@ class HobbyServo : public EmulatedServo {
   explicit HobbyServo(const ServoTraits& traits = {}, double orientation_deg = 0.0)
       : EmulatedServo(traits, orientation_deg) {}
 
-  /// Receives a pulse, which drives the motor for one frame.
+  /// Receives a pulse, which drives the motor for one pulse period.
   void receive_pulse(double width_us, Time now);
   void run_until(Time now);
   double sensor_mv() { return 2500.0 + reading_deg() * 3000.0 / 180.0; }

@@ -68,7 +68,8 @@ TouchFrame::TouchFrame(const std::string& text)
     if (size_mm == 0.0 && info->resolution > 0)
       size_mm = (static_cast<double>(info->maximum) - info->minimum) / info->resolution;
     if (size_mm < 30.0)
-      fail(path_, format("has a size of %g mm. Measure its touch area and add ?%s=... (30 or more)", size_mm, setting));
+      fail(path_, format("has %s %g (0: not reported). Measure its touch area and add ?%s=... (30 or more)", setting,
+                         size_mm, setting));
   }
   require_opened(-libevdev_set_clock_id(device_.get(), CLOCK_MONOTONIC), path_);
   require_opened(-libevdev_grab(device_.get(), LIBEVDEV_GRAB), path_);

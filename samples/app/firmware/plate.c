@@ -9,13 +9,14 @@ enum {
   EMERGENCY_MS = 2, /* a shorter opening is noise */
   SUPPLY_MS = 5,    /* a shorter dip is due to a starting motor */
   SUPPLY_ADC = 409, /* half of 4 V, on a scale of 5 V: servos for 5 to 6 V lose their force below 4 V */
-  /* A servo is homed with one pulse in eight. Many servos drive their motor for one frame per pulse, so that they turn
+  /* A servo is homed with one pulse in eight. Many servos drive their motor for 20 ms per pulse, so that they turn
    * at an eighth of their speed. 180 degrees at 200 degrees a second then take 7.2 s. */
   HOME_MS = 8000,
   SETTLE_PERIOD_MS = 160,
   FRAME_MS = 20,
   /* Largest angle by which the pulse may be ahead of the measured orientation: MIN_LEAD_MILLIDEG plus the speed times
-   * the sum of the setting `latency` and LEAD_MS (a frame, and the sensor's filter). After `FAST`: FAST_LEAD_MILLIDEG.
+   * the sum of the setting `latency` and LEAD_MS (a pulse period, and the sensor's filter). After `FAST`:
+   * FAST_LEAD_MILLIDEG.
    */
   LEAD_MS = 30,
   MIN_LEAD_MILLIDEG = 2000,

@@ -129,8 +129,8 @@ bool settings_has_feedback(const Settings* settings) {
   return settings->value[SETTING_ADC_AT_MIN] != settings->value[SETTING_ADC_AT_MAX];
 }
 
-/* Returns the bend of the sensor, in hundredths of a degree, at the fraction part / whole of the range of its readings.
- * Interpolates linearly between the settings bend_0 to bend_8. */
+/* Returns the nonlinearity of the sensor, in hundredths of a degree, at the fraction part / whole of the range of its
+ * readings. Interpolates linearly between the settings bend_0 to bend_8. */
 static int32_t bend_at(const Settings* settings, int32_t part, int32_t whole) {
   if (whole < 0) {
     part = -part;

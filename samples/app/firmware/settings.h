@@ -18,7 +18,7 @@ typedef enum Setting {
   SETTING_MIN_DEG,     /**< lower limit of the orientation */
   SETTING_MAX_DEG,     /**< upper limit of the orientation */
   SETTING_SPEED_DEG_S, /**< speed of the motion */
-  SETTING_LATENCY_MS,  /**< time from a line to the servo's motion: half of a frame and the servo's dead time */
+  SETTING_LATENCY_MS,  /**< time from a line to the servo's motion: half of the pulse period and the dead time */
   SETTING_ADC_AT_MIN,  /**< reading of the sensor at the lower limit */
   SETTING_ADC_AT_MAX,  /**< reading at the upper limit; equal to that at the lower limit if there is no sensor */
   SETTING_EMERGENCY,   /**< 1: the emergency stop's contact must be closed; 0: there is no emergency stop */

@@ -24,7 +24,7 @@ HOBBY = {
     "nets": {
         "5 to 6 V": "mains+ F1.1", "fused": "F1.2 S1a.1", "servo supply, off while S1 is pressed": "S1a.2 hobby+ C1+ R4.1",
         "half of the supply": "R4.2 R5.1 Arduino.A1", "pulse at the servo": "R1.2 hobby.pulse", "pulse": "R1.1 R2.1 Arduino.D9",
-        "emergency stop": "S1b.1 Arduino.D2", "sensor": "AS5600.OUT R3.1", "place": "R3.2 Arduino.A0", "5 V of the board": "AS5600.VCC Arduino.5V",
+        "emergency stop": "S1b.1 Arduino.D2", "sensor": "AS5600.OUT R3.1", "sensor at the board": "R3.2 Arduino.A0", "5 V of the board": "AS5600.VCC Arduino.5V",
         "ground": "mains- hobby- C1- R5.2 R2.2 S1b.2 AS5600.GND AS5600.DIR Arduino.GND"},
 }
 NAMES = {"mains": "mains adapter", "hub": "ROBOTIS U2D2 power hub", "XL330": "ROBOTIS XL330", "U2D2": "ROBOTIS U2D2|", "S1a": "S1a emergency",

@@ -30,7 +30,7 @@ std::vector<double> fit_bend(const std::vector<SweepPoint>& sweep, double min_de
   std::vector<double> bend_deg;
   for (int i = 0; i < count; ++i) {
     const double reported_deg = min_deg + (max_deg - min_deg) * i / (count - 1);
-    double found_deg = 0.0;  // bend at the orientation that is reported as reported_deg
+    double found_deg = 0.0;  // nonlinearity at the orientation that is reported as reported_deg
     for (int k = 0; k < 3; ++k) found_deg = fitted.dot(basis_at(reported_deg - found_deg));
     bend_deg.push_back(found_deg);
   }

@@ -1,4 +1,4 @@
-// Bend of the sensor of a plate: difference between its reports and a straight line.
+// Nonlinearity of the sensor of a plate (settings bend_0 to bend_8): deviation of its reports from a straight line.
 #pragma once
 
 #include <vector>

@@ -20,14 +20,14 @@ constexpr double max_limit_deg = 95.0;
 constexpr double scale_error = 0.007;  // relative standard error of 60 degrees that are read to a degree
 constexpr double min_readings = 20.0;  // smallest difference of the sensor's readings at the two angles
 constexpr double stop_step_deg = 3.0;  // step of the search for a stop
-constexpr double max_lag_deg = 0.5;  // a plate that lags more in the last step is at a stop; the converter resolves 0.3
-constexpr int bends = 9;             // number of the settings bend_0 to bend_8
-constexpr double max_bend_deg = 5.0;     // a larger bend shows that the sensor is mounted wrongly
+constexpr double max_lag_deg =
+    0.5;                  // a plate that lags more in the last step is at a stop; a count of the sensor is 0.3
+constexpr int bends = 9;  // number of the settings bend_0 to bend_8: the nonlinearity of the sensor
+constexpr double max_bend_deg = 5.0;     // a larger nonlinearity shows that the sensor is mounted wrongly
 constexpr double stop_margin_deg = 2.0;  // distance of the limits from the stops
 // Errors, relative to the value, that the standard errors of the fits do not include, found with 200 simulated plates.
-// The residual bend affects the first degrees of a step, which determine the acceleration. The resolution of the
-// converter and the position of a servo within its dead band affect the play; the resolution of an encoder affects the
-// speed.
+// The residual nonlinearity affects the first degrees of a step, which determine the acceleration. The counts of the
+// sensor and the position of a servo within its dead band affect the play; the counts of an encoder affect the speed.
 constexpr double bend_error = 0.45, min_play_deg = 0.06;
 constexpr double acceleration_error = 0.16, ramp_error = 0.04, encoder_error = 0.00018;
 constexpr double speed_fraction = 0.9;  // speed setting, as a fraction of the speed of the servo
@@ -167,7 +167,7 @@ void set_up_servo(const Opener& open, const Dialogue& dialogue) {
     set_limits(board, sensor, min_deg, max_deg);
   });
   with_board(open, [&](Device& device, BoardSettings& board) {
-    dialogue.print("Measuring the bend of the sensor");
+    dialogue.print("Measuring the nonlinearity of the sensor");
     const DeviceLimits limits = device.limits();
     const auto bend_deg = fit_bend(sweep(device), limits.min_deg, limits.max_deg, bends);
     for (const double off_deg : bend_deg)

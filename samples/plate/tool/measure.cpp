@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double max_slip_deg = 0.4;  // largest error of the return from the sweep; the converter resolves 0.3
+constexpr double max_slip_deg = 0.4;  // largest error of the return from the sweep; a count of the sensor is 0.3
 constexpr double near_deg = 5.0;      // a plate that is nearer to its command has arrived
 constexpr double still_deg = 0.6;     // largest change of the reports of a plate at rest, due to noise
 constexpr auto rest_time = 200ms;
@@ -76,7 +76,8 @@ Step step_to(Device& device, double from_deg, double orientation_deg) {
   return step;
 }
 
-// Measures the response to ten steps at ten phases of the pulses. A short turn before each step takes up the play.
+// Measures the response to ten steps, which begin at ten times within the pulse period. A short turn before each step
+// takes up the play of the gears.
 void measure_steps(Device& device, Measurements& found) {
   const double half_deg = std::min(max_step_deg / 2.0, 0.9 * std::min(found.limits.max_deg, -found.limits.min_deg));
   const double filter_s = std::chrono::duration<double>(device.sensor_filter()).count();
@@ -86,7 +87,7 @@ void measure_steps(Device& device, Measurements& found) {
   for (int i = 0; i < steps; ++i) {
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     settle_at(device, -sign * half_deg);
-    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // starts at another fraction of a step of the converter
+    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // start at another fraction of a count of the sensor
     const double from_deg = settle_at(device, -sign * (half_deg - run_up_deg - aside_deg));
     while ((device.now() - first) % frame > 1ms) device.wait(1ms);
     for (const auto begin = device.now() + frame * i / steps; device.now() < begin;) device.wait(1ms);
@@ -108,7 +109,7 @@ std::vector<SweepPoint> sweep(Device& device) {
   const double min_deg = low_deg, max_deg = high_deg;
   const int count = std::max(4, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
   const auto visit = [&](int i, bool upwards) {
-    // Uneven steps, so that the points have different fractions of a step of the converter.
+    // Unequal distances, so that the points are at different fractions of a count of the sensor.
     const double aside = i == 0 || i == count ? 0.0 : 0.5 * (std::fmod(0.618 * i, 1.0) - 0.5);
     const double commanded_deg = min_deg + (max_deg - min_deg) * (i + aside) / count;
     found.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});

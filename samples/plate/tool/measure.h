@@ -50,9 +50,10 @@ double settle_at(Device& device, double orientation_deg);
 /// each stage. Throws PlateFailure, also if the plate has no sensor.
 Measurements measure(Device& device, const std::function<void(const std::string&)>& print);
 
-/// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, finds direction,
-/// span, sensor and stops, and saves them in the plate; other devices need no settings. `open` opens the device, and
-/// may be called several times. Throws PlateFailure if a quantity cannot be measured, and InputEnded.
+/// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, finds direction
+/// and span of the servo, readings and nonlinearity of the sensor, and stops, and saves them in the plate; other
+/// devices need no settings. `open` opens the device, and may be called several times. Throws PlateFailure if a
+/// quantity cannot be measured, and InputEnded.
 Measurements commission(const std::function<std::unique_ptr<Device>()>& open, const Dialogue& dialogue);
 
 /// Returns the measurements as text.

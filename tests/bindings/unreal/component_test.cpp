@@ -143,7 +143,7 @@ TEST_F(Component, UsesTheMeasuredOrientation) {
   EXPECT_NE(last_log().find("duration_s"), std::string::npos) << last_log();
 }
 
-/** Returns the command after a slide to the right by 0.6 mm a frame, on a plate with the given pose. */
+/** Returns the command after a slide of 10 cm forward and 0.8 cm to the right in 3 s, on a plate with the given pose. */
 FHapticCommand slide_on(const FTransform& plate) {
   UHapticRetargetingComponent component;
   component.SetWorldTransform(plate);

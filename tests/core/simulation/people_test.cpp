@@ -259,7 +259,8 @@ TEST(SimulationPeople, FramesWithErrors_GiveTheHandCalculatedBearings) {
   }
 }
 
-// A plate offset of 10 degrees changes the shift w t by 10 w.
+// The shift of the perceived direction is the tactile weight times the angle between motion and ridge normal, which the
+// plate offset changes by 10 degrees.
 TEST(SimulationPeople, APlateOffset_DeflectsThePathByTheWeight) {
   PersonCondition condition = draw("linear");
   condition.person.noise_deg2_per_s = 0.0;

@@ -56,7 +56,7 @@ TEST_F(Firmware, StartsFromTheMeasuredPosition) {
   EXPECT_NEAR(*std::get<PlateReport>(*report).orientation_deg, 80.0, 0.5);
 }
 
-// Expected: pulses of 1500 us at 0 and 2000 us per 180 degrees, from -90 to 90 degrees in steps of 0.5, and a frame of
+// Expected: pulses of 1500 us at 0 and 2000 us per 180 degrees, every 0.5 degrees from -90 to 90, and a period of
 // 20 ms.
 TEST_F(Firmware, PulsesAreWithinAMicrosecondOverTheWholeRange) {
   set(-90.0, 900ms);
@@ -90,7 +90,7 @@ TEST_F(Firmware, EchoesSequenceNumbersWithinMilliseconds) {
   std::printf("from a line to its echo: %.2f ms\n", static_cast<double>((board_.now() - sent).count()) * 1e-6);
 }
 
-// The pulse is constant from 300 ms after the last byte on, at every phase of the frame.
+// The pulse is constant from 300 ms after the last byte on, at every phase of the pulse period.
 TEST_F(Firmware, StopsWithin300MillisecondsOfSilence) {
   std::chrono::nanoseconds slowest{};
   for (int phase = 0; phase < 20; ++phase) {
@@ -150,7 +150,7 @@ TEST_F(Firmware, DamagedLinesMoveNothing) {
     })) << i;
   }
   for (std::size_t i = before; i < board_.pulses().size(); ++i)
-    EXPECT_NEAR(board_.pulses()[i].width_us(), held_us, 0.45);  // a step is 0.5
+    EXPECT_NEAR(board_.pulses()[i].width_us(), held_us, 0.45);  // the timer counts 0.5 us
   board_.receive_line("TEST");
   board_.run_for(30ms);
   const auto lines = board_.take_lines();
@@ -190,7 +190,7 @@ TEST_F(Firmware, EmergencyStopCompletesTheLastPulse) {
   EXPECT_TRUE(has_sent("STOPPED emergency"));
 }
 
-// Without a sensor, the compare unit omits the pulses of seven in eight frames for 8 s.
+// Without a sensor, the compare unit omits seven of eight pulses for 8 s.
 TEST_F(FirmwareWithoutSensor, IsHomedByOnePulseInEight) {
   set(-40.0, 500ms);
   EXPECT_TRUE(has_sent("STOPPED unhomed"));
@@ -250,7 +250,7 @@ TEST_F(Firmware, KeepsItsSettingsInEeprom) {
   EXPECT_EQ(greeting_with(memory), kept);
   memory[20] ^= 1;  // one copy is damaged, as by a power failure while it is written
   EXPECT_EQ(greeting_with(memory), kept);
-  memory[128 + 20] ^= 1;  // both are
+  memory[128 + 20] ^= 1;  // both copies are
   EXPECT_EQ(greeting_with(memory), "PLATE 2 -45.00 45.00 60.00 30.00 assumed;INFO 1.1.0 000000;");
 }
 

@@ -231,7 +231,7 @@ TEST(PlateCommission, WritesTheFileOfAPlate) {
   EXPECT_TRUE(has(file.at("details").dump(), "setting span -2") &&
               has(file.at("details").dump(), "test emergency closed"));
   EXPECT_NEAR(file.at("session").at("plate_max_speed_deg_s").get<double>(), 144.0, 8.0);
-  const auto& latency_ms = file.at("measured").at("latency_ms");  // dead time, half a frame, a pulse
+  const auto& latency_ms = file.at("measured").at("latency_ms");  // dead time, half a pulse period, a pulse
   EXPECT_NEAR(latency_ms.at(0).get<double>(), 21.5, 3.0 * latency_ms.at(1).get<double>());
   EXPECT_NEAR(file.at("measured").at("backlash_deg").at(0).get<double>(), 2.2, 0.3);
   const PlateFile read = read_plate_file(folder / "plate.json");
@@ -304,7 +304,7 @@ struct Hobby : Disturbed<HobbyPlate> {
                       {reader_of(scale_readings(*this)), [](const std::string&) {}});
   }
   EmulatedServo& physics() { return servo; }
-  static constexpr double exchange_ms = 10.0;  // half a frame of its pulses
+  static constexpr double exchange_ms = 10.0;  // half a period of its pulses
 };
 
 struct Xl330 : Disturbed<EmulatedDynamixel> {
@@ -334,7 +334,7 @@ struct Accuracy {
   std::map<std::string, std::vector<double>> errors;  // in stated standard errors
   double mean_ms = 0.0, max_ms = 0.0;                 // errors of the latency
 
-  // Returns the errors that exceed the tolerance: 5 % of the speed, 3 ms of latency, half a step of the converter for
+  // Returns the errors that exceed the tolerance: 5 % of the speed, 3 ms of latency, half a count of the sensor for
   // the backlash, or three stated standard errors.
   std::string compare(const Measurements& found, const EmulatedServo& servo, double exchange_ms) {
     std::string wrong;
@@ -382,7 +382,7 @@ TYPED_TEST(PlateCommissionOf, MeasuresTwoHundredPlatesWithinTheirStatedErrors) {
       std::printf("plate %u is refused: %s\n", i, failure.what());
     }
   }
-  EXPECT_LE(refused, (std::is_same_v<TypeParam, Hobby>) ? 50 : 0);  // plates with a bent sensor
+  EXPECT_LE(refused, (std::is_same_v<TypeParam, Hobby>) ? 50 : 0);  // plates whose sensor is too nonlinear
   EXPECT_LE(wrong, 6);                                              // of 800 numbers, beyond three standard errors
   EXPECT_NEAR(accuracy.mean_ms, 0.0, (std::is_same_v<TypeParam, Hobby>) ? 1.5 : 0.5);
   EXPECT_LT(longest_s, 180.0);

@@ -117,7 +117,7 @@ TEST(TouchFrame, LocatesTheFingerAmongContacts) {
   device.report(1600 * ms, 1, 6, 260, 150);
   EXPECT_EQ(at(1600), "10.00 -80.00");
   device.report(1700 * ms, 1, -1, 0, 0, true);
-  device.report(1700 * ms, 0, 7, 200, 150, true);  // known from the kernel's state alone
+  device.report(1700 * ms, 0, 7, 200, 150, true);  // SYN_DROPPED: the contact is read from the kernel's state
   EXPECT_EQ(at(1730), "10.00 -20.00");
 }
 

@@ -38,7 +38,7 @@ bool UHapticRetargetingComponent::HasLibrary() const
 	return false;
 }
 
-/** Writes lines of the session's log to the engine's log, those of the last reach immediately. */
+/** Sends the session's log to the engine's log from now on, and writes the lines that the last reach has stored. */
 bool UHapticRetargetingComponent::TakeLog() const
 {
 	hrt_host Host = hrt_host_init();
