@@ -67,9 +67,10 @@ struct Tuning {
   double wander_s = 0.3;               ///< s: [model] time constant of the wander, the random part of the own path
   /// SD of the habit from reach to reach over the SD of the wander; recorded reaches have 9.1 over 3.8 degrees
   double habit_scatter = 1.0;
-  double min_return_fraction = 0.1;  ///< [model] lower bound of 1 - s in the return to the line
-  double pace_skew = 0.4;            ///< [model] skew of the pace; recorded reaches have 0.54 and 0.14, +-0.4
-  double answer_s = 0.3;             ///< s: [model] time constant of the response to a moved target
+  double min_return_fraction =
+      0.1;                 ///< [model] smallest fraction of the path over which the finger returns to the line
+  double pace_skew = 0.4;  ///< [model] skew of the pace; recorded reaches have 0.54 and 0.14, +-0.4
+  double answer_s = 0.3;   ///< s: [model] time constant of the response to a moved target
   /// s: [model] delay from the plate to the perceived direction; half of the largest simulated delay of 0.12
   double sensory_delay_s = 0.06;
   /// SD of the response to a moved target, as a fraction of the change of direction

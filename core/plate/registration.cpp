@@ -15,7 +15,8 @@ constexpr double min_spread_mm = 10.0;
 // Weight of the assumed SD of a touch, as a number of squared residuals.
 constexpr double assumed_squares = 6.0;
 constexpr double max_offset_sd_mm = 5.0;
-// Lower limit of the smallest eigenvalue of the information matrix; it is at most 2 per touch.
+// Lower limit of the smallest eigenvalue of the information matrix in fit_fingertip(). Below it, the finger was turned
+// too little between touches. No eigenvalue exceeds 2 per touch.
 constexpr double min_turned = 1e-6;
 constexpr double min_cosine_up = 0.5;
 // Limits of the scale.

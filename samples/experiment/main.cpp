@@ -139,7 +139,8 @@ void add_commands(CLI::App& app, Options& options) {
   run->add_option("--simulated", options.reach.seed,
                   "Seed of a simulated participant; without --scene, no runtime is used")
       ->each([&options](const std::string&) { options.simulated = true; });
-  run->add_option("--scene", options.reach.scene, "glTF file with the plate and the start, for OpenXR");
+  run->add_option("--scene", options.reach.scene,
+                  "glTF file with the plate and the start, for a session through OpenXR. Required without --simulated");
   run->add_option("--plate", options.plate, "Plate, as in hrt-reach --help [runtime]")
       ->needs("--scene")
       ->check([](const std::string& text) {

@@ -191,9 +191,10 @@ int main(int argc, char** argv) {
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};  // what the simulated user felt; unknown for a real user
   const auto get_truth = headset.function<PFN_xrGetReachTruthHRTX>("xrGetReachTruthHRTX");
   CHECK_XR(get_truth(headset.session, XR_HAND_RIGHT_EXT, &truth));
-  std::printf("The hand ended %.1f mm from the %s. The user felt %+.1f degrees; the %s is at %+.1f degrees.\n",
-              distance_mm(truth.indexTip, reach.real_target.position_m), reach.real_target.name,
-              truth.perceivedDirection, reach.virtual_target.name, reach.virtual_target.direction_deg);
+  std::printf(
+      "The hand ended %.1f mm from the %s. The user felt it move at %+.1f degrees; the %s is at %+.1f degrees.\n",
+      distance_mm(truth.indexTip, reach.real_target.position_m), reach.real_target.name, truth.perceivedDirection,
+      reach.virtual_target.name, reach.virtual_target.direction_deg);
   check(hrt_session_destroy(reach.session));
   CHECK_XR(xrDestroyInstance(headset.instance));  // also destroys session, hand tracker and space
   return 0;

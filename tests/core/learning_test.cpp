@@ -66,8 +66,9 @@ TEST(Learning, ADropOfTheWeightAfterAMiss_ResetsTheIllusion) {
   EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonState::weight), 0.18);
 }
 
-// Prior bias 0 +- 4, scatter 1.2 +- 0.8, and a reach with a bias of 3 +- 0.71. The person's bias becomes 3 (16 /
-// 17.44); the expected square of the reach's deviation is 0.248^2 + 1.3245, of which 8 / 17 enter the scatter.
+// Prior: bias 0 +- 4, scatter 1.2 +- 0.8. A reach measures a bias of 3 +- 0.71. The person's bias becomes
+// 3 * 16 / (16 + 1.2^2), and this reach deviates by the rest, 0.248. The expected square of the deviation is
+// 0.248^2 + 1.3245; the squared scatter moves towards it by 8 / 17 of the difference.
 TEST(Learning, ADeviationOfOneReach_IsDividedBetweenBiasAndScatter) {
   const PersonBelief unknown = unknown_person();
   PersonBelief learnt = unknown;

@@ -37,7 +37,7 @@ typedef uint32_t hrt_reach_flags;
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
 /** The reach starts at the first position of the finger instead of hrt_session_config::start_position_m; directions and
  *  distances are measured from there. Until the first position, the plate turns as for the configured start, and
- *  samples are not counted. Has no effect in a reach with directions only. */
+ *  samples are not counted. Has no effect if samples have directions only. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
 /** Configuration of a reach. */
@@ -270,7 +270,7 @@ typedef struct hrt_reach_summary {
   /** Warnings. UNREACHABLE, CONTACTS and NOT_AT_START are those of the last command; MISFIT, REGISTRATION, IMPLAUSIBLE
    *  and FAULT are set if any command had them; OFF_TARGET and MISS_UNKNOWN refer to the end of the motion. */
   hrt_command_flags flags;
-  /** Bearing of the last position; 0 with HRT_COMMAND_MISS_UNKNOWN. In a reach with directions only, the direction of
+  /** Bearing of the last position; 0 with HRT_COMMAND_MISS_UNKNOWN. If samples have directions only, the direction of
    *  the last step. @ccw */
   double bearing_deg;
   /** bearing_deg minus the bearing of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN. @ccw */
@@ -335,7 +335,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
 
 /** Redirects the reach to other targets, or to the same ones after hrt_target_set() has moved them; call it every frame
  *  while they move. The direction of the real target is then seen from the finger, that of the virtual target from the
- *  perceived position; in a reach with directions only, both from the start. The next command has UNREACHABLE if the
+ *  perceived position; if samples have directions only, both from the start. The next command has UNREACHABLE if the
  *  plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short. If a target has moved by 2 mm
  *  or more, the rest that HRT_COMMAND_ARRIVED requires starts again. On an error, the reach is unchanged.
  *

@@ -49,7 +49,7 @@ typedef uint32_t hrt_guidance;
  *  assumes that the illusion is linear. Choose it to reproduce the paper, or if only directions are tracked. */
 #define HRT_GUIDANCE_FIXED_DIRECTION 0
 /** Steers the finger to the position of the real target at arrival. It estimates the duration of the motion, the
- *  nonlinear illusion, bias, habits and tracker noise. Requires positions: in a reach with directions only,
+ *  nonlinear illusion, bias, habits and tracker noise. Requires positions: if samples have directions only,
  *  FIXED_DIRECTION is used. Tested with simulated people only. */
 #define HRT_GUIDANCE_ARRIVAL 1
 
@@ -252,8 +252,8 @@ typedef struct hrt_session_paper {
   /** Cost of the perceived-direction error. Raising it keeps the perceived direction closer to the virtual one and
    *  steers more slowly. @range 1e-6 to 1e6 @unit 1 @default 1 */
   double perceived_weight;
-  /** Cost of the finger's actual error. Raising it steers faster, with a larger perceived-direction error; 0: no
-   *  steering. @range 0 to 1e6 @unit 1 @default 1 */
+  /** Cost of the angle between the finger's direction and that of the real target. Raising it makes the controller
+   *  steer faster, with a larger perceived-direction error; 0: no steering. @range 0 to 1e6 @unit 1 @default 1 */
   double actual_weight;
   /** Maximum angle, modulo 180, between the plate orientation and the virtual direction plus person.bias_deg. Raising
    *  it allows larger gaps; near 90, the ridges run along the motion and provide no cue. @range 0.1 to 90
@@ -290,8 +290,8 @@ typedef struct hrt_session_config {
   /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gap of
    *  every pair. The default is on the mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
   double start_position_m[3];
-  /** Height of the tracked position above the plate from which the finger is assumed to be lifted. If it is too low,
-   *  noise of the tracker interrupts reaches; if it is too high, a finger that hovers over the plate is assumed to
+  /** The finger is assumed to be lifted if its tracked position is more than this height above the plate. If it is too
+   *  low, noise of the tracker interrupts reaches; if it is too high, a finger that hovers over the plate is assumed to
    *  touch it. @range 0.0001 to 1 @default 0.015 */
   double lift_height_m;
   /** Vector from the tracked joint to the point of contact on the skin, in the axes of the joint. Applied to samples

@@ -102,8 +102,8 @@ const char* attitude_text(int number) {
   // The finger is rotated about two axes, each to both sides.
   constexpr const char* attitudes[finger_attitudes] = {"flat",
                                                        "steeply",
-                                                       "leant to the left",
-                                                       "leant to the right",
+                                                       "tilted onto its left side",
+                                                       "tilted onto its right side",
                                                        "flat, turned to the left",
                                                        "flat, turned to the right"};
   return attitudes[number % finger_attitudes];
@@ -112,7 +112,7 @@ const char* attitude_text(int number) {
 void write_touch(const SetupStep& step, Text<HRT_TEXT_SIZE>& text) {
   if (step.part == setup_fingertip) {
     text << "Lift your finger. Then touch mark 1 with the finger held " << attitude_text(step.number)
-         << ", and hold still.";
+         << ", and keep it still.";
   } else if (step.part == setup_check) {
     text << "Touch mark " << step.number + 1 << " and hold still, to check the plate's position.";
   } else {

@@ -95,7 +95,7 @@ std::string joined(std::span<const char* const> words) {
 std::string all_names() {
   std::string text;
   for (const WordParameter& parameter : word_parameters)
-    text += (text.empty() ? "one of " : ", ") + std::string(parameter.name);
+    text += (text.empty() ? "" : ", ") + std::string(parameter.name);
   for (const NumberParameter& parameter : number_parameters) text += std::string(", ") + parameter.name;
   return text;
 }
@@ -116,7 +116,7 @@ void take(const std::string& where, std::string_view parameter, const Json& valu
     if (parameter == "duration_s") file->has_duration = true;
     return known.set(file->condition, value.get<double>());
   }
-  throw UsageError(not_allowed(where, shown(parameter), all_names()));
+  throw UsageError(not_allowed(where, shown(parameter), "one of " + all_names()));
 }
 
 }  // namespace
@@ -129,7 +129,8 @@ PersonFile parse_person(const std::string& name, std::string_view text) {
     throw UsageError(refusal.what());
   }
   if (!page.is_object() || page.empty())
-    throw UsageError(name + ": there is no parameter; the file must be a JSON object with " + all_names());
+    throw UsageError(name + ": there is no parameter; the file must be a JSON object with one or more of " +
+                     all_names());
   PersonFile file;
   for (const auto& [parameter, value] : page.items()) take(name + ", " + shown(parameter), parameter, value, &file);
   const C& c = file.condition;

@@ -126,7 +126,7 @@ TEST(ExperimentDesign, LevelsAreCrossedWithOrders) {
 }
 
 struct Wrong {
-  const char* place;  // place that the error names
+  const char* text;  // part of the error text
   std::function<void(json&)> change;
 };
 
@@ -184,8 +184,8 @@ const Wrong wrongs[] = {
 TEST(ExperimentDesign, ErrorsNameTheField) {
   for (const Wrong& wrong : wrongs) {
     const std::string why = refusal_of([&] { small_design(2, wrong.change); });
-    EXPECT_TRUE(why.starts_with("study.json.") && why.find(wrong.place) != std::string::npos)
-        << wrong.place << ": " << why;
+    EXPECT_TRUE(why.starts_with("study.json.") && why.find(wrong.text) != std::string::npos)
+        << wrong.text << ": " << why;
   }
   EXPECT_TRUE(has(refusal_of([] { parse_design("{", "study.json"); }), "study.json"));
   EXPECT_EQ(refusal_of([] { parse_design(R"({"seed": 1, "seed": 2})", "study.json"); }),

@@ -68,8 +68,9 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
     return path.hold_hand({-10, 0, 25}, skin_m);
   };
   const Outcome outcome = expect_exit(0, run(touched().reach(), {"--register", file, "--fingertip"}));
-  expect_said(outcome, {"touch mark 1 with the finger held leant to the left", "The skin is 20.0 mm from the joint",
-                        "registered: residual 0.0 mm", "displace the ends of reaches by 0."});
+  expect_said(outcome,
+              {"touch mark 1 with the finger held tilted onto its left side", "The skin is 20.0 mm from the joint",
+               "registered: residual 0.0 mm", "displace the ends of reaches by 0."});
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.5);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);

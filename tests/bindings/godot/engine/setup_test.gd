@@ -40,7 +40,7 @@ func test_registration() -> void:
 	check_equal(follow(plate, REGISTRATION).done, REGISTRATION, "done")
 	check_equal(results.size(), 1, "signals of the end")
 	check(steps.size() > 20 and steps.size() < 80, "signals of steps: %d" % steps.size())
-	check_equal(steps[0].text, "Lift your finger. Then touch mark 1 with the finger held flat, and hold still.", "the first instruction")
+	check_equal(steps[0].text, "Lift your finger. Then touch mark 1 with the finger held flat, and keep it still.", "the first instruction")
 	check(plate.position.distance_to(PLATE) < 0.003, "the node is at the plate: %s" % plate.position)
 	check_near(plate.rotation_degrees.y, 20.0, "turned as the plate", 2.0)
 	check_equal(plate.flags & HapticRetargeting.SESSION_REGISTERED, HapticRetargeting.SESSION_REGISTERED, "registered")
