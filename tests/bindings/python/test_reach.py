@@ -209,7 +209,5 @@ def test_a_simulated_person_refuses_what_it_cannot_do() -> None:
     with hrt.Session() as session, hrt.Person(7, tactile_weight=0.2) as person:
         with pytest.raises(hrt.Error, match=r"Person.move: .* call Person.begin\(\) with a virtual target first"):
             person.move(0, 0.0)
-        with pytest.raises(TypeError, match="virtual is 5: a Target"):
-            person.begin(session, 5)
     with pytest.raises(hrt.Error, match="duration_s is 0.1"):
         hrt.Person(duration_s=0.1)

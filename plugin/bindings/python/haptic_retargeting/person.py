@@ -10,7 +10,6 @@ from ._abi import PersonConfig, PersonState, Sample
 from ._closing import Closing
 from ._keywords import PersonKeywords
 from ._library import check, library, output
-from .reach import handle_of
 from .session import Session, Target
 
 
@@ -33,7 +32,7 @@ class Person(PersonKeywords, Closing):
     def begin(self, session: Session, virtual: Target | None = None) -> None:
         """Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target. Without one,
         the person follows the instructions of the session's set-up."""
-        target = _abi.TargetHandle() if virtual is None else handle_of(virtual, "virtual")
+        target = _abi.TargetHandle() if virtual is None else virtual.handle
         check(library().hrt_person_begin(self.handle, session.handle, target))
 
     def move(self, time_ns: int, plate_orientation_deg: float) -> Sample:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import time
 from ctypes import byref
 from typing import TYPE_CHECKING
 
@@ -17,35 +16,7 @@ if TYPE_CHECKING:
     from .session import Session, Target
 
 
-class Pace:
-    """Makes a run over an array wait for the disk of its recording, so that no calls are lost. Single updates never wait,
-    because a plate may depend on them."""
-
-    ROWS = 1024  # between two checks; the library holds 8192
-    STALLED_S = 5.0
-
-    def __init__(self, session: _abi.SessionHandle) -> None:
-        self._session = session
-        self.calls = 0
-
-    def wait(self) -> None:
-        """Waits until the disk has nearly caught up with the calls, or has stalled."""
-        status = RecordingStatus()
-        give_up = time.monotonic() + self.STALLED_S
-        while time.monotonic() < give_up:
-            if library().hrt_recording_get_status(self._session, byref(status)) != _abi.OK:
-                return  # the recording has ended before the reach
-            if self.calls - status.rows_written - status.rows_lost <= 4 * self.ROWS:
-                return
-            time.sleep(0.001)
-
-
-def handle_of(target: Target, name: str) -> _abi.TargetHandle:
-    """Returns the handle of a Target. Raises TypeError with the argument's name for anything else."""
-    handle = getattr(target, "handle", None)
-    if not isinstance(handle, _abi.TargetHandle):
-        raise TypeError(f"{name} is {target!r}: a Target is needed, as add_real(), add_virtual() and target() return")
-    return handle
+_ROWS = 4096  # between two waits for the disk of a recording; the library holds 8192
 
 
 def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> int:
@@ -62,7 +33,6 @@ class Reach:
 
     def __init__(self, session: Session, real: Target, virtual: Target, plate_orientation_deg: float | None,
                  start_at_finger: bool, duration_s: float) -> None:
-        handle_of(real, "real"), handle_of(virtual, "virtual")
         config = ReachConfig(real_target=real, virtual_target=virtual, duration_s=duration_s)
         if plate_orientation_deg is not None:
             config.flags |= ReachFlag.PLATE_ORIENTATION
@@ -71,7 +41,6 @@ class Reach:
             config.flags |= ReachFlag.START_AT_FINGER
         check(library().hrt_reach_begin(session.handle, byref(config)))
         self._session = session.handle
-        self._pace = session.pace
         self._command = Command()
         self._cancelled = False
         self._summary: ReachSummary | None = None
@@ -99,8 +68,6 @@ class Reach:
     def update_sample(self, sample: Sample) -> Command:
         """Does the same as update() with a Sample that the caller has filled."""
         check(library().hrt_reach_update(self._session, byref(known_sample(sample)), byref(self._command)))
-        if self._pace is not None:
-            self._pace.calls += 1
         return Command.from_buffer_copy(self._command)
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
@@ -114,26 +81,19 @@ class Reach:
         if len(out) != len(samples) or not out.flags.writeable:
             raise ValueError(f"out must be writeable and have {len(samples)} rows, as samples has")
         samples = known(samples)
-        for first in range(0, len(samples), Pace.ROWS):
-            rows = range(first, min(first + Pace.ROWS, len(samples)))
-            if self._pace is not None:
-                self._pace.wait()
-                self._pace.calls += len(rows)
-            self._run_rows(rows, samples.ctypes.data, out.ctypes.data)
-        return out
-
-    def _run_rows(self, rows: range, samples_at: int, commands_at: int) -> None:
-        """Runs over the arrays by address, which is faster than by objects."""
-        update, session = _update_at(), self._session
-        for row in rows:
-            result = update(session, samples_at + row * SAMPLE.itemsize, commands_at + row * COMMAND.itemsize)
+        # Rows are passed by address, which is faster than by objects.
+        update, samples_at, commands_at = _update_at(), samples.ctypes.data, out.ctypes.data
+        for row in range(len(samples)):
+            if row % _ROWS == 0:  # a recording waits for the disk; the result without one is not an error
+                library().hrt_recording_flush(self._session, byref(RecordingStatus()))
+            result = update(self._session, samples_at + row * SAMPLE.itemsize, commands_at + row * COMMAND.itemsize)
             if result != _abi.OK:
                 raise error(result, f"samples[{row}]: ")
+        return out
 
     def retarget(self, real: Target, virtual: Target) -> None:
         """Redirects the reach to other targets, or to the same targets after they were moved."""
-        check(library().hrt_reach_retarget(
-            self._session, handle_of(real, "real"), handle_of(virtual, "virtual")))
+        check(library().hrt_reach_retarget(self._session, real.handle, virtual.handle))
 
     def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
                 world_position_m: Numbers | None = None) -> None:

@@ -22,7 +22,7 @@ from ._keywords import SessionKeywords, TargetKeywords
 from ._library import LOG, Error, check, library, output
 from ._struct import short
 from .arrays import SAMPLE, Array, expect_rows
-from .reach import Pace, Reach, handle_of
+from .reach import Reach
 from .record import RunRecord, target_place
 from .setup import SetUp
 
@@ -88,8 +88,8 @@ def own_targets(session: Session, handles: ctypes.Array[_abi.TargetHandle]) -> l
     return [Target(session, _abi.TargetHandle(value=handle.value)) for handle in handles]
 
 
-def _handles(targets: Sequence[Target], name: str) -> ctypes.Array[_abi.TargetHandle]:
-    return (_abi.TargetHandle * len(targets))(*(handle_of(target, f"{name}[{i}]") for i, target in enumerate(targets)))
+def _handles(targets: Sequence[Target]) -> ctypes.Array[_abi.TargetHandle]:
+    return (_abi.TargetHandle * len(targets))(*(target.handle for target in targets))
 
 
 class Session(SessionKeywords, Closing):
@@ -110,7 +110,6 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_session_create(_abi.VERSION_NUMBER, byref(SessionConfig(**fields)), byref(self.handle)))
         self._own(self.handle, library().hrt_session_destroy)
         check(library().hrt_host_set_log(self.handle, byref(LOG)))
-        self.pace: Pace | None = None
         self._running: Reach | SetUp | None = None
 
     def __repr__(self) -> str:
@@ -175,8 +174,6 @@ class Session(SessionKeywords, Closing):
 
     def target(self, name: str) -> Target:
         """Returns the target with this name."""
-        if not isinstance(name, str):
-            raise TypeError(f"name is {name!r}: a text is needed")
         for target in self.targets():
             if target.name == name:
                 return target
@@ -195,8 +192,7 @@ class Session(SessionKeywords, Closing):
 
     def gap(self, real: Target, virtual: Target) -> Gap:
         """Returns the gap between two targets, and the largest feasible gap, before a reach."""
-        return output(Gap, library().hrt_gap_query, self.handle, handle_of(real, "real"),
-                      handle_of(virtual, "virtual")).belongs_to(self)
+        return output(Gap, library().hrt_gap_query, self.handle, real.handle, virtual.handle).belongs_to(self)
 
     def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Gap]:
         """Assigns a real target to each virtual one, so that the largest gap, as a fraction of the feasible gap, is minimal.
@@ -204,7 +200,7 @@ class Session(SessionKeywords, Closing):
         real target is not `reachable`."""
         out = (Gap * len(virtuals))(*(Gap() for _ in virtuals))
         check(library().hrt_gap_assign(
-            self.handle, _handles(virtuals, "virtuals"), len(virtuals), _handles(reals, "reals"), len(reals),
+            self.handle, _handles(virtuals), len(virtuals), _handles(reals), len(reals),
             AssignFlag.EXCLUSIVE if exclusive else 0, len(out), out))
         return [gap.belongs_to(self) for gap in out]
 
@@ -236,7 +232,6 @@ class Session(SessionKeywords, Closing):
         expect_rows(samples, "samples", SAMPLE)
         if len(samples) == 0:
             raise ValueError("samples is empty; at least one is needed")
-        handle_of(real, "real"), handle_of(virtual, "virtual")
         config = self.config
         real_deg, real_distance_m = target_place(real.config, config)
         virtual_deg, _ = target_place(virtual.config, config)
@@ -254,11 +249,9 @@ class Session(SessionKeywords, Closing):
         OSError or RuntimeError if the file is not complete."""
         status = RecordingStatus()
         check(library().hrt_recording_start(self.handle, os.fsencode(path)))
-        self.pace = Pace(self.handle)
         try:
             yield status
         finally:
-            self.pace = None
             check(library().hrt_recording_stop(self.handle, byref(status)))
         if status.system_error != 0:
             raise OSError(status.system_error, os.strerror(status.system_error), os.fspath(path))
@@ -297,6 +290,4 @@ class Session(SessionKeywords, Closing):
         if isinstance(profile, Mapping):
             profile = json.dumps(dict(profile))
         text = profile.encode() if isinstance(profile, str) else profile
-        if not isinstance(text, bytes):
-            raise TypeError(f"profile is a {type(profile).__name__}: a mapping or a JSON text is needed")
         check(library().hrt_profile_load(self.handle, text, len(text)))
