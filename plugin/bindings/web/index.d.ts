@@ -62,19 +62,15 @@ export interface Point { readonly x: number; readonly y: number; readonly z: num
 /** A unit quaternion. */
 export interface Rotation extends Point { readonly w: number }
 
-/** 16 numbers, column by column, from plate coordinates to the world; or WebXR's XRRigidTransform, or a Matrix4 of
- *  three.js. */
-export type PlateMatrix = ArrayLike<number> | { readonly matrix: ArrayLike<number> } | { readonly elements: ArrayLike<number> };
-
 /** A session for one user and one plate. Destroy it when it is no longer used, because JavaScript does not free memory of
  *  the module. Afterwards other calls throw, and `sample` is frozen. */
 export interface Session {
   readonly config: Output<hrt_session_config>;
   /** Changes fields of the configuration, between reaches. */
   configure(changes: Input<hrt_session_config>): void;
-  /** Sets the pose of the plate's mount in the world, a rotation and a translation, between reaches. In the frame of the
-   *  mount +Y is up and -Z points away from the user. The pose replaces a registration. */
-  setPlate(matrix: PlateMatrix): void;
+  /** Sets the pose of the plate's mount in the world, between reaches, from a pose with a rotation: +Y is up, and -Z points
+   *  away from the user. The pose replaces a registration. */
+  setPlate(pose: NonNullable<FingerPose>): void;
   /** Frees the session. A second call has no effect. */
   destroy(): void;
   [Symbol.dispose](): void;

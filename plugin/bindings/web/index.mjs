@@ -4,7 +4,7 @@ import * as abi from "./abi.js";
 import { Command, readCommand, readSample, Sample, writeSample } from "./frame.mjs";
 import { HapticRetargetingError, Host, Memory, readText } from "./memory.mjs";
 import { checked } from "./numbers.mjs";
-import { fingertipOf, plateOf, rotationOf } from "./pose.mjs";
+import { positionOf, rotationOf } from "./pose.mjs";
 export * from "./abi.js";
 export { HapticRetargetingError };
 
@@ -132,9 +132,11 @@ class Session {
   }
   configure(changes) { this.#native.put("hrt_session_config", { ...this.config, ...changes }, "hrt_session_set"); }
 
-  setPlate(matrix) {
+  setPlate(pose) {
+    const at = positionOf(pose), turned = at && rotationOf(pose);
+    if (!turned) throw new TypeError("the plate's pose lacks a finite position or a rotation; pass an XRRigidTransform or an object of three.js");
     const flags = this.config.flags & ~abi.HRT_SESSION_REGISTERED;
-    this.configure({ ...plateOf(matrix), flags });
+    this.configure({ plate_position_m: [at.x, at.y, at.z], plate_rotation: [turned.x, turned.y, turned.z, turned.w], flags });
   }
 
   addTarget(config) {
@@ -205,7 +207,7 @@ class Session {
     if (!Number.isFinite(time_ms)) {
       throw new RangeError(`time_ms is ${String(time_ms)}; a finite number is needed, such as the time that the frame's callback is given`);
     }
-    const { sample } = this, at = fingertipOf(pose);
+    const { sample } = this, at = positionOf(pose);
     sample.time_ns = time_ms * 1e6;
     sample.flags = at ? abi.HRT_SAMPLE_WORLD_POSITION : 0;
     if (!at) return;

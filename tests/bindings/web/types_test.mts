@@ -24,8 +24,7 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   const tip = { position: { x: 0, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
   session.setFinger({ transform: tip }, 1);
   session.setFinger(tip, 1);
-  session.setPlate(new Float32Array(16));
-  session.setPlate({ elements: [1] });
+  session.setPlate(tip);
   session.update();
   person.begin(session, virtual);
   person.move(session.sample, 1, 30);
