@@ -34,11 +34,6 @@ TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
   EXPECT_FALSE(component.BeginSimulatedFinger(none, 1));
   EXPECT_FALSE(component.OpenPlate(TEXT("serial:COM3")));
   EXPECT_EQ(component.GetSession().value, 0u);
-  int64 written = 0, lost = 0;
-  EXPECT_FALSE(component.GetRecordingStatus(written, lost));
-  TArray<FHapticTarget> targets;
-  TArray<FHapticSceneTarget> descriptions;
-  EXPECT_FALSE(component.LoadScene(TEXT("desk.gltf"), targets, descriptions));
   for (int frame = 0; frame < 90; ++frame) EXPECT_FALSE(component.UpdateFinger({}, frame / 90.0));
   EXPECT_FALSE(component.EndReach(summary));
   EXPECT_EQ(FLogCategory::Lines.size(), logged + 1);
