@@ -43,14 +43,6 @@ def test_an_error_in_an_array_names_the_row_and_keeps_previous_commands(session:
     assert out["paper_step"][99] > 0 and out["paper_step"][100] == 0
 
 
-def test_a_likely_mistake_goes_to_the_logger(session: hrt.Session, caplog: pytest.LogCaptureFixture) -> None:
-    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
-        for frame in range(200):
-            reach.update(11_111_111 * frame, position_m=(0, 0, 5))
-    assert [(record.name, record.levelname) for record in caplog.records] == [("haptic_retargeting", "WARNING")]
-    assert "set positions in metres" in caplog.text
-
-
 def test_exception_within_a_reach_cancels_it(session: hrt.Session, straight: np.ndarray) -> None:
     real, virtual = session.target("cylinder"), session.target("cup")
     with pytest.raises(ZeroDivisionError):

@@ -39,24 +39,6 @@ namespace Hrt.HostTests
             StringAssert.StartsWith("error: ", logged.Single());
         }
 
-        [Test]
-        public void ALikelyMistakeIsLogged()
-        {
-            using (var session = new HapticRetargetingSession())
-            {
-                session.BeginReach(session.AddTarget(TargetRole.Real, -5), session.AddTarget(TargetRole.Virtual, 5));
-                for (int frame = 0; frame < 200; ++frame)
-                    session.Update(new Sample
-                    {
-                        flags = SampleFlags.PlatePosition, timeNs = frame * 11111111L, fingerPositionM = new Double3(0, 0, 5)
-                    });
-                session.EndReach();
-                session.WriteLog();
-            }
-            StringAssert.StartsWith("warning: ", logged.Single());
-            StringAssert.Contains("set positions in metres", logged.Single());
-        }
-
         // For each of the three virtual objects, the hand ends at the cylinder (within 1.5 degrees at 10 cm), or the
         // controller reports that the gap is not feasible.
         [Test]

@@ -82,14 +82,6 @@ TEST(UnrealSettings, AreConverted) {
   EXPECT_DOUBLE_EQ(config.plate.position_m[2], -1.2);
 }
 
-TEST_F(Component, LogsALikelyMistake) {
-  begin();
-  for (int frame = 0; frame < 200; ++frame) EXPECT_TRUE(component_.UpdateFinger(FVector(-500, 0, 0), frame / 90.0));
-  FHapticSummary summary;
-  ASSERT_TRUE(component_.EndReach(summary));
-  EXPECT_NE(last_log().find("set positions in centimetres"), std::string::npos) << last_log();
-}
-
 TEST_F(Component, HasNoStepBeforeTheFirstCommand) {
   EXPECT_EQ(component_.GetCommand().PaperStep, -1);
 }

@@ -37,20 +37,6 @@ function throws(run, codeName, part) {
   });
 }
 
-sessionTest("a likely mistake goes to the console", ({ session, real, virtual }) => {
-  const { warn } = console, lines = [];
-  console.warn = (line) => lines.push(line);
-  session.beginReach(real, virtual);
-  for (let frame = 0; frame < 200; ++frame) {
-    session.setFinger({ x: 0, y: 0, z: 5 }, 11 * frame);
-    session.update();
-  }
-  session.endReach();
-  console.warn = warn;
-  assert.equal(lines.length, 1);
-  assert.match(lines[0], /set positions in metres/);
-});
-
 function slide(session, frames) {
   session.sample.flags = hrt.HRT_SAMPLE_PLATE_POSITION;
   for (let i = 0; i < frames; ++i) {

@@ -1,14 +1,14 @@
 # Functions for tests of the class: checks, and expected errors of the engine.
 extends Node
 
-# Collects the errors of the engine's log.
+# Collects errors and warnings of the engine's log.
 class Errors extends Logger:
 	var texts: PackedStringArray = []
+	var warnings: PackedStringArray = []
 
 	func _log_error(_function: String, _file: String, _line: int, code: String, rationale: String, _notify: bool,
 			type: int, _backtraces: Array[ScriptBacktrace]) -> void:
-		if type != ERROR_TYPE_WARNING:
-			texts.append(rationale if rationale else code)
+		(warnings if type == ERROR_TYPE_WARNING else texts).append(rationale if rationale else code)
 
 var logger := Errors.new()
 var checks := 0
