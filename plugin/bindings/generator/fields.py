@@ -18,7 +18,7 @@ _RECORDED = (
     ("hrt_sample", {"flags": "sample_flags", "finger_direction_deg": "sample_direction_deg", "finger_position_m": "sample_{}_m",
                     "plate_orientation_deg": "measured_plate_deg", "plate_position_m": "plate_{}_m", "plate_rotation": "plate_q{}",
                     "joint_rotation": "joint_q{}"}),
-    ("", ("reach_flags", "real_target", "virtual_target", "duration_s", "refused_argument", "struct_size", "real_direction_deg",
+    ("", ("reach_flags", "real_target", "virtual_target", "duration_s", "real_direction_deg",
           "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")),
     ("hrt_command", {"flags": "command_flags"}),
     ("hrt_reach_summary", {"flags": "summary_flags", "distance_to_target_m": "distance_to_go_m", "duration_s": "duration_learnt_s",
@@ -37,13 +37,18 @@ def render(abi: Abi, notice: str, others: str = '"plugin/src/abi/field.h"') -> s
             + f"#include {others}" + "\n\nnamespace hrt::plugin {\n\n"
             + "\n".join(_fields(abi, s) for s in structs)
             + "".join(_defaults(s) for s in structs if s.has_default)
-            + (_columns(abi) + _calls(abi) + _flag_words(abi) if any(s.name == "hrt_command" for s in structs) else "") + "\n}  // namespace hrt::plugin\n")
+            + (_columns(abi) + _calls(abi) + _flag_words(abi) + _results(abi) if any(s.name == "hrt_command" for s in structs) else "") + "\n}  // namespace hrt::plugin\n")
 
 
 def _flag_words(abi: Abi) -> str:
     flags = abi.enumeration("HRT_COMMAND")
     rows = "".join(f'    {{{m.value}u, "{flags.short(m).lower().replace("_", " ")}"}},\n' for m in flags.members)
     return f"\ninline constexpr std::pair<std::uint32_t, std::string_view> command_flag_words[] = {{\n{rows}}};\n"
+
+
+def _results(abi: Abi) -> str:
+    rows = "".join(f'    {{{name}, "{name}"}},\n' for name in ["HRT_OK", *(m.name for m in abi.enumeration("HRT_ERROR").members)])
+    return f"\ninline constexpr std::pair<hrt_result, const char*> result_names[] = {{\n{rows}}};\n"
 
 
 def _calls(abi: Abi) -> str:

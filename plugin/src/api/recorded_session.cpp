@@ -1,6 +1,5 @@
 #include "plugin/src/api/recorded_session.h"
 
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -55,10 +54,9 @@ hrt_result RecordedSession::add_scene(const SessionModel& valid_model, std::span
 
 hrt_result RecordedSession::begin(const hrt_reach_config* given) {
   hrt_reach_config config = defaults<hrt_reach_config>;
-  hrt_result result = read_struct("config", given, &config);
-  if (result != HRT_OK) return refuse(result, Refused::Argument::config, given);
+  HRT_RETURN_IF_FAILED(read_struct("config", given, &config));
   ReachRequest request;
-  result = session_.check_idle();
+  hrt_result result = session_.check_idle();
   if (result == HRT_OK) result = read(config, &request);
   if (result == HRT_OK) result = session_.begin(request);
   record([&] {
@@ -74,16 +72,14 @@ hrt_result RecordedSession::begin(const hrt_reach_config* given) {
 
 hrt_result RecordedSession::update(const hrt_sample* given, hrt_command* out) {
   hrt_sample sample;
-  hrt_result result = check_output("out_command", out);
-  if (result != HRT_OK) return refuse(result, Refused::Argument::out_command, out);
-  result = read_struct("sample", given, &sample);
-  if (result != HRT_OK) return refuse(result, Refused::Argument::sample, given);
+  HRT_RETURN_IF_FAILED(check_output("out_command", out));
+  HRT_RETURN_IF_FAILED(read_struct("sample", given, &sample));
   const std::uint32_t size = out->struct_size;
   const bool awaited_finger = session_.awaits_finger();
   const SessionModel& model = session_.model();
   FingerSample finger;
   PlateCommand command;
-  result = session_.check_reaching();
+  hrt_result result = session_.check_reaching();
   if (result == HRT_OK) result = read(model.mount, model.control.touched, sample, &finger);
   if (result == HRT_OK) result = session_.update(finger, &command);
   if (result == HRT_OK) {
@@ -116,10 +112,9 @@ hrt_result RecordedSession::retarget(hrt_target real_target, hrt_target virtual_
 
 hrt_result RecordedSession::touched(const hrt_contact* given) {
   hrt_contact contact{.struct_size = sizeof contact};
-  hrt_result result = given ? read_struct("contact", given, &contact) : HRT_OK;
-  if (result != HRT_OK) return refuse(result, Refused::Argument::contact, given);
+  if (given) HRT_RETURN_IF_FAILED(read_struct("contact", given, &contact));
   ContactReport report;
-  result = session_.check_contact_due();
+  hrt_result result = session_.check_contact_due();
   if (result == HRT_OK) result = read(contact, &report);
   if (result == HRT_OK) result = session_.touched(report);
   record([&] { return Record{result, Touched{contact}}; });
@@ -133,8 +128,7 @@ hrt_result RecordedSession::cancel() {
 }
 
 hrt_result RecordedSession::end(hrt_reach_summary* out) {
-  if (const hrt_result refused = check_output("out_summary", out); refused != HRT_OK)
-    return refuse(refused, Refused::Argument::out_summary, out);
+  HRT_RETURN_IF_FAILED(check_output("out_summary", out));
   ReachSummary summary;
   hrt_reach_summary written{};
   const hrt_result result = session_.end(&summary);
@@ -180,15 +174,6 @@ hrt_result RecordedSession::finish_setup(hrt_setup_result* out) {
 hrt_result RecordedSession::cancel_setup() {
   const hrt_result result = session_.cancel_setup();
   record([&] { return Record{result, SetupCancelled{}}; });
-  return result;
-}
-
-hrt_result RecordedSession::refuse(hrt_result result, Refused::Argument argument, const void* given) {
-  record([&] {
-    Refused refused{argument, 0};
-    if (given) std::memcpy(&refused.struct_size, given, sizeof refused.struct_size);
-    return Record{result, refused};
-  });
   return result;
 }
 

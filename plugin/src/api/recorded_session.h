@@ -16,8 +16,8 @@
 namespace hrt::plugin {
 
 /// Each call checks and converts its structs, calls the session and writes the results. A call that fails changes
-/// nothing. Calls of a reach are real-time, take the pointers of the caller, and are recorded also if a struct is null
-/// or has a wrong size. Records are only built while a recording is in progress.
+/// nothing. Calls of a reach are real-time and take the pointers of the caller: a call whose struct is null or has a
+/// wrong size is not recorded. Records are only built while a recording is in progress.
 class RecordedSession {
  public:
   explicit RecordedSession(const SessionModel& valid_model) : session_(valid_model) {}
@@ -81,8 +81,6 @@ class RecordedSession {
   void record(MakeRecord&& make_record) const {
     if (recorder_) recorder_->push(make_record());
   }
-  // Records a call that failed with `result` because of `argument`. Returns `result`.
-  hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
   void forget_findings();
   TargetChanged changed(TargetChanged::Change change, std::uint64_t id) const;
 

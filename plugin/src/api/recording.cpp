@@ -45,22 +45,6 @@ hrt_result read_file(const char* path, std::string* out) {
               " bytes");  // the file grew while it was read
 }
 
-hrt_result check_size(const Refused& call) {
-  switch (call.argument) {
-    case Refused::Argument::config:
-      return check_struct_size<hrt_reach_config>("config", call.struct_size);
-    case Refused::Argument::sample:
-      return check_struct_size<hrt_sample>("sample", call.struct_size);
-    case Refused::Argument::out_command:
-      return check_struct_size<hrt_command>("out_command", call.struct_size);
-    case Refused::Argument::out_summary:
-      return check_struct_size<hrt_reach_summary>("out_summary", call.struct_size);
-    case Refused::Argument::contact:
-      return check_struct_size<hrt_contact>("contact", call.struct_size);
-  }
-  return HRT_OK;
-}
-
 bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {
   if (!line.starts_with(prefix)) return false;
   line.remove_prefix(prefix.size());
@@ -228,12 +212,6 @@ class Replay {
   void call_again(SetupUpdated& call, hrt_result* result) { *result = session_->update_setup(call.sample, &call.step); }
   void call_again(SetupFinished& call, hrt_result* result) { *result = session_->finish_setup(&call.result); }
   void call_again(SetupCancelled&, hrt_result* result) { *result = session_->cancel_setup(); }
-  static void call_again(const Refused& call, hrt_result* result) {
-    if (*result == HRT_ERROR_NULL_ARGUMENT) return;
-    *result = check_size(call);
-    // The size was right, so the call failed because of unknown bytes after the struct, which are not recorded.
-    if (*result == HRT_OK) *result = HRT_ERROR_STRUCT_SIZE;
-  }
   // These are comments, and not read from rows.
   static void call_again(const ConfigSet&, hrt_result*) {}
   static void call_again(const TargetChanged&, hrt_result*) {}

@@ -1,6 +1,8 @@
 // Sentences of a set-up for the user and the application: hrt_setup_step::text.
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <utility>
 
 #include "plugin/src/abi/text.h"
 #include "plugin/src/api/write.h"
@@ -8,33 +10,20 @@
 namespace hrt::plugin {
 namespace {
 
-const char* problem_text(SetupProblem problem) {
-  switch (problem) {
-    case SetupProblem::none:
-      return "";
-    case SetupProblem::too_fast:
-      return "The slide was too fast. Please move more slowly. ";
-    case SetupProblem::too_slow:
-      return "The slide was too slow. Please move faster. ";
-    case SetupProblem::stopped:
-      return "The finger stopped before the end. Please slide without a stop. ";
-    case SetupProblem::left_plate:
-      return "The finger left the plate. Please keep it on the plate. ";
-    case SetupProblem::lost:
-      return "The tracker lost the finger. Please keep your hand in its view. ";
-    case SetupProblem::moved:
-      return "The plate moved during the slide. Please repeat the slide. ";
-    case SetupProblem::plate:
-      return "The plate does not turn as commanded. Please ask the supervisor to check it. ";
-    case SetupProblem::disagrees:
-      return "The measurements do not agree. Please repeat them and keep the plate still. ";
-    case SetupProblem::upside_down:
-      return "The touches fit a plate that is upside down or mirrored. Please check the marks. ";
-    case SetupProblem::undetermined:
-      return "The measurements are not sufficient. Please continue. ";
-  }
-  return "";
-}
+// Indexed by SetupProblem.
+constexpr const char* problem_texts[] = {
+    "",
+    "The slide was too fast. Please move more slowly. ",
+    "The slide was too slow. Please move faster. ",
+    "The finger stopped before the end. Please slide without a stop. ",
+    "The finger left the plate. Please keep it on the plate. ",
+    "The tracker lost the finger. Please keep your hand in its view. ",
+    "The plate moved during the slide. Please repeat the slide. ",
+    "The plate does not turn as commanded. Please ask the supervisor to check it. ",
+    "The measurements do not agree. Please repeat them and keep the plate still. ",
+    "The touches fit a plate that is upside down or mirrored. Please check the marks. ",
+    "The measurements are not sufficient. Please continue. "};
+static_assert(std::size(problem_texts) == static_cast<std::size_t>(SetupProblem::undetermined) + 1);
 
 // Rounds a number in a sentence to one decimal.
 double rounded(double value) { return std::round(10.0 * value) / 10.0; }
@@ -75,28 +64,14 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
 }
 
 void write_problem(SetupProblem problem, std::string_view reason, const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
-  text << problem_text(problem);
+  text << problem_texts[static_cast<std::size_t>(problem)];
   if (!reason.empty()) text << "(" << reason << ") ";
   write_observed(observed, text);
 }
 
-const char* part_text(SetupPart part) {
-  switch (part) {
-    case setup_fingertip:
-      return "fingertip: ";
-    case setup_registration:
-      return "registration: ";
-    case setup_check:
-      return "check: ";
-    case setup_guides:
-      return "guides: ";
-    case setup_calibration:
-      return "calibration: ";
-    case setup_retest:
-      return "retest: ";
-  }
-  return "";
-}
+constexpr std::pair<std::uint32_t, const char*> part_texts[] = {
+    {setup_fingertip, "fingertip: "}, {setup_registration, "registration: "}, {setup_check, "check: "},
+    {setup_guides, "guides: "},       {setup_calibration, "calibration: "},   {setup_retest, "retest: "}};
 
 const char* attitude_text(int number) {
   // The finger is rotated about two axes, each to both sides.
@@ -154,7 +129,8 @@ void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]) {
 
 void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]) {
   Text<HRT_TEXT_SIZE> text;
-  text << part_text(report.drop.part);
+  for (const auto& [part, name] : part_texts)
+    if (part == report.drop.part) text << name;
   write_problem(report.drop.problem, report.drop_reason, report.drop.observed, text);
   std::memcpy(out, text.c_str(), text.view().size() + 1);
 }

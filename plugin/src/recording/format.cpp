@@ -14,22 +14,8 @@ constexpr std::string_view explanation =
     "# Lines that begin with # are comments. Each other line is a call; cells that do not apply to it are empty.\n"
     "# Angles: degrees counter-clockwise from the plate's mid-line. Positions: x right, y up, z towards the user, or\n"
     "# in the engine's world if sample_flags has WORLD_POSITION. Flags and results: reach.h, base.h. Input columns:\n"
-    "# all up to struct_size, and contact_*. Targets are given by their numbers in the comments; 0: no target.\n"
-    "# refused_argument names an argument that was null or had the wrong size in struct_size. Output columns: all\n"
-    "# others. In a row \"begin\", plate_orientation_deg is the orientation of the plate at that time.\n";
-
-struct ArgumentName {
-  Refused::Argument argument;
-  std::string_view name;
-  std::string_view call;
-};
-constexpr ArgumentName argument_names[] = {
-    {Refused::Argument::config, "config", "begin"},
-    {Refused::Argument::sample, "sample", "update"},
-    {Refused::Argument::out_command, "out_command", "update"},
-    {Refused::Argument::out_summary, "out_summary", "end"},
-    {Refused::Argument::contact, "contact", "touched"},
-};
+    "# all up to duration_s, and contact_*. Targets are given by their numbers in the comments; 0: no target. Output\n"
+    "# columns: all others. In a row \"begin\", plate_orientation_deg is the orientation of the plate at that time.\n";
 
 void write(const ConfigSet& set, hrt_result, RecordText& out) {
   JsonText json;
@@ -51,13 +37,6 @@ void write(const TargetChanged& changed, hrt_result, RecordText& out) {
 
 void write(const InitialPlateOrientation& plate, hrt_result, RecordText& out) {
   out << plate_comment << plate.orientation_deg << "\n";
-}
-
-void write(const Refused& refused, hrt_result result, RecordText& out) {
-  const ArgumentName& argument = argument_names[static_cast<std::size_t>(refused.argument)];
-  Row row(out, argument.call, result);
-  row.put(column("refused_argument"), argument.name);
-  if (result != HRT_ERROR_NULL_ARGUMENT) row.put(column("struct_size"), refused.struct_size);
 }
 
 void put(const ReachGeometry& reach, Row& row) {
@@ -198,20 +177,6 @@ hrt_result read_touched(const Cells& cells, Record* out) {
   return HRT_OK;
 }
 
-// Reads a row with a refused_argument.
-hrt_result read_refused(const Cells& cells, Record* out) {
-  const std::string_view name = cells[column("refused_argument")];
-  for (const ArgumentName& known : argument_names) {
-    if (known.name != name || known.call != cells[0]) continue;
-    Refused refused{known.argument, 0};
-    HRT_RETURN_IF_FAILED(read_cell(cells, column("struct_size"), &refused.struct_size));
-    out->call = refused;
-    return HRT_OK;
-  }
-  return fail(HRT_ERROR_BAD_FORMAT, "refused_argument is \"", Shown{name},
-              "\", which is not an argument of the call \"", Shown{cells[0]}, "\"");
-}
-
 template <class Call>
 hrt_result read_sample(const Cells& cells, Record* out) {
   Call call{};
@@ -278,7 +243,6 @@ hrt_result read_row(std::string_view line, Record* out) {
   Cells cells;
   for (std::string_view& cell : cells) cell = take_cell(&line);
   HRT_RETURN_IF_FAILED(read_cell(cells, column("result"), &out->result));
-  if (!cells[column("refused_argument")].empty()) return read_refused(cells, out);
   for (const auto& [call, read] : calls_in_rows)
     if (cells[0] == call) return read(cells, out);
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},

@@ -89,18 +89,11 @@ struct SetupFinished {
 
 struct SetupCancelled {};
 
-/// A call that failed because an argument was null or had a wrong struct_size.
-struct Refused {
-  enum class Argument : std::uint8_t { config, sample, out_command, out_summary, contact };
-  Argument argument;
-  std::uint32_t struct_size;  ///< given size; unspecified if the struct was null
-};
-
 /// A call of the C interface.
 struct Record {
   hrt_result result = HRT_OK;
   std::variant<ConfigSet, TargetChanged, InitialPlateOrientation, ReachBegun, Updated, Retargeted, Touched,
-               ReachCancelled, ReachEnded, Refused, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
+               ReachCancelled, ReachEnded, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
       call;
 };
 

@@ -59,13 +59,6 @@ def test_calls_that_were_refused_have_no_command(tmp_path: Path) -> None:
     assert refused.sum() == 1 and np.isnan(reach.commands["plate_orientation_deg"][refused]).all()
 
 
-def test_calls_refused_before_reading_are_omitted(tmp_path: Path) -> None:
-    path = with_row(tmp_path, "-3", {"refused_argument": "sample", "struct_size": "8"})
-    (with_refused,), (without,) = hrt.read_recording(path).reaches, hrt.read_recording(REACH).reaches
-    assert with_refused.samples.tobytes() == without.samples.tobytes()
-    assert hrt.replay(path).first_different_line == 0
-
-
 def test_world_positions_are_converted_to_plate_coordinates() -> None:
     # A plate at (1, 2, 3), rotated by 90 degrees about y: its x axis is the world's -z, its z axis the world's x.
     turned = (0, np.sqrt(0.5), 0, np.sqrt(0.5))
@@ -83,16 +76,16 @@ def test_world_positions_are_converted_to_plate_coordinates() -> None:
 
 @pytest.mark.parametrize(("old", "new", "text"), [
     ("# haptic", "# some", "line 1: not a recording"),
-    ("call,result", "call,outcome", "line 8: the column result is missing"),
-    ("begin,0", "start,0", "line 13: the row's call is 'start'"),
-    (",,-5,5,0.1,", ",,-5,,0.1,", "line 13: virtual_direction_deg is missing"),
-    ("update,0,200028000", "update,0,soon", "line 23: .*'soon'"),
-    ("update,0,200028000", "update,0,9" + 20 * "9", "line 23: time_ns is 9+, which is beyond int64"),
-    ("update,0,200028000,", "update,0,", "line 23: the row has 71 columns; 72"),
-    ('"horizon":20', '"horizon":"twenty"', "line 9"),
-    ('"horizon":20', '"horizon":-3', "line 9: SessionConfig.horizon is -3: beyond uint"),
-    ("# config {", "# config [", "line 9"),
-    ("# config {", "# setup {", "line 13: a row before the configuration"),
+    ("call,result", "call,outcome", "line 7: the column result is missing"),
+    ("begin,0", "start,0", "line 12: the row's call is 'start'"),
+    (",0,-5,5,0.1,", ",0,-5,,0.1,", "line 12: virtual_direction_deg is missing"),
+    ("update,0,200028000", "update,0,soon", "line 22: .*'soon'"),
+    ("update,0,200028000", "update,0,9" + 20 * "9", "line 22: time_ns is 9+, which is beyond int64"),
+    ("update,0,200028000,", "update,0,", "line 22: the row has 69 columns; 70"),
+    ('"horizon":20', '"horizon":"twenty"', "line 8"),
+    ('"horizon":20', '"horizon":-3', "line 8: SessionConfig.horizon is -3: beyond uint"),
+    ("# config {", "# config [", "line 8"),
+    ("# config {", "# setup {", "line 12: a row before the configuration"),
 ])
 def test_files_that_are_not_recordings_are_refused_with_the_line(tmp_path: Path, old: str, new: str, text: str) -> None:
     good = REACH.read_text()

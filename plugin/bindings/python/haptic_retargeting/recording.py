@@ -39,7 +39,7 @@ def _dtype(kind: type[Struct]) -> np.dtype[np.void]:
 
 
 _AIM = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
-_TEXTS = ("call", "refused_argument", "setup")
+_TEXTS = ("call", "setup")
 _KINDS: tuple[type[Struct], ...] = (Sample, Command, ReachSummary)
 _STRUCTS = {kind: COLUMNS[kind.__name__] for kind in _KINDS}
 _DTYPES = {"result": np.dtype(np.int32)} | {
@@ -169,7 +169,7 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
         if missing := [column for column in _AIM if row[column] is None]:
             raise ValueError(f"{missing[0]} is missing")
         reaches.append(_Rows(config, row))
-    elif call == "update" and not row["refused_argument"] and reaches and not reaches[-1].over:
+    elif call == "update" and reaches and not reaches[-1].over:
         reaches[-1].updates.append(row)
     elif call in ("cancel", "end") and done and reaches:
         reaches[-1].over = True
