@@ -26,10 +26,6 @@ constexpr std::int64_t plate_latency_ns = 30'000'000;
 constexpr double rest_s = 0.6;  // before the motion
 constexpr double tail_s = 0.3;  // tracked rest after the motion
 
-// The same numbers as Stream in people.cpp.
-constexpr std::uint32_t steering_stream = 1;
-constexpr std::uint32_t tracking_stream = 2;
-
 /// Probability that a visitor who noticed nothing answers "yes".
 constexpr double false_alarms = 0.05;
 
@@ -91,8 +87,8 @@ void hrt_web_begin_reach(double number, double start_right_m, double start_away_
   person.start_direction_deg *= virtual_deg;
   const hrt::PlatePoint start{hrt::mm_per_m * start_right_m, hrt::mm_per_m * start_away_m};
   world.person.emplace(person, start, virtual_deg, hrt::mm_per_m * distance_m,
-                       hrt::Draws(world.seed, steering_stream, 0, reach));
-  world.tracker.emplace(world.seed, tracking_stream, 0, reach);
+                       hrt::Draws(world.seed, hrt::PersonStream::steering, 0, reach));
+  world.tracker.emplace(world.seed, hrt::PersonStream::tracking, 0, reach);
   world.peak_felt_error_deg = 0.0;
   world.ended_s = -1.0;
 }

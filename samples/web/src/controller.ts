@@ -14,7 +14,7 @@ export function pageCourse(settings: Readonly<Settings>): Course {
   };
 }
 
-/** Largest angle between the normal of the ridges and the motion for which the page's own controller plans. */
+/** Largest angle between the normal of the ridges and the motion for which the controller "ours" plans. */
 export const motionBound_deg = 75;
 
 /** Configuration of the plugin's session for each controller. */

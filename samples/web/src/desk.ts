@@ -127,7 +127,7 @@ export class Desk {
     this.#named.real.hidden = fraction === 0 || this.#labels.length > this.#own.length;
   }
 
-  /** Names the hand in its label: `own`: that of the visitor. */
+  /** Names the hand in its label. `own`: the hand is the visitor's. */
   nameLabels(own: boolean): void {
     say(this.#named.finger, own ? "your hand" : "hand");
     this.#drawn = "";

@@ -1,5 +1,5 @@
-// Base class of the reaches that the plugin controls, whose hand is that of a simulated person, of the visitor, or of a headset:
-// a session of the plugin, and the simulated world with the plate.
+// Base class of the reaches that the plugin controls: a session of the plugin, and the simulated world with the plate. The hand
+// is a simulated person's, the visitor's pointer, or one that a headset tracks.
 import * as hrt from "haptic-retargeting";
 import { sessions } from "./controller";
 import { type Course, cylinderRadius_m, type Place } from "./geometry";
@@ -69,7 +69,7 @@ export abstract class GuidedReach {
     return this.session.state & hrt.HRT_STATE_RECORDING ? this.session.stopRecording() : "";
   }
 
-  /** Resets person, plate and trace to the settings before a reach. */
+  /** Cancels a running reach, applies the settings to person and plate, and begins an empty trace. */
   protected prepare(): void {
     this.cancel();
     this.world.set_person(this.settings.person, this.settings.tactile_weight, this.settings.pace_s);

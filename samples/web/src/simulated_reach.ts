@@ -82,7 +82,7 @@ export class SimulatedReach extends GuidedReach {
     return unknown;
   }
 
-  /** Begins the next reach, and cancels a running one. If that one has not moved, the next one has the same number. */
+  /** Begins the next reach, and cancels a running one. If the hand has not moved in the latter, both have the same number. */
   begin(): void {
     const world = this.world;
     if (this.phase !== "waiting") ++this.number;

@@ -46,7 +46,8 @@ export class Sounds {
     this.#burst(180, 0.12, 0.8);
   }
 
-  /** Plays a tone. `side`: where the glass lies, from -1 (left) to 1; `way`: fraction of the path that remains: the tone rises. */
+  /** Plays a tone. `side`: where the glass lies, from -1 (left) to 1; `way`: fraction of the path that remains; the
+   *  tone rises as it falls. */
   guide(side: number, way: number): void {
     const audio = this.#ready();
     if (!audio || audio.currentTime - this.#guided_s < guidePeriod_s) return;

@@ -31,7 +31,7 @@ const settle_ms = 700,
   maxRest_ms = 1000;
 
 export class VisitorReach extends GuidedReach {
-  /** Phase of the slide, which is "sliding" from the first motion to end(). */
+  /** Phase of the slide, which is "sliding" from the first motion to the end. */
   phase: "waiting" | "sliding" | "arrived" = "waiting";
   /** `gap_deg`: angle between the perceived and the true end, seen from the start. */
   result: (SlideEnd & { readonly gap_deg: number }) | null = null;
@@ -88,7 +88,7 @@ export class VisitorReach extends GuidedReach {
   }
 
   /** Advances by whole milliseconds, with a sample of the fingertip for each step. The slide ends when the perceived fingertip is
-   *  at the glass, or as far from the start. */
+   *  at the glass, or as far from the start as the glass. */
   advance(milliseconds: number): void {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;

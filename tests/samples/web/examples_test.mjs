@@ -23,7 +23,7 @@ before(async () => {
 });
 after(() => rm(folder, { recursive: true, force: true }));
 
-// In a browser with all optional properties of WebXR, in one with none, and without each one.
+// In a browser with all optional properties of WebXR, in one with none, and in one without each property in turn.
 for (const lacking of [[], optional, ...optional.map((each) => [each])]) test(
   `the example turns the plate for a reach of a tracked hand, without ${lacking}`, () => visit(async (page) => {
   await frames(page, 20, 5);

@@ -11,7 +11,7 @@ import { plateDouble, served } from "./plate_double.mjs";
 const hrt = await import(pathToFileURL(join(pageFolder, "../npm/node.mjs"))), library = await hrt.load();
 
 const worn = { motion: true, viewport: { width: 500, height: 400 } };
-/** Runs a test in a browser with all optional properties of WebXR; `masks`: in one without each of these lists. */
+/** Runs a test once for each list in `masks`, in a browser without the optional properties of WebXR in the list. */
 function test(name, use, script = "", masks = [[]]) {
   for (const lacking of masks) once(`${name}, without ${lacking}`, () => visit(use, { ...worn, script: without(lacking) + script }));
 }

@@ -86,8 +86,8 @@ test("a reach depends only on its settings and its number", () => {
   assert.notEqual(watch({ person: 4 }).results[0].toCylinder_mm, first[0].toCylinder_mm);
 });
 
-// The person steers the perceived direction (1 - w) P + w T to the direction V of the glass. Over a plate at T = 0, the hand ends
-// at P = V / (1 - w).
+// The person steers the perceived direction (1 - w) P + w T, of a hand that moves in the direction P over a plate at T, to the
+// direction V of the glass. Over a plate at T = 0, the hand ends at P = V / (1 - w).
 test("over a plate that does not turn the hand ends slightly beyond the glass", () => {
   const { results } = watch({ controller: "off", pace_s: 3, gap_deg: 12, tactile_weight: 0.2 }, 20);
   const mean = results.reduce((sum, result) => sum + result.bearingError_deg, 0) / results.length;
@@ -239,7 +239,8 @@ test("contact with the cylinder corrects the registration, and other settings ke
   assert.deepEqual(meet(false), Array(10).fill(0));
 });
 
-/** Makes a straight, slow reach: `see(frame, place)` passes each position to the plugin, in plate coordinates. */
+/** Makes a straight, slow reach, and returns its commands. `see(session)` returns a function that passes a time and a position in
+ *  plate coordinates to the plugin. */
 function slide(see) {
   const session = reaching(), seeing = see(session), commands = [];
   for (let i = 0; i < 200; ++i) {

@@ -1,7 +1,7 @@
 // A test double of Web Serial, with a plate that turns to each command immediately.
 import { frames } from "./browser.mjs";
 
-/** Runs in the page: gives it a serial port, whose plate also sends damaged lines. */
+/** Runs in the page: gives the page a serial port, whose plate also sends damaged lines. */
 export function plateDouble() {
   const crc = (text) => [...text].reduce((sum, c) => {
     sum ^= c.charCodeAt(0) << 8;

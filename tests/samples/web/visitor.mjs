@@ -28,8 +28,8 @@ export async function place(page, name) {
   return at.split(" ").map((number, i) => Number(number) + [box.x, box.y][i]);
 }
 
-/** Lets a visitor steer the dot to the glass by mouse, on a page whose time is stopped: without a click, or, with `grip`, pressed at
- *  this distance from the ring in pixels. Stops when the fraction `until` of the path remains. Calls `drawn` after each frame, with
+/** Lets a visitor steer the dot to the glass by mouse, on a page whose time is stopped. `grip`: offset from the ring, in pixels, at
+ *  which the button is pressed; null: the button is not pressed. Stops when the fraction `until` of the path remains. Calls `drawn` after each frame, with
  *  its duration. Returns the position of the mouse. */
 export async function steer(page, { delay_ms = 100, grip = null, until = 0, drawn = () => {} } = {}) {
   const step_ms = 40, frame = (elapsed_ms) => page.evaluate((ms) => globalThis.drawFrame(ms), elapsed_ms);

@@ -14,7 +14,7 @@ import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
 const reveal_ms = 900;
-/** A mouse that is nearer than this to the start takes the fingertip along; over this path the fingertip then reaches the pointer. */
+/** A mouse that is nearer to the start than grasp_m takes the fingertip along, which has joined the pointer after a path of fade_m. */
 const grasp_m = 0.008,
   fade_m = 0.03;
 /** Distance from the glass below which the dot has been steered to it. */

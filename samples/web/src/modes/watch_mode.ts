@@ -51,7 +51,7 @@ export class WatchMode {
     this.results.clear();
   }
 
-  /** Begins a reach when the mode is shown again. */
+  /** Begins the next reach, when the mode is shown again or the visitor asks for it. */
   resume(): void {
     this.#begin();
     this.#finishIfStill();

@@ -17,7 +17,7 @@ const stops: Readonly<Record<string, string>> = {
   fault: "reports that it is defective. Test it with hrt-plate show",
   emergency: "was stopped by its emergency stop. Release it, then connect the plate again",
   stuck: "reports that its servo is stuck. Switch it off, and remove the obstacle",
-  sensor: "reports that its sensor runs against its servo. Run hrt-plate commission",
+  sensor: "reports that its sensor and its servo count in opposite directions. Run hrt-plate commission",
   unhomed: "no longer knows its orientation. This page needs a plate that measures it with a sensor",
   supply: "has less than 4 V at its servo's supply. Check its adapter and its fuse",
 };
@@ -55,7 +55,8 @@ export class PlateLink {
     return this.#hasReported && this.failure === "";
   }
 
-  /** Sets the wanted orientation: the nearest equivalent angle within the plate's limits, or else the nearest limit. */
+  /** Sets the wanted orientation. The plate receives the nearest equivalent angle (a multiple of 180° away) within its limits, or
+   *  else the nearest limit. */
   turnTo(orientation_deg: number): void {
     if (Number.isFinite(orientation_deg)) this.#wanted_deg = orientation_deg;
   }

@@ -11,7 +11,7 @@ const poke_m = 0.015;
 
 /** The stage in a headset. */
 export class Headset {
-  /** Both hands, drawn at their perceived positions. */
+  /** Both hands, drawn at an offset from their true positions; see shift(). */
   readonly #hands = new THREE.Group();
   readonly #again = new WordBoard(0.12, 0.05, new THREE.Vector3(0.15, 0.05, -0.1));
   readonly #eyes = new THREE.PerspectiveCamera(40, 1, 0.01, 50); // three.js replaces its pose by the headset's
@@ -99,7 +99,7 @@ export class Headset {
   }
 }
 
-/** Inclined text board behind the plate. Drawn again only when the text changes. */
+/** Inclined board with a text, such as that behind the plate. Drawn again only when the text changes. */
 class WordBoard extends THREE.Mesh {
   readonly #canvas = document.createElement("canvas");
   readonly #texture: THREE.CanvasTexture;

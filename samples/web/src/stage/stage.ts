@@ -32,7 +32,7 @@ export class Stage {
   readonly #disc = new THREE.MeshStandardMaterial({ roughness: 0.85 });
   readonly #ridges = new THREE.MeshStandardMaterial({ roughness: 0.6 });
   readonly #mark = new THREE.MeshStandardMaterial({ roughness: 0.6 });
-  // Ridges are drawn larger than in a headset, where they are seen from a shorter distance.
+  // Ridges are drawn larger than they are, so that they are visible from the visitor's seat.
   readonly plate = new HapticPlate({
     radius_m,
     ridgeSpacing_m,
@@ -169,7 +169,7 @@ export class Stage {
     return { left, top, width: Math.max(...xs) - left, height: Math.max(...ys) - top };
   }
 
-  /** Shows the true hand, which fades in, and its path up to this fraction, from 0 to 1. */
+  /** Shows the true hand with this opacity, and this fraction of its path: 0 to 1. */
   reveal(fraction: number): void {
     this.finger.fade(fraction);
     this.truePath.shown = fraction;

@@ -16,7 +16,7 @@ import { RestDetector } from "./rest_detector";
 const startRadius_m = 0.015; // around the start, within the plate's plane
 const startHeight_m = 0.03;
 const startRest_ms = 400;
-const lostLimit_ms = 1000; // after a shorter loss the slide continues; the plugin keeps its command until then
+const lostLimit_ms = 1000; // after a shorter loss the slide continues
 const beyond_m = 0.15; // from the start: the slide has passed the targets
 const pinch_m = 0.025; // between the tips of thumb and index finger
 const liftHeight_m = 0.05; // generous, because without a plate nothing supports the finger
