@@ -248,24 +248,5 @@ TEST_F(Extremes, RandomConfigurationsAndSamplesGiveFiniteNumbers) {
   EXPECT_GT(reached, 4000);
 }
 
-// One field at a time, at its lower and its upper limit.
-TEST_F(Extremes, EachFieldAtItsLimitsGivesFiniteNumbers) {
-  for (const Range& range : ranges) {
-    for (const double value : {range.low, range.high, std::nextafter(range.low, range.high)}) {
-      for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
-        SCOPED_TRACE(std::string(range.name) + " at " + std::to_string(value));
-        hrt_session_config config = session_config();
-        range.of(config) = value;
-        config.guidance = guidance;
-        create(config);
-        for (int n = 0; n < 3; ++n) {
-          begin_reach();
-          reach();
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace hrt::test

@@ -64,41 +64,18 @@ TEST(SimulationPeople, SeedDurationAndIndex_DetermineThePerson) {
   EXPECT_NE(weight(1, 1.5, 3), weight(1, 1.5, 4));
 }
 
-TEST(SimulationPeople, Families_HaveTheirTrait) {
+TEST(SimulationPeople, Families_HaveTheTraitOfTheirName) {
   using C = const PersonCondition&;
   using Values = std::set<double>;
   EXPECT_EQ(values("bias-3", [](C c) { return c.person.bias_deg; }), (Values{-3.0, 3.0}));
-  EXPECT_EQ(values("bias-6", [](C c) { return c.person.bias_deg; }), (Values{-6.0, 6.0}));
-  EXPECT_EQ(values("own-3", [](C c) { return c.person.own_bias_deg; }), (Values{-3.0, 3.0}));
-  EXPECT_EQ(values("habit-5", [](C c) { return c.person.habit_deg; }), (Values{-5.0, 5.0}));
-  EXPECT_EQ(values("habit-10", [](C c) { return c.person.habit_deg; }), (Values{-10.0, 10.0}));
   EXPECT_EQ(values("drift", [](C c) { return c.person.weight_drift; }), (Values{-0.05, 0.05}));
-  EXPECT_EQ(values("slow-plate", [](C c) { return c.plate.max_speed_deg_s; }), (Values{250.0}));
-  EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.correlation_s; }), (Values{0.3}));
-  EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.white_mm; }), (Values{0.0}));
   EXPECT_EQ(values("wild-rest", [](C c) { return 1.0 * c.tracker.burst_samples; }), (Values{1.0, 2.0}));
-  EXPECT_EQ(values("clip-60", [](C c) { return c.person.illusion.scale_deg; }), (Values{60.0}));
-  EXPECT_EQ(draw("clip-45").person.illusion.family, IllusionFamily::saturating);
-  EXPECT_EQ(draw("sine-45").person.illusion.family, IllusionFamily::sine);
-  EXPECT_EQ(draw("place").person.steering, Steering::place);
-  EXPECT_EQ(draw("heavy-arm").person.steering, Steering::heavy_arm);
-  EXPECT_EQ(draw("placing-arm").person.steering, Steering::placing_arm);
-  EXPECT_EQ(draw("slow-arm").person.mass_kg, 2.0);
-  EXPECT_EQ(draw("slow-touch").person.touch_s, 0.15);
-  EXPECT_EQ(draw("corrections").person.steering, Steering::corrections);
-  EXPECT_EQ(draw("scatter-4").person.scatter_deg, 4.0);
-  EXPECT_EQ(draw("even").person.pace, Pace::even);
-  EXPECT_EQ(draw("submovements").person.pace, Pace::submovements);
-  EXPECT_EQ(draw("reversal").person.pace, Pace::reversal);
-  EXPECT_EQ(draw("late-plate").plate.latency_ns, 60'000'000);
   EXPECT_EQ(values("turned-2", [](C c) { return c.tracker.turned_deg; }), (Values{-2.0, 2.0}));
-  EXPECT_EQ(values("scaled-5", [](C c) { return c.tracker.scale; }), (Values{0.95, 1.05}));
-  EXPECT_EQ(values("plate-off-5", [](C c) { return c.plate_offset_deg; }), (Values{-5.0, 5.0}));
-  EXPECT_EQ(values("sheared-2", [](C c) { return c.tracker.shear; }).size(), 2U);
-  EXPECT_EQ(draw("latency-45").tracker.latency_s, 0.045);
-  EXPECT_EQ(people_controller(draw("latency-45")).tracker_latency_ns, 0);
+  EXPECT_EQ(values("clip-60", [](C c) { return c.person.illusion.scale_deg; }), (Values{60.0}));
+  EXPECT_EQ(draw("sine-45").person.illusion.family, IllusionFamily::sine);
+  EXPECT_EQ(draw("heavy-arm").person.steering, Steering::heavy_arm);
+  EXPECT_EQ(people_controller(draw("latency-45")).tracker_latency_ns, 0) << "the controller does not know it";
   EXPECT_EQ(people_controller(draw("latency-100")).tracker_latency_ns, 100'000'000);
-  EXPECT_EQ(draw("late-samples").tracker.late_s, 0.008);
 }
 
 // A gap of 10 degrees is feasible if w_T exceeds 10 / (largest effective angle): 75 degrees (the bound, if linear), 60
