@@ -20,7 +20,7 @@ def _render_init(abi: Abi, notice: str, name: str, headers: tuple[str, ...]) -> 
     cycle = "" if headers is CORE else "  /* NOLINT(misc-header-include-cycle) */"
     guard = f"HAPTIC_RETARGETING_{name.upper().replace('.', '_')}"
     return (f"/*\n * {notice}\n *\n"
-            " * Functions that return structs, ready for use: with their defaults, or else zero with their size.\n"
+            " * Functions that return structs that are ready for use: with their defaults, or with zeros and their size.\n"
             f" *\n *   {structs[0].name} value = {structs[0].name}_init();\n */\n"
             f"/* clang-format off */\n#ifndef {guard}\n#define {guard}\n\n"
             + "".join(f'#include "{header}"{cycle}\n' for header in headers)
@@ -55,7 +55,7 @@ def render_functions(abi: Abi, notice: str) -> str:
             "#include <string.h>\n\n#include \"haptic_retargeting.h\"\n"
             + "".join(f'#include "{header}"\n' for header in abi.headers if header not in CORE) + "\n"
             + "".join(f"typedef {f.result} (*PFN_{f.name})({f.declared});\n" for f in abi.functions)
-            + "\n/** Every function, without hrt_. */\ntypedef struct hrt_functions {\n"
+            + "\n/** Every function, named without hrt_. */\ntypedef struct hrt_functions {\n"
             + "".join(f"  PFN_{f.name} {member};\n" for f, member in members)
             + "} hrt_functions;\n\n"
             "/** Returns the address of a symbol, or null: dlsym() itself; on Windows, a function that calls\n"

@@ -28,7 +28,7 @@ gde_library* library;
 
 /** Loads the functions. Returns the name of a function that this engine lacks, or null. */
 const char* load_interface(gde_get_proc_address get_proc_address) {
-  // Godot 4.4 has the same function under its own version number.
+  // In Godot 4.4 the same function has the name classdb_register_extension_class4.
   const auto load = [&](const std::string_view name) {
     const gde_function found = get_proc_address(name.data());
     return found || name != "classdb_register_extension_class5" ? found

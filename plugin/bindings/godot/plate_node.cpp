@@ -133,8 +133,8 @@ bool PlateNode::configure() {
   return true;
 }
 
-/** Shows lines of the session's log as warnings, such as that a clock or unit is probably wrong, and those of the last
- *  reach immediately. */
+/** Shows the session's log as warnings from now on, such as that a clock or unit is probably wrong, and shows the lines
+ *  that the last reach has stored. */
 bool PlateNode::take_log() {
   hrt_host host = hrt_host_init();
   host.context = &engine_;

@@ -1,4 +1,4 @@
-"""Loading of the library, if it is missing, a wrong file, or of another version."""
+"""Tests of loading a library that is missing, is not a library, or has another version."""
 
 import os
 import re

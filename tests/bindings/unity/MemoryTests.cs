@@ -90,7 +90,7 @@ namespace Hrt.HostTests
 
         static void AssertNoGarbage(Action<int> step)
         {
-            for (int i = 0; i < 100; ++i) step(i); // compiles it
+            for (int i = 0; i < 100; ++i) step(i); // until the code is compiled
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 100; i < Updates; ++i) step(i);
             Assert.AreEqual(0, GC.GetAllocatedBytesForCurrentThread() - before);

@@ -18,8 +18,8 @@ class ReachRecord:
     """One reach that was run or read from a recording. Equal rows of the three arrays belong together."""
 
     config: SessionConfig
+    """Configuration at the beginning of the reach. The next four fields are also those at its beginning."""
     real_direction_deg: float
-    """Configuration at the begin of the reach, as are the next three fields."""
     virtual_direction_deg: float
     real_distance_m: float
     start_position_m: Numbers

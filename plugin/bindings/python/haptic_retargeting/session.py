@@ -102,7 +102,7 @@ class Session(SessionKeywords, Closing):
 
     The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. A session is
     for one thread at a time. Warnings that no call can return, such as a clock or unit that is probably wrong, go to the logger
-    "haptic_retargeting". Closing it removes its targets, and ends its reach and its recording.
+    "haptic_retargeting". Closing a session removes its targets, and ends its reach and its recording.
     """
 
     def _create(self, fields: dict[str, Any]) -> None:
@@ -136,7 +136,7 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_profile_reset(self.handle))
 
     def cancel(self) -> None:
-        """Cancels the reach or the set-up in progress. Raises Error with WRONG_STATE without one."""
+        """Cancels the reach or the set-up in progress. Raises Error with WRONG_STATE if nothing is in progress."""
         if self._running is not None and self.state & (StateFlag.REACHING | StateFlag.SETTING_UP):
             self._running.cancel()
         else:
@@ -282,7 +282,7 @@ class Session(SessionKeywords, Closing):
 
     @property
     def conditions(self) -> Conditions:
-        """Returns the conditions under which the person of the profile was measured. `differing` flags changed ones."""
+        """Returns the conditions under which the person of the profile was measured. `differing` flags those that have changed."""
         return output(Conditions, library().hrt_profile_get_conditions, self.handle)
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:

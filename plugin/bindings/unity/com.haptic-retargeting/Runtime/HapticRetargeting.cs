@@ -81,8 +81,8 @@ namespace Hrt
         bool refused;
 
         /// <summary>The session, for its configuration, profile and recording between reaches. Null while the component is
-        /// disabled. The begin of a reach sets plate, start and targets from the Transforms, and applies changed
-        /// settings of the inspector.</summary>
+        /// disabled. BeginReach sets plate, start and targets from the Transforms, and applies changed settings of the
+        /// inspector.</summary>
         public HapticRetargetingSession Session { get; private set; }
 
         public bool IsReaching { get; private set; }

@@ -38,8 +38,8 @@ namespace Hrt
             }
         }
 
-        /// <summary>Must precede each call of the library. At first, throws if the library is missing or has another version, and
-        /// connects its log.</summary>
+        /// <summary>Must precede each call of the library. The first time, throws if the library is missing or has another
+        /// version, and connects its log.</summary>
         internal static void Load()
         {
             if (loaded) return;

@@ -53,7 +53,7 @@ namespace Hrt
             }
         }
 
-        // Every call of the library ends here: KeepAlive() prevents that the finaliser runs during the call.
+        // Every call of the library ends here: KeepAlive() keeps the finaliser from running during the call.
         internal void Check(Result result)
         {
             GC.KeepAlive(this);
@@ -63,7 +63,7 @@ namespace Hrt
         // Last error of this thread in the library that owns the object.
         internal virtual string LastError => HapticRetargetingLibrary.LastError;
 
-        // The finaliser calls it too, even after Shutdown() has destroyed the object. Throws nothing.
+        // Also called by the finaliser, even after Shutdown() has destroyed the object. Throws nothing.
         Result Destroy()
         {
             if (handle == 0) return Result.Ok;

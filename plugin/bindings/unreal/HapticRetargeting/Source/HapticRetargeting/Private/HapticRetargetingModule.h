@@ -1,6 +1,6 @@
 #pragma once
 
-/** Returns true if the plugin's library is loaded. Otherwise a call of it would end the game. */
+/** Returns true if the plugin's library is loaded. If it is not, a call of the library would end the game. */
 bool HapticLibraryIsLoaded();
 
 /** Calls the plugin from a component, if its library is loaded. */

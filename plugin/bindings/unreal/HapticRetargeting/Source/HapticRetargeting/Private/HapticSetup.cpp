@@ -20,8 +20,7 @@ bool UHapticRetargetingComponent::BeginSetup(int32 What)
 	return true;
 }
 
-/** Broadcasts a step when it changes. Its plate orientation may change in every frame and is broadcast as in a reach.
- */
+/** Broadcasts a step when it changes. Its plate orientation may change in every frame and is broadcast as in a reach. */
 bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 {
 	hrt_setup_step Now = hrt_setup_step_init();

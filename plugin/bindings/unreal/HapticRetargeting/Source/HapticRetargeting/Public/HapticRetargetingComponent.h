@@ -24,8 +24,8 @@ DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupStepped, const FHapticSe
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupFinished, const FHapticSetupResult&, Result);
 
 /**
- * Its transform is the plate's pose, which may change: X away from the user, Y right, Z up. Do not scale it. Calls that are
- * refused return false, change nothing, and log the error and the allowed values.
+ * One user and one plate. The component's transform is the plate's pose, which may change: X away from the user, Y right,
+ * Z up. Do not scale it. Calls that are refused return false, change nothing, and log the error and the allowed values.
  */
 UCLASS(ClassGroup = "Haptic Retargeting", meta = (BlueprintSpawnableComponent))
 class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
