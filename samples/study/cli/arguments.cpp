@@ -1,5 +1,7 @@
 #include "samples/study/cli/arguments.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -116,9 +118,9 @@ std::optional<double> NumberRange::parse(std::string_view words) const {
 }
 
 std::string NumberRange::text() const {
-  if (whole) return "a whole number from " + fixed(low, 0) + " to " + fixed(high, 0);
-  return std::string("a number in ") + (low_allowed ? "[" : "(") + number(low) + ", " + number(high) +
-         (high_allowed ? "]" : ")") + (infinity_allowed ? ", or inf" : "");
+  if (whole) return fmt::format("a whole number from {:.0f} to {:.0f}", low, high);
+  return fmt::format("a number in {}{}, {}{}{}", low_allowed ? '[' : '(', low, high, high_allowed ? ']' : ')',
+                     infinity_allowed ? ", or inf" : "");
 }
 
 CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& help, const std::string& footer,
@@ -131,7 +133,7 @@ CLI::App& add_command(CLI::App& app, const std::string& name, const std::string&
 
 CLI::Validator must_be(const std::string& allowed, const std::function<bool(const std::string&)>& passes) {
   return {[allowed, passes](const std::string& text) {
-            return passes(text) ? "" : "'" + text + "' is not allowed; it must be " + allowed;
+            return passes(text) ? "" : fmt::format("'{}' is not allowed; it must be {}", text, allowed);
           },
           allowed};
 }
@@ -147,20 +149,16 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, c
 
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& values, const NumberRange& range,
                          const std::string& help) {
-  std::string standard;
-  for (const double value : values) standard += (standard.empty() ? "" : ",") + number(value);
   return add_parsed<std::vector<double>>(app, name, values, "a list a,b,c or first:last:count, each " + range.text(),
-                                         standard, help,
+                                         fmt::format("{}", fmt::join(values, ",")), help,
                                          [range](const std::string& text) { return parse_list(text, range); });
 }
 
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& allowed, const std::string& help) {
-  std::string words;
-  for (const std::string& word : allowed) words += (words.empty() ? "one of " : ", ") + word;
+  const auto passes = [allowed](const std::string& text) { return std::ranges::find(allowed, text) != allowed.end(); };
   return app.add_option(name, value, help)
-      ->check(must_be(words,
-                      [allowed](const std::string& text) { return std::ranges::find(allowed, text) != allowed.end(); }))
+      ->check(must_be(fmt::format("one of {}", fmt::join(allowed, ", ")), passes))
       ->capture_default_str();
 }
 
@@ -205,11 +203,10 @@ CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>& famil
 
 CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonState::Index>& traits,
                         const std::string& standard, const std::string& help) {
-  std::string all;
-  for (const StateVariable& trait : std::span(person_state, PersonState::traits))
-    all += (all.empty() ? "from " : ",") + std::string(trait.name);
+  std::vector<std::string> names;
+  for (const StateVariable& trait : std::span(person_state, PersonState::traits)) names.emplace_back(trait.name);
   return add_parsed<std::vector<PersonState::Index>>(
-      app, name, traits, all, standard, help,
+      app, name, traits, fmt::format("from {}", fmt::join(names, ",")), standard, help,
       [](const std::string& names) { return parse_names<PersonState::Index>(names, trait_of); });
 }
 
@@ -217,8 +214,7 @@ std::string tuning_names() {
   std::string text = "Parameters of --tune with their ranges (core/person/tuning.h explains them):\n";
   Tuning tuning;
   for (const TuningField& field : tuning_fields(tuning))
-    text += "  " + field.name + ' ' + number(field.min) + " to " + number(field.max) + ", default " +
-            number(*field.value) + '\n';
+    text += fmt::format("  {} {} to {}, default {}\n", field.name, field.min, field.max, *field.value);
   return text;
 }
 

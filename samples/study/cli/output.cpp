@@ -2,9 +2,8 @@
 
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -13,7 +12,6 @@
 #include <system_error>
 #include <vector>
 
-#include "samples/app/text/text.h"
 #include "samples/app/text/whole_file.h"
 #include "samples/study/cli/arguments.h"
 
@@ -30,36 +28,23 @@ std::map<std::filesystem::path, bool>& named_files() {
   return files;
 }
 
+void check_written(const std::string& path, int error) {
+  if (error != 0) throw std::runtime_error("cannot write " + path + ": " + std::strerror(error));
+}
+
 }  // namespace
 
-std::string number(double value) {
-  std::array<char, 32> text;
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end};
-}
-
-std::string fixed(double value, int decimals) {
-  std::array<char, 400> text;  // the largest double has 309 digits
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-  return {text.data(), end};
-}
-
-std::string cell(double value, int decimals, std::size_t width) {
-  return right(std::isnan(value) ? "-" : fixed(value, decimals), width);
+std::string cell(double value, int decimals) {
+  return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value, decimals);
 }
 
 std::string between(double low, double high, int decimals, const std::string& dash) {
-  const auto bound = [&](double value) { return std::isnan(value) ? "?" : fixed(value, decimals); };
+  const auto bound = [&](double value) { return std::isnan(value) ? "?" : cell(value, decimals); };
   return bound(low) + dash + bound(high);
 }
 
-std::runtime_error cannot_write(const std::filesystem::path& path, int error) {
-  return std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
-}
-
 void replace_file(const std::filesystem::path& path, std::string_view content) {
-  if (const int error = write_whole_file(path, content); error != 0) throw cannot_write(path, error);
+  check_written(path.string(), write_whole_file(path, content));
 }
 
 Output::Output(const std::string& argument, const std::string& path) {
@@ -73,7 +58,7 @@ Output::Output(const std::string& argument, const std::string& path) {
 
 void Output::write(std::string_view content) const {
   if (!path_.empty()) return replace_file(path_, content);
-  if (const int error = write_all(STDOUT_FILENO, content); error != 0) throw cannot_write("standard output", error);
+  check_written("standard output", write_all(STDOUT_FILENO, content));
 }
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0), started_(Clock::now()), last_drawn_(started_) {}
@@ -87,13 +72,11 @@ void Progress::update(std::uint64_t done, std::uint64_t total) {
   const Clock::time_point now = Clock::now();
   if (now - started_ < std::chrono::seconds(1)) return;
   if (drawn_ && now - last_drawn_ < std::chrono::milliseconds(100)) return;
-  const double share = static_cast<double>(done) / static_cast<double>(total);
+  const double share = static_cast<double>(std::max<std::uint64_t>(1, done)) / static_cast<double>(total);
   const double elapsed_s = std::chrono::duration<double>(now - started_).count();
-  const auto filled = static_cast<std::size_t>(bar_width * share);
-  std::string line = "\r\033[K[" + std::string(filled, '#') + std::string(bar_width - filled, '-') + "] " +
-                     fixed(100.0 * share, 0) + " %";
-  if (done > 0) line += ", " + fixed(elapsed_s * (1.0 - share) / share, 0) + " s left";
-  std::fputs(line.c_str(), stderr);
+  const std::string filled(static_cast<std::size_t>(bar_width * share), '#');
+  fmt::print(stderr, "\r\033[K[{:-<{}}] {:.0f} %, {:.0f} s left", filled, bar_width, 100.0 * share,
+             elapsed_s * (1.0 - share) / share);
   std::fflush(stderr);
   drawn_ = true;
   last_drawn_ = now;
@@ -114,7 +97,7 @@ std::string read_input(const std::string& argument, const std::string& path, std
   do {
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > max_bytes) throw refuse("it is larger than " + std::to_string(max_bytes >> 20) + " MiB");
+    if (text.size() > max_bytes) throw refuse(fmt::format("it is larger than {} MiB", max_bytes >> 20));
   } while (file);
   if (file.bad()) throw refuse("reading failed");
   return text;

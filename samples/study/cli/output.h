@@ -1,5 +1,8 @@
-// Output of the subcommands: locale-independent numbers that restore the same bits, atomic files, progress bar.
+// Output of the subcommands: atomic files, progress bar. fmt prints a double with "{}" so that it restores the same
+// bits.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cstddef>
@@ -18,23 +21,14 @@ class UsageError : public std::runtime_error {
 
 /// Returns "NAME: 'TEXT' is not allowed; it must be WHAT".
 inline std::string not_allowed(const std::string& name, std::string_view text, const std::string& what) {
-  return name + ": '" + std::string(text) + "' is not allowed; it must be " + what;
+  return fmt::format("{}: '{}' is not allowed; it must be {}", name, text, what);
 }
 
-/// Returns the shortest decimal that parses to the same double: "0.1", "1e+20", "inf".
-std::string number(double value);
-
-/// Returns `value` with `decimals` digits after the point.
-std::string fixed(double value, int decimals);
-
-/// Returns fixed(), right-aligned in `width` characters; "-" for NaN.
-std::string cell(double value, int decimals, std::size_t width);
+/// Returns `value` with `decimals` digits after the point; "-" for NaN.
+std::string cell(double value, int decimals);
 
 /// Returns "0.38-0.47" with `dash` between the bounds; "?" for a bound that is NaN (unknown).
 std::string between(double low, double high, int decimals, const std::string& dash = "-");
-
-/// Returns "cannot write `path`: ..." with the text of an errno.
-std::runtime_error cannot_write(const std::filesystem::path& path, int error);
 
 /// write_whole_file() (samples/app/text/whole_file.h). Throws std::runtime_error if that fails.
 void replace_file(const std::filesystem::path& path, std::string_view content);

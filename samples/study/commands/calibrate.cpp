@@ -1,16 +1,15 @@
 // hrt-study calibrate: estimates a person's parameters from slides over a fixed plate.
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <memory>
-#include <optional>
-#include <utility>
-
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/calibrate/calibration.h"
 #include "core/calibrate/retest.h"
 #include "core/learning.h"
 #include "core/person/person_belief.h"
-#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
@@ -37,36 +36,34 @@ struct EstimatedTrait {
 
 constexpr const char* verdict_name[] = {"used", "outlying", "along_ridges"};
 
-std::string interval_text(const EstimatedTrait& trait) {
-  return between(trait.interval.lower, trait.interval.upper, trait.decimals, " to ");
+std::string row(const std::string& name, const std::string& value, const std::string& rest) {
+  return fmt::format("  {:36}{:>15}   {}\n", name, value, rest);
 }
 
-std::string row(const std::string& name, const std::string& value, const std::string& rest) {
-  return "  " + left(name, 36) + right(value, 15) + "   " + rest + '\n';
+std::string value_row(const char* words, const Interval& interval, int decimals) {
+  return row(words, cell(interval.value, decimals), between(interval.lower, interval.upper, decimals, " to "));
 }
 
 std::string fit_text(const Calibration& calibration) {
   const LackOfFit& lack = calibration.lack_of_fit;
-  const auto line = [](const char* over, double p) {
-    return row(std::string("  ") + over, fixed(p, 3), p < min_fit_p ? "a pattern" : "none");
-  };
-  std::string text = "\nPatterns in the residuals of the fit, with p of the test\n" +
-                     line("over the plate's angle", lack.angle_p) + line("over the order of the slides", lack.order_p) +
-                     line("along the paths", lack.path_p);
+  std::string text = "\nPatterns in the residuals of the fit, with p of the test\n";
+  for (const auto& [over, p] : {std::pair("over the plate's angle", lack.angle_p),
+                                {"over the order of the slides", lack.order_p},
+                                {"along the paths", lack.path_p}})
+    text += row(std::string("  ") + over, cell(p, 3), p < min_fit_p ? "a pattern" : "none");
   for (const CalibratedSlide& slide : calibration.slides) {
     if (slide.verdict != SlideVerdict::outlying) continue;
     Eigen::Index part = 0;
     (slide.parts_deg - slide.fitted_deg).cwiseAbs().maxCoeff(&part);
-    text += "  excluded: trial " + std::to_string(slide.trial + 1) + ", an outlier: part " + std::to_string(part + 1) +
-            " of its path has a direction of " + fixed(slide.parts_deg(part), 1) + " deg, the fit " +
-            fixed(slide.fitted_deg(part), 1) + '\n';
+    text += fmt::format(
+        "  excluded: trial {}, an outlier: part {} of its path has a direction of {:.1f} deg, the fit {:.1f}\n",
+        slide.trial + 1, part + 1, slide.parts_deg(part), slide.fitted_deg(part));
   }
   if (const std::size_t along = calibration.count(SlideVerdict::along_ridges); along > 0)
-    text +=
-        "  excluded: " + std::to_string(along) + " slides nearly along the ridges, where the illusion changes sign\n";
+    text += fmt::format("  excluded: {} slides nearly along the ridges, where the illusion changes sign\n", along);
   if (calibration.max_plate_deg > 60.0)
-    text += "  the slides have plate angles up to " + fixed(calibration.max_plate_deg, 0) +
-            " deg; published human data cover 60 deg\n";
+    text += fmt::format("  the slides have plate angles up to {:.0f} deg; published human data cover 60 deg\n",
+                        calibration.max_plate_deg);
   for (const std::string& advice : calibration.advice()) text += "Next: " + advice + ".\n";
   return text;
 }
@@ -85,17 +82,15 @@ std::vector<EstimatedTrait> estimated_traits(const Calibration& calibration) {
 
 std::string calibration_text(const CalibrationReport& report) {
   const Calibration& calibration = report.calibration;
-  std::string text = "Calibration of " + report.name + ": " + std::to_string(calibration.count(SlideVerdict::used)) +
-                     " of " + std::to_string(report.trials) + " trials were used\n\n";
-  text += row("", "estimate", "95 % interval");
-  for (const EstimatedTrait& trait : estimated_traits(calibration)) {
-    const std::string value = fixed(trait.interval.value, trait.decimals);
-    text += trait.interval.known ? row(trait.words, value, interval_text(trait))
-                                 : row(trait.words, "not determined", "best fit " + value);
-  }
-  text +=
-      row("its angle between plate and motion, °", fixed(calibration.peak_offset_deg, 0), "") + fit_text(calibration);
-  return text + "\nThe method has been tested with simulated people only; there was no human trial.\n";
+  std::string text = fmt::format("Calibration of {}: {} of {} trials were used\n\n", report.name,
+                                 calibration.count(SlideVerdict::used), report.trials) +
+                     row("", "estimate", "95 % interval");
+  for (const EstimatedTrait& trait : estimated_traits(calibration))
+    text += trait.interval.known
+                ? value_row(trait.words, trait.interval, trait.decimals)
+                : row(trait.words, "not determined", "best fit " + cell(trait.interval.value, trait.decimals));
+  return text + row("its angle between plate and motion, °", cell(calibration.peak_offset_deg, 0), "") +
+         fit_text(calibration) + "\nThe method has been tested with simulated people only; there was no human trial.\n";
 }
 
 nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
@@ -166,14 +161,6 @@ std::string calibration_profile(const Calibration& calibration) {
   return profile.dump(2) + '\n';
 }
 
-// Figure of the illusion curve, of the directions and of the residuals.
-Figure calibration_figure(const CalibrationReport& report) {
-  return {.name = "calibration",
-          .title = "Directions over plates at rest",
-          .caption = "",
-          .data = calibration_json(report)};
-}
-
 // Twice the size of a file with a thousand slides of one minute at 90 Hz.
 constexpr std::size_t max_slides_bytes = std::size_t{1} << 29;
 
@@ -198,94 +185,61 @@ CalibrationReport calibrated(const std::string& data, double goal_direction_deg)
   return report;
 }
 
-// Test-retest comparison of two calibrations of a person.
+// A value of the first of two calibrations, and its difference from the second.
 struct ComparedValue {
-  EstimatedTrait trait;  // of the first calibration
+  EstimatedTrait trait;
   RetestDifference difference;
 };
 
-struct RetestReport {
-  CalibrationReport first;
-  CalibrationReport second;
-  std::vector<ComparedValue> values;
-};
-
-EstimatedTrait trait_of(const Calibration& calibration, std::string_view name) {
-  const std::vector<EstimatedTrait> all = estimated_traits(calibration);
-  return *std::find_if(all.begin(), all.end(), [&](const EstimatedTrait& each) { return each.name == name; });
-}
-
-std::string conclusion(const RetestReport& report) {
-  std::string differing;
-  std::size_t known = 0;
-  for (const ComparedValue& value : report.values) {
-    known += value.difference.difference.known ? 1 : 0;
-    if (value.difference.differs) differing += (differing.empty() ? "" : "; ") + std::string(value.trait.words);
-  }
-  if (known == 0) return "No value is known from both calibrations: nothing can be compared";
-  if (differing.empty())
-    return "No significant difference. The intervals show how large an undetected difference may be";
-  return "Significantly different: " + differing;
-}
-
-RetestReport compare_calibrations(CalibrationReport first, CalibrationReport second) {
-  RetestReport report{std::move(first), std::move(second), {}};
-  const Calibration& a = report.first.calibration;
-  const Calibration& b = report.second.calibration;
+std::vector<ComparedValue> compare_calibrations(const Calibration& first, const Calibration& second) {
   std::vector<RepeatedValue> values;
-  for (const char* const name : {"tactile_weight", "max_gap_deg", "bias_deg", "habit_deg", "tracker_noise_mm"}) {
-    const EstimatedTrait first_value = trait_of(a, name);
-    report.values.push_back({first_value, {}});
-    values.push_back({first_value.interval, trait_of(b, name).interval});
+  std::vector<ComparedValue> compared;
+  const auto all = estimated_traits(first), again = estimated_traits(second);
+  for (const std::string_view name : {"tactile_weight", "max_gap_deg", "bias_deg", "habit_deg", "tracker_noise_mm"}) {
+    const auto at = std::ranges::find(all, name, &EstimatedTrait::name) - all.begin();
+    compared.push_back({all[static_cast<std::size_t>(at)], {}});
+    values.push_back({compared.back().trait.interval, again[static_cast<std::size_t>(at)].interval});
   }
   const std::vector<RetestDifference> differences = compare(values);
-  for (std::size_t i = 0; i < values.size(); ++i) report.values[i].difference = differences[i];
-  return report;
+  for (std::size_t i = 0; i < values.size(); ++i) compared[i].difference = differences[i];
+  return compared;
 }
 
-std::string retest_text(const RetestReport& report) {
-  std::string text = "\nRetest " + report.second.name + " minus test " + report.first.name + "\n  " + left("", 36) +
-                     right("difference", 15) + "   95 % interval\n";
-  for (const ComparedValue& value : report.values) {
-    const Interval& difference = value.difference.difference;
-    text += "  " + left(value.trait.words, 36);
-    text += difference.known ? right(fixed(difference.value, value.trait.decimals), 15) + "   " +
-                                   between(difference.lower, difference.upper, value.trait.decimals, " to ") +
-                                   (value.difference.differs ? ", differs" : "") + '\n'
-                             : right("not determined", 15) + '\n';
+std::string conclusion(const std::vector<ComparedValue>& values) {
+  std::vector<std::string> differing;
+  for (const ComparedValue& value : values)
+    if (value.difference.differs) differing.emplace_back(value.trait.words);
+  if (std::ranges::none_of(values, [](const ComparedValue& value) { return value.difference.difference.known; }))
+    return "No value is known from both calibrations: nothing can be compared";
+  if (differing.empty())
+    return "No significant difference. The intervals show how large an undetected difference may be";
+  return fmt::format("Significantly different: {}", fmt::join(differing, "; "));
+}
+
+std::string retest_text(const std::string& names, const std::vector<ComparedValue>& values) {
+  std::string text = "\nRetest " + names + "\n" + row("", "difference", "95 % interval");
+  for (const auto& [trait, difference] : values) {
+    if (!difference.difference.known) {
+      text += fmt::format("  {:36}{:>15}\n", trait.words, "not determined");
+      continue;
+    }
+    text += value_row(trait.words, difference.difference, trait.decimals);
+    if (difference.differs) text.insert(text.size() - 1, ", differs");
   }
-  return text + conclusion(report) +
+  return text + conclusion(values) +
          ". Of pairs of calibrations of an unchanged person, 5 % have a significant difference in any value.\n";
 }
 
-nlohmann::ordered_json retest_json(const RetestReport& report) {
-  nlohmann::ordered_json page{{"test", report.first.name}, {"retest", report.second.name}};
-  bool differs = false;
-  for (const ComparedValue& value : report.values) {
-    const RetestDifference& difference = value.difference;
-    differs = differs || difference.differs;
-    page["values"][value.trait.name] = {{"difference", difference.difference.value},
-                                        {"interval", {difference.difference.lower, difference.difference.upper}},
-                                        {"known", difference.difference.known},
-                                        {"p", difference.p},
-                                        {"differs", difference.differs}};
-  }
-  page["differs"] = differs;
+nlohmann::ordered_json retest_json(const std::vector<ComparedValue>& values) {
+  nlohmann::ordered_json page;
+  for (const auto& [trait, difference] : values)
+    page["values"][trait.name] = {{"difference", difference.difference.value},
+                                  {"interval", {difference.difference.lower, difference.difference.upper}},
+                                  {"known", difference.difference.known},
+                                  {"p", difference.p},
+                                  {"differs", difference.differs}};
+  page["differs"] = std::ranges::any_of(values, [](const ComparedValue& value) { return value.difference.differs; });
   return page;
-}
-
-std::string text_page(const CalibrationReport& report, const std::optional<RetestReport>& retest) {
-  return retest ? calibration_text(report) + '\n' + calibration_text(retest->second) + retest_text(*retest)
-                : calibration_text(report);
-}
-
-std::string json_page(const CalibrationReport& report, const std::optional<RetestReport>& retest) {
-  nlohmann::ordered_json page = calibration_json(report);
-  if (retest) {
-    page["retest"] = retest_json(*retest);
-    page["retest"]["calibration"] = calibration_json(retest->second);
-  }
-  return page.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
 void run(const CalibrateOptions& options) {
@@ -295,15 +249,24 @@ void run(const CalibrateOptions& options) {
 
   // All inputs and destinations are checked before anything is written.
   const CalibrationReport report = calibrated(options.data, options.goal_direction_deg);
-  std::optional<RetestReport> retest;
-  if (!options.retest.empty())
-    retest = compare_calibrations(report, calibrated(options.retest, options.goal_direction_deg));
-  const std::string page = options.format == "json" ? json_page(report, retest) : text_page(report, retest);
+  nlohmann::ordered_json page = calibration_json(report);
   const std::string picture =
-      options.plot.empty() ? "" : draw_beside("--plot", options.plot, calibration_figure(report));
+      options.plot.empty()
+          ? ""
+          : draw_beside("--plot", options.plot, {"calibration", "Directions over plates at rest", "", page});
+  std::string text = calibration_text(report);
+  if (!options.retest.empty()) {
+    const CalibrationReport second = calibrated(options.retest, options.goal_direction_deg);
+    const auto values = compare_calibrations(report.calibration, second.calibration);
+    text += '\n' + calibration_text(second) + retest_text(second.name + " minus test " + report.name, values);
+    page["retest"] = {{"test", report.name}, {"retest", second.name}};
+    page["retest"].update(retest_json(values));
+    page["retest"]["calibration"] = calibration_json(second);
+  }
+  if (options.format == "json") text = page.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
   if (!options.plot.empty()) plot.write(picture);
   if (!options.profile.empty()) profile.write(calibration_profile(report.calibration));
-  out.write(page);
+  out.write(text);
 }
 
 }  // namespace

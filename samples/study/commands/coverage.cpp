@@ -13,7 +13,6 @@
 #include "core/setup/setup.h"
 #include "core/simulation/people.h"
 #include "core/simulation/slide.h"
-#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/parallel.h"
@@ -32,11 +31,14 @@ struct CoverageKind {
   void (*change)(PersonCondition& condition, Draws& draws) = nullptr;  // applied before the session
 };
 
-// Slides at the plate angles of a set-up (core/setup).
-struct CoverageSession {
-  int slides = 32;
+struct CoverageOptions {
+  int slides = 32;  // at the plate angles of a set-up (core/setup)
   double duration_s = 2.0;
   std::uint64_t seed = 1;
+  std::uint64_t people = 50;
+  std::uint64_t threads = 2;
+  std::string kind = "all";
+  Writing writing;
 };
 
 enum Quantity { weight, bias, habit, max_gap, quantities };
@@ -67,16 +69,17 @@ struct Tally {
   // Means over determined values; NaN without any.
   double mean_error() const { return error / static_cast<double>(known.hits); }
   double mean_width() const { return width / static_cast<double>(known.hits); }
-  // Percentage covered, in `columns` characters, and its 95 % interval in 9: " 98 (77-99) ".
-  std::string covered_text(std::size_t columns) const {
+  std::string text(int decimals) const {
     const PercentInterval range = covered.interval();
-    return cell(covered.percent(), 0, columns) +
-           left(covered.of > 0 ? " (" + between(range.low, range.high, 0) + ")" : "", 9);
+    return fmt::format("{:>7}{:>5} {:8}{:>8}{:>7}", cell(known.percent(), 0), cell(covered.percent(), 0),
+                       covered.of > 0 ? "(" + between(range.low, range.high, 0) + ")" : "",
+                       cell(mean_error(), decimals), cell(mean_width(), decimals));
   }
 };
 
 // Coverage for people of one kind.
 struct Coverage {
+  const CoverageKind* kind;
   Share refused;
   Share angle, order, path;  // people with significant lack of fit of each sort
   std::array<Tally, quantities> of;
@@ -136,7 +139,7 @@ constexpr CoverageKind all_kinds[] = {
 };
 
 // Simulates the slides of person `index` of a kind, in the order of the session. `truth`: output, the true values.
-std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const CoverageSession& session,
+std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const CoverageOptions& session,
                                               std::uint32_t index, std::array<double, quantities>* truth) {
   PersonCondition condition = draw_person(*people_family(kind.family), session.duration_s, session.seed, index);
   Draws draws(session.seed, session_stream, index, 0);
@@ -177,7 +180,7 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   return trials;
 }
 
-CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& session, std::uint32_t index) {
+CoveragePerson coverage_person(const CoverageKind& kind, const CoverageOptions& session, std::uint32_t index) {
   CoveragePerson person;
   const auto trials = coverage_slides(kind, session, index, &person.truth);
   const auto result = calibrate(trials);
@@ -192,88 +195,61 @@ CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& 
   return person;
 }
 
-struct CoverageOptions {
-  CoverageSession session;
-  std::uint64_t people = 50;
-  std::uint64_t threads = 2;
-  std::string kind = "all";
-  Writing writing;
-};
-
-struct KindRow {
-  const CoverageKind* kind;
-  Coverage coverage;
-};
-
 struct CoverageStudy {
   CoverageOptions options;
-  std::vector<KindRow> rows;
+  std::vector<Coverage> rows;
 };
 
 Coverage simulate(const CoverageKind& kind, const CoverageOptions& options) {
   std::vector<CoveragePerson> people(options.people);
-  for_each_part(people.size(), options.threads, [&](std::uint64_t i) {
-    people[i] = coverage_person(kind, options.session, static_cast<std::uint32_t>(i));
-  });
-  Coverage coverage;
+  for_each_part(people.size(), options.threads,
+                [&](std::uint64_t i) { people[i] = coverage_person(kind, options, static_cast<std::uint32_t>(i)); });
+  Coverage coverage{.kind = &kind};
   for (const CoveragePerson& person : people) coverage.add(person);
   return coverage;
 }
 
 std::string text(const CoverageStudy& study) {
   const CoverageOptions& options = study.options;
-  std::string page =
-      "Calibrations of simulated people; there was no human trial. " + std::to_string(options.people) +
-      " people of each kind, " + std::to_string(options.session.slides) + " slides at the angles of a set-up, " +
-      number(options.session.duration_s) +
-      " s each.\nknown: % of people for whom the calibration determines the value\n"
+  std::string page = fmt::format(
+      "Calibrations of simulated people; there was no human trial. {} people of each kind, {} slides at the angles of "
+      "a set-up, {} s each.\n"
+      "known: % of people for whom the calibration determines the value\n"
       "cover: % of these whose 95 % interval contains the true value, and the 95 % interval of this percentage\n"
-      "error: mean of estimate minus true value; width: mean width of the interval\n\n";
-  page += left("", 14);
-  for (const char* name : {"w_T", "bias, deg", "habit, deg", "largest gap, deg"}) page += "  " + left(name, 34);
-  page += '\n' + left("", 14);
+      "error: mean of estimate minus true value; width: mean width of the interval\n\n"
+      "{:14}  {:34}  {:34}  {:34}  {:34}\n{:14}",
+      options.people, options.slides, options.duration_s, "", "w_T", "bias, deg", "habit, deg", "largest gap, deg", "");
   for (int i = 0; i < quantities; ++i) page += "  known cover           error  width ";
-  page += '\n';
-  for (const KindRow& row : study.rows) {
-    page += left(row.kind->name, 14);
-    for (int i = 0; i < quantities; ++i) {
-      const Tally& tally = row.coverage.of[static_cast<std::size_t>(i)];
-      const int decimals = i == weight ? 4 : 2;
-      page += cell(tally.known.percent(), 0, 7) + tally.covered_text(5) + cell(tally.mean_error(), decimals, 8) +
-              cell(tally.mean_width(), decimals, 7);
-    }
-    page += '\n';
+  for (const Coverage& row : study.rows) {
+    page += fmt::format("\n{:14}", row.kind->name);
+    for (std::size_t i = 0; i < quantities; ++i) page += row.of[i].text(i == weight ? 4 : 2);
   }
   page +=
-      "\n% of people whose values are unknown because of a lack of fit over the plate's angle, the order of the slides "
-      "or "
-      "the\npath (first three columns), or because the calibration failed (fourth column)\n";
-  for (const KindRow& row : study.rows) {
-    const Coverage& of = row.coverage;
-    page += left(row.kind->name, 14) + cell(of.angle.percent(), 0, 6) + cell(of.order.percent(), 0, 6) +
-            cell(of.path.percent(), 0, 6) + cell(of.refused.percent(), 0, 6) + "   " + row.kind->description + '\n';
-  }
+      "\n\n% of people whose values are unknown because of a lack of fit over the plate's angle, the order of the "
+      "slides or the\npath (first three columns), or because the calibration failed (fourth column)\n";
+  for (const Coverage& of : study.rows)
+    page += fmt::format("{:14}{:>6.0f}{:>6.0f}{:>6.0f}{:>6.0f}   {}\n", of.kind->name, of.angle.percent(),
+                        of.order.percent(), of.path.percent(), of.refused.percent(), of.kind->description);
   return page;
 }
 
 Results results(const CoverageStudy& study) {
   Results found{.about = {{"simulation", true},
                           {"people", study.options.people},
-                          {"seed", study.options.session.seed},
-                          {"duration_s", study.options.session.duration_s},
-                          {"slides", study.options.session.slides}},
+                          {"seed", study.options.seed},
+                          {"duration_s", study.options.duration_s},
+                          {"slides", study.options.slides}},
                 .rows = {}};
-  for (const KindRow& kind : study.rows) {
-    const Coverage& coverage = kind.coverage;
-    Row row{{"kind", kind.kind->name},      {"description", kind.kind->description}, {"refused", coverage.refused.hits},
-            {"angle", coverage.angle.hits}, {"order", coverage.order.hits},          {"path", coverage.path.hits}};
+  for (const Coverage& of : study.rows) {
+    Row row{{"kind", of.kind->name},      {"description", of.kind->description},
+            {"refused", of.refused.hits}, {"angle", of.angle.hits},
+            {"order", of.order.hits},     {"path", of.path.hits}};
     for (std::size_t i = 0; i < quantities; ++i) {
-      const Tally& tally = coverage.of[i];
       const std::string name = quantity_name[i];
-      row[name + "_known"] = tally.known.hits;
-      row[name + "_covered"] = tally.covered.hits;
-      row[name + "_mean_error"] = tally.mean_error();
-      row[name + "_mean_width"] = tally.mean_width();
+      row[name + "_known"] = of.of[i].known.hits;
+      row[name + "_covered"] = of.of[i].covered.hits;
+      row[name + "_mean_error"] = of.of[i].mean_error();
+      row[name + "_mean_width"] = of.of[i].mean_width();
     }
     found.rows.push_back(row);
   }
@@ -282,12 +258,11 @@ Results results(const CoverageStudy& study) {
 
 CoverageStudy simulate(const CoverageOptions& options) {
   CoverageStudy study{.options = options, .rows = {}};
-  for (const CoverageKind& kind : all_kinds)
-    if (options.kind == "all" || options.kind == kind.name) study.rows.push_back({&kind, {}});
   Progress progress;
-  for (std::size_t i = 0; i < study.rows.size(); ++i) {
-    study.rows[i].coverage = simulate(*study.rows[i].kind, options);
-    progress.update(i + 1, study.rows.size());
+  for (std::size_t i = 0; i < std::size(all_kinds); ++i) {
+    if (options.kind != "all" && options.kind != all_kinds[i].name) continue;
+    study.rows.push_back(simulate(all_kinds[i], options));
+    progress.update(i + 1, std::size(all_kinds));
   }
   return study;
 }
@@ -309,10 +284,10 @@ Examples:
   for (const CoverageKind& kind : all_kinds) kinds.emplace_back(kind.name);
   add_choice(command, "--kind", options->kind, kinds, "Kind of simulated people.");
   add_integer(command, "--people", options->people, 1, 100'000, "Number of simulated people of each kind.");
-  add_integer(command, "--slides", options->session.slides, 16, 200, "Number of slides of each person.");
-  add_number(command, "--duration", options->session.duration_s, {0.3, 20.0}, "Duration of a slide, s.");
+  add_integer(command, "--slides", options->slides, 16, 200, "Number of slides of each person.");
+  add_number(command, "--duration", options->duration_s, {0.3, 20.0}, "Duration of a slide, s.");
   add_threads(command, options->threads);
-  add_seed(command, options->session.seed);
+  add_seed(command, options->seed);
   options->writing.add_options(command);
 }
 

@@ -24,9 +24,10 @@ void check_size(const ParticipantsOptions& options) {
                         static_cast<double>(options.session.trials_per_angle);
   const double rows = trials * (condition.rest_s + condition.duration_s) * condition.tracker_rate_hz;
   if (rows > max_rows)
-    throw UsageError(not_allowed("--trials", std::to_string(options.session.trials_per_angle),
-                                 "small enough for at most " + fixed(max_rows, 0) +
-                                     " rows; with these angles, rate and times there are " + fixed(rows, 0)));
+    throw UsageError(not_allowed(
+        "--trials", fmt::to_string(options.session.trials_per_angle),
+        fmt::format("small enough for at most {:.0f} rows; with these angles, rate and times there are {:.0f}",
+                    max_rows, rows)));
 }
 
 void run(ParticipantsOptions options) {

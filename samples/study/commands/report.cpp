@@ -28,16 +28,16 @@ void run(const ReportOptions& options) {
        .caption =
            "Share of trials that end within 1.5° of the real direction, for the six pairs of each condition. Bars: "
            "95 % intervals (Wilson) of the paper's 50 trials and of the model's " +
-           std::to_string(table.options.trials) +
+           fmt::to_string(table.options.trials) +
            " per cell. Dashed: limit of any controller, as the plate cannot correct the noise of the last step.",
-       .data = Row::parse(json_of(table1_results(table)))});
+       .data = page_of(table1_results(table))});
   staged.draw(figures);
   const std::string page = "report.html";
   staged.write(page, html_page(table1_text(table), figures));
   staged.publish();
   Output("--out", "")
-      .write("Wrote " + std::to_string(figures.size()) + " pictures and the page " +
-             (fs::path(options.out) / page).string() + "\n");
+      .write(
+          fmt::format("Wrote {} pictures and the page {}\n", figures.size(), (fs::path(options.out) / page).string()));
 }
 
 }  // namespace

@@ -17,28 +17,20 @@ struct RidgeOptions {
   double motor_variance_deg2 = 0.5;
   std::uint64_t trials = 50;
   std::uint64_t seed = 1;
+  std::string plot;
+  Writing writing;
 };
 
 struct RidgeAngle {
   double plate_deg;
-  double rest_deg;  // fixed point: direction that is perceived as straight ahead, -w T / (1 - w)
-  double mean_deg;  // mean and SD of the final directions
-  double sd_deg;
+  double rest_deg;                      // fixed point: direction that is perceived as straight ahead, -w T / (1 - w)
+  double mean_deg = 0.0, sd_deg = 0.0;  // of the final directions
   std::vector<std::vector<double>> directions_deg;  // direction of the finger in each step of each trial
-};
-
-struct Ridges {
-  RidgeOptions options;
-  std::vector<RidgeAngle> angles;
 };
 
 RidgeAngle simulate(const RidgeOptions& options, double plate_deg, std::uint32_t number) {
   const double weight = options.tactile_weight;
-  RidgeAngle angle{.plate_deg = plate_deg,
-                   .rest_deg = -weight * plate_deg / (1.0 - weight),
-                   .mean_deg = 0.0,
-                   .sd_deg = 0.0,
-                   .directions_deg = {}};
+  RidgeAngle angle{.plate_deg = plate_deg, .rest_deg = -weight * plate_deg / (1.0 - weight)};
   Condition condition = make_condition(options.motor_variance_deg2, weight, 0.0, 0.0);
   condition.controller.mode = ControlMode::fixed_plate;
   condition.controller.fixed_plate_orientation_deg = condition.plate_orientation_deg = plate_deg;
@@ -58,37 +50,39 @@ RidgeAngle simulate(const RidgeOptions& options, double plate_deg, std::uint32_t
   return angle;
 }
 
+using Ridges = std::vector<RidgeAngle>;
+
 Ridges simulate_ridges(const RidgeOptions& options) {
-  Ridges ridges{.options = options, .angles = {}};
+  Ridges angles;
   for (const double plate_deg : options.plate_angles_deg)
-    ridges.angles.push_back(simulate(options, plate_deg, static_cast<std::uint32_t>(ridges.angles.size())));
-  return ridges;
+    angles.push_back(simulate(options, plate_deg, static_cast<std::uint32_t>(angles.size())));
+  return angles;
 }
 
-std::string ridges_text(const Ridges& ridges) {
+std::string ridges_text(const RidgeOptions& options, const Ridges& angles) {
   std::string page =
-      wrapped("The paper's Fig. 1c: " + std::to_string(ridges.options.trials) +
-                  " simulated slides straight ahead over a plate that rests at each angle, tactile weight " +
-                  number(ridges.options.tactile_weight) + ", motor variance " +
-                  number(ridges.options.motor_variance_deg2) +
-                  " deg^2. Ridges that shift the perceived direction to the left (positive angles) bend the path to "
-                  "the right. Fixed point: direction that is perceived as straight ahead. There was no human trial.",
+      wrapped(fmt::format(
+                  "The paper's Fig. 1c: {} simulated slides straight ahead over a plate that rests at each angle, "
+                  "tactile weight {}, motor variance {} deg^2. Ridges that shift the perceived direction to the left "
+                  "(positive angles) bend the path to the right. Fixed point: direction that is perceived as straight "
+                  "ahead. There was no human trial.",
+                  options.trials, options.tactile_weight, options.motor_variance_deg2),
               110) +
-      '\n' + "\nplate, deg  final direction, deg: mean      SD  fixed point\n";
-  for (const RidgeAngle& angle : ridges.angles)
-    page += right(number(angle.plate_deg), 10) + right(fixed(angle.mean_deg, 1), 29) +
-            right(fixed(angle.sd_deg, 1), 8) + right(fixed(angle.rest_deg, 1), 13) + '\n';
+      "\n\nplate, deg  final direction, deg: mean      SD  fixed point\n";
+  for (const RidgeAngle& angle : angles)
+    page += fmt::format("{:>10}{:>29.1f}{:>8.1f}{:>13.1f}\n", angle.plate_deg, angle.mean_deg, angle.sd_deg,
+                        angle.rest_deg);
   return page;
 }
 
-Results ridges_results(const Ridges& ridges) {
+Results ridges_results(const RidgeOptions& options, const Ridges& angles) {
   Results found{.about = {{"simulation", true},
-                          {"trials", ridges.options.trials},
-                          {"seed", ridges.options.seed},
-                          {"tactile_weight", ridges.options.tactile_weight},
-                          {"motor_variance_deg2", ridges.options.motor_variance_deg2}},
+                          {"trials", options.trials},
+                          {"seed", options.seed},
+                          {"tactile_weight", options.tactile_weight},
+                          {"motor_variance_deg2", options.motor_variance_deg2}},
                 .rows = {}};
-  for (const RidgeAngle& angle : ridges.angles)
+  for (const RidgeAngle& angle : angles)
     found.rows.push_back({{"plate_deg", angle.plate_deg},
                           {"mean_deg", angle.mean_deg},
                           {"sd_deg", angle.sd_deg},
@@ -96,9 +90,9 @@ Results ridges_results(const Ridges& ridges) {
   return found;
 }
 
-Figure figure_of(const Ridges& ridges) {
+Figure figure_of(const Ridges& angles) {
   Row data;
-  for (const RidgeAngle& angle : ridges.angles)
+  for (const RidgeAngle& angle : angles)
     data["angles"].push_back({{"plate_deg", angle.plate_deg}, {"directions_deg", angle.directions_deg}});
   return {.name = "fig1c",
           .title = "Fig. 1c: straight ahead over a plate at rest",
@@ -108,17 +102,11 @@ Figure figure_of(const Ridges& ridges) {
           .data = data};
 }
 
-struct RidgesOptions {
-  RidgeOptions ridges;
-  std::string plot;
-  Writing writing;
-};
-
-Ridges simulated(const RidgesOptions& options) {
+Ridges simulated(const RidgeOptions& options) {
   const Output plot("--plot", options.plot);
-  Ridges ridges = simulate_ridges(options.ridges);
-  if (!options.plot.empty()) plot.write(draw_beside("--plot", options.plot, figure_of(ridges)));
-  return ridges;
+  Ridges angles = simulate_ridges(options);
+  if (!options.plot.empty()) plot.write(draw_beside("--plot", options.plot, figure_of(angles)));
+  return angles;
 }
 
 }  // namespace
@@ -126,7 +114,7 @@ Ridges simulated(const RidgesOptions& options) {
 Figure ridges_figure(std::uint64_t seed) { return figure_of(simulate_ridges({.seed = seed})); }
 
 void add_ridges(CLI::App& app) {
-  const auto options = std::make_shared<RidgesOptions>();
+  const auto options = std::make_shared<RidgeOptions>();
   CLI::App& command = add_command(
       app, "ridges", "The paper's Fig. 1c: slides straight ahead over a fixed plate at five angles.",
       R"(Paths approach the direction P that is perceived as straight ahead: w_T T + (1 - w_T) P = 0 for a plate at T.
@@ -134,16 +122,19 @@ void add_ridges(CLI::App& app) {
 Examples:
   hrt-study ridges --plot fig1c.svg
   hrt-study ridges --tactile-weight 0.3 --angles -60:60:9 --format csv)",
-      [options] { options->writing.write([options] { return simulated(*options); }, ridges_results, ridges_text); });
-  RidgeOptions& ridges = options->ridges;
-  add_numbers(command, "--angles", ridges.plate_angles_deg, {-90.0, 90.0, false, false},
+      [options] {
+        options->writing.write([&] { return simulated(*options); },
+                               [&](const Ridges& angles) { return ridges_results(*options, angles); },
+                               [&](const Ridges& angles) { return ridges_text(*options, angles); });
+      });
+  add_numbers(command, "--angles", options->plate_angles_deg, {-90.0, 90.0, false, false},
               "Plate orientations (normal of the ridges), deg.");
-  add_number(command, "--tactile-weight", ridges.tactile_weight, tactile_weight_range,
+  add_number(command, "--tactile-weight", options->tactile_weight, tactile_weight_range,
              "Tactile weight w_T: fraction of touch in the perceived direction.");
-  add_number(command, "--motor-variance", ridges.motor_variance_deg2, variance_range,
+  add_number(command, "--motor-variance", options->motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
-  add_integer(command, "--trials", ridges.trials, 1, 10'000, "Slides at each angle.");
-  add_seed(command, ridges.seed);
+  add_integer(command, "--trials", options->trials, 1, 10'000, "Slides at each angle.");
+  add_seed(command, options->seed);
   add_plot(command, options->plot, "SVG file for a figure of the paths. Needs python3-matplotlib.");
   options->writing.add_options(command);
 }

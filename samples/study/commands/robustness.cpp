@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
@@ -63,7 +62,7 @@ void run(const Options& options) {
 std::string family_list() {
   std::string list;
   for (const PeopleFamily& family : people_families())
-    list += "  " + left(label(people_of(family)), 16) + family.description + '\n';
+    list += fmt::format("  {:16}{}\n", label(people_of(family)), family.description);
   return list;
 }
 

@@ -35,45 +35,48 @@ GapFeasibility gap_feasibility_of(const Scene& scene, const SceneTarget& virtual
   return paper_gap_feasibility(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
 }
 
-// Avoids "-0" for a value that rounds to zero.
-std::string degrees(double angle_deg) { return fixed(std::abs(angle_deg) < 0.005 ? 0.0 : angle_deg, 2); }
+// Text with `decimals` digits; avoids "-0" for a value that rounds to zero.
+std::string rounded(double value, int decimals) {
+  return fmt::format("{:.{}f}", std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value, decimals);
+}
 
-std::string millimetres(double metres) { return fixed(std::abs(metres) < 0.5e-4 ? 0.0 : metres * 1e3, 1); }
+std::string degrees(double angle_deg) { return rounded(angle_deg, 2); }
+std::string millimetres(double metres) { return rounded(1e3 * metres, 1); }
 
 std::string text(const Scene& scene, const SceneOptions& options) {
   const ScenePlate& plate = scene.plate;
-  std::string page = "Plate " + plate.node_path + ": radius " + millimetres(plate.radius_m) + " mm";
-  page += plate.max_speed_deg_s ? ", at most " + number(*plate.max_speed_deg_s) + " deg/s\n" : "\n";
-  page += "Start " + scene.start_path.value_or("(default)") + ": x " + millimetres(scene.start_m.x) + " mm, z " +
-          millimetres(scene.start_m.z) + " mm from the plate's centre\n\n";
+  std::string page = fmt::format("Plate {}: radius {} mm", plate.node_path, millimetres(plate.radius_m));
+  if (plate.max_speed_deg_s) page += fmt::format(", at most {} deg/s", *plate.max_speed_deg_s);
+  page +=
+      fmt::format("\nStart {}: x {} mm, z {} mm from the plate's centre\n\n", scene.start_path.value_or("(default)"),
+                  millimetres(scene.start_m.x), millimetres(scene.start_m.z));
 
   std::size_t widest = 6;
   for (const SceneTarget& target : scene.targets) widest = std::max(widest, length_of(target.name));
-  page += left("target", widest) + "  kind     direction  distance  height  node\n";
-  page += left("", widest) + "                 deg        mm      mm\n";
-  for (const SceneTarget& target : scene.targets)
-    page += left(target.name, widest) + (target.served_by ? "  virtual" : "  real   ") +
-            right(degrees(direction_deg(scene, target)), 11) + right(millimetres(distance_m(scene, target)), 10) +
-            right(millimetres(target.position_m.y), 8) + "  " + target.node_path + '\n';
-
   page +=
+      fmt::format("{:{}}  kind     direction  distance  height  node\n{:{}}                 deg        mm      mm\n",
+                  "target", widest, "", widest);
+  for (const SceneTarget& target : scene.targets)
+    page += fmt::format("{:{}}  {:7}{:>11}{:>10}{:>8}  {}\n", target.name, widest,
+                        target.served_by ? "virtual" : "real", degrees(direction_deg(scene, target)),
+                        millimetres(distance_m(scene, target)), millimetres(target.position_m.y), target.node_path);
+
+  page += fmt::format(
       "\nPlate orientation, in deg from the mid-line, that sustains the gap of each pair; -: infeasible, as no "
-      "orientation\n"
-      "within " +
-      number(options.plate_bound_deg) +
-      " deg of the virtual direction sustains it. Computed from the model; there was no human trial.\n\n";
-  page += left("virtual", widest) + "  " + left("real", widest) + "     gap  tactile weight\n";
-  page += left("", 2 * widest + 2) + "     deg";
-  for (const double tactile_weight : options.tactile_weights) page += right(number(tactile_weight), 8);
+      "orientation\nwithin {} deg of the virtual direction sustains it. Computed from the model; there was no human "
+      "trial.\n\n{:{}}  {:{}}     gap  tactile weight\n{:{}}     deg",
+      options.plate_bound_deg, "virtual", widest, "real", widest, "", 2 * widest + 2);
+  for (const double tactile_weight : options.tactile_weights) page += fmt::format("{:>8}", tactile_weight);
   page += '\n';
   for (const SceneTarget& target : scene.targets) {
     if (!target.served_by) continue;
     const double first_weight = options.tactile_weights.front();
     const double gap_deg = gap_feasibility_of(scene, target, first_weight, options.plate_bound_deg).gap_deg;
-    page += left(target.name, widest) + "  " + left(real_of(scene, target).name, widest) + right(degrees(gap_deg), 8);
+    page +=
+        fmt::format("{:{}}  {:{}}{:>8}", target.name, widest, real_of(scene, target).name, widest, degrees(gap_deg));
     for (const double tactile_weight : options.tactile_weights) {
       const GapFeasibility feasibility = gap_feasibility_of(scene, target, tactile_weight, options.plate_bound_deg);
-      page += right(feasibility.reachable ? fixed(feasibility.plate_orientation_deg, 1) : "-", 8);
+      page += fmt::format("{:>8}", feasibility.reachable ? cell(feasibility.plate_orientation_deg, 1) : "-");
     }
     page += '\n';
   }

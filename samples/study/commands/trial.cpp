@@ -31,19 +31,26 @@ const char* name(ActiveBound bound) {
   return names[static_cast<std::size_t>(bound)];
 }
 
+// One row per step; the last row has only the direction after the last step.
 std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome) {
-  std::string page =
-      "step,finger_direction_deg,plate_orientation_deg,felt_direction_deg,perceived_direction_deg,gain,"
-      "variance_deg2,motor_command_deg,noise_deg,active_bound\n";
-  for (const TrialStep& step : steps) {
-    page += std::to_string(step.step);
-    for (const double value :
-         {step.finger_direction_deg, step.plate_orientation_deg, step.felt_direction_deg, step.perceived_direction_deg,
-          step.gain, step.variance_deg2, step.motor_command_deg, step.noise_deg})
-      page += ',' + number(value);
-    page += std::string(",") + name(step.active) + '\n';
-  }
-  return page + std::to_string(steps.size()) + ',' + number(outcome.final_direction_deg) + ",,,,,,,,\n";
+  Results found;
+  for (const TrialStep& step : steps)
+    found.rows.push_back({{"step", step.step},
+                          {"finger_direction_deg", step.finger_direction_deg},
+                          {"plate_orientation_deg", step.plate_orientation_deg},
+                          {"felt_direction_deg", step.felt_direction_deg},
+                          {"perceived_direction_deg", step.perceived_direction_deg},
+                          {"gain", step.gain},
+                          {"variance_deg2", step.variance_deg2},
+                          {"motor_command_deg", step.motor_command_deg},
+                          {"noise_deg", step.noise_deg},
+                          {"active_bound", name(step.active)}});
+  Row last = found.rows.front();
+  for (Row& value : last) value = nullptr;
+  last["step"] = steps.size();
+  last["finger_direction_deg"] = outcome.final_direction_deg;
+  found.rows.push_back(last);
+  return csv_of(found);
 }
 
 void run_trace(const TrialOptions& options) {
@@ -52,9 +59,13 @@ void run_trace(const TrialOptions& options) {
   PersonCondition condition = draw_person(*options.families.front(), options.duration_s, options.seed, options.trial);
   condition.real_direction_deg = options.condition.real_direction_deg;
   condition.virtual_direction_deg = options.condition.virtual_direction_deg;
-  const Trace trace = trace_reach(condition, options.reach, options.seed, options.trial);
-  staged.write("trace.csv", trace_csv(trace));
-  staged.draw(trace_figures(trace));
+  const Results trace = trace_reach(condition, options.reach, options.seed, options.trial);
+  staged.write("trace.csv", csv_of(trace));
+  staged.draw({{.name = "reach", .title = "", .caption = "", .data = page_of(trace)},
+               {.name = "trace",
+                .title = "States of the filter over time in s, with +-2 SDs",
+                .caption = "",
+                .data = page_of(trace)}});
   staged.publish();
 }
 
@@ -66,8 +77,8 @@ void run(const TrialOptions& options) {
     condition.controller.fixed_plate_orientation_deg = *options.fixed_plate_deg;
   }
   if (std::abs(condition.virtual_direction_deg - condition.real_direction_deg) >= 90.0)
-    throw UsageError(not_allowed("--real", number(condition.real_direction_deg),
-                                 "less than 90 deg from --virtual (" + number(condition.virtual_direction_deg) + ")"));
+    throw UsageError(not_allowed("--real", fmt::to_string(condition.real_direction_deg),
+                                 fmt::format("less than 90 deg from --virtual ({})", condition.virtual_direction_deg)));
   if (!options.trace.empty()) return run_trace(options);
   const Output output("--out", options.out);
   std::vector<TrialStep> steps;

@@ -32,7 +32,7 @@ StagingFolder::StagingFolder(const std::string& argument, const std::string& out
         "python3-matplotlib");
   std::error_code error;
   fs::create_directories(out_, error);
-  folder_ = out_ / (".hrt-study." + std::to_string(getpid()) + ".tmp");
+  folder_ = out_ / fmt::format(".hrt-study.{}.tmp", getpid());
   if (!error) fs::create_directory(folder_, error);
   if (error) throw UsageError(not_allowed(argument, out, "a folder that can be written (" + error.message() + ")"));
 }

@@ -1,14 +1,12 @@
 // Figures, which figures.py draws with matplotlib, and a staging folder for results.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/person/person_filter.h"
 #include "core/simulation/people.h"
 #include "samples/study/numbers/results.h"
 
@@ -30,29 +28,11 @@ std::vector<Figure> path_figures(std::uint64_t seed);
 /// Returns an HTML page with `text` and then each figure (NAME.svg in the same folder) with its caption.
 std::string html_page(const std::string& text, const std::vector<Figure>& figures);
 
-struct TracedSample {
-  double time_s;
-  PlatePoint finger, felt;
-  double plate_deg;
-  double commanded_deg;
-  double felt_error_deg;                                   ///< estimate of the controller
-  std::array<double, PersonState::count> mean, deviation;  ///< in the order of PersonState
-};
-
-struct Trace {
-  PersonCondition condition;
-  std::vector<TracedSample> samples;
-};
-
 /// Simulates reach number `reach`, from 1, of a person under our controller, with the estimates from those before.
-Trace trace_reach(const PersonCondition& condition, int reach, std::uint64_t seed, std::uint32_t index);
-
-/// Returns CSV with one row per sample, and the mean and SD of each state.
-std::string trace_csv(const Trace& trace);
-
-/// Returns "reach", an animation of the reach from above (plate and ridges, true and perceived path), and "trace", the
-/// states of the filter over time with intervals of +-2 SDs.
-std::vector<Figure> trace_figures(const Trace& trace);
+/// Returns one row per sample, with the mean and SD of each state of the filter. figures.py draws "reach", an animation
+/// of the reach from above (plate and ridges, true and perceived path), and "trace", the states over time, from
+/// page_of().
+Results trace_reach(const PersonCondition& condition, int reach, std::uint64_t seed, std::uint32_t index);
 
 /// A staging folder for the files of one result, which are published together when complete, or not at all.
 class StagingFolder {

@@ -125,14 +125,15 @@ def draw_calibration(figure, data):
 
 
 def draw_trace(figure, data):
+    column = lambda name: numpy.array([row[name] for row in data["rows"]], dtype=float)
     for axes, state in itertools.zip_longest(figure.subplots(-(-len(data["states"]) // 4), 4).flat, data["states"]):
         if state is None:
             axes.remove()
             continue
-        mean, sd = numpy.array(state["mean"]), numpy.array(state["sd"])
-        axes.fill_between(data["time_s"], mean - 2 * sd, mean + 2 * sd, color="#d5e2f0")
-        axes.plot(data["time_s"], mean, color=PLATE)
-        axes.set_title(state["name"].replace("_", " "))
+        mean, sd = column(state), column(state + "_sd")
+        axes.fill_between(column("time_s"), mean - 2 * sd, mean + 2 * sd, color="#d5e2f0")
+        axes.plot(column("time_s"), mean, color=PLATE)
+        axes.set_title(state.replace("_", " "))
 
 
 PLATE_MM, START_MM, FRAMES_S = 75, 50, 25
@@ -159,10 +160,10 @@ def moving_picture(data):
     """Returns the animation of a reach from above, which begins 0.25 s before the motion: plate and ridges, true and perceived path."""
     place = lambda point: (point[0], START_MM - point[1])  # SVG coordinates: right, and down towards the person
     target = lambda deg: place((-data["distance_mm"] * math.sin(math.radians(deg)), data["distance_mm"] * math.cos(math.radians(deg))))
-    times = data["time_s"]
-    first_s = max(times[0], next(time for time, finger in zip(times, data["finger_mm"]) if math.hypot(*finger) > 1) - 0.25)
-    frames = numpy.searchsorted(times, first_s + numpy.arange(int((times[-1] - first_s) * FRAMES_S) + 1) / FRAMES_S)
-    finger, felt = ([place(data[name][i]) for i in frames] for name in ("finger_mm", "felt_mm"))
+    times = [row["time_s"] for row in data["rows"]]
+    first_s = max(times[0], next(row["time_s"] for row in data["rows"] if math.hypot(row["finger_right_mm"], row["finger_away_mm"]) > 1) - 0.25)
+    frames = [data["rows"][i] for i in numpy.searchsorted(times, first_s + numpy.arange(int((times[-1] - first_s) * FRAMES_S) + 1) / FRAMES_S)]
+    finger, felt = ([place((row[f"{name}_right_mm"], row[f"{name}_away_mm"])) for row in frames] for name in ("finger", "felt"))
     real, virtual = target(data["real_deg"]), target(data["virtual_deg"])
     halves = {across: math.sqrt(PLATE_MM**2 - across**2) for across in range(5 - PLATE_MM, PLATE_MM, 10)}
     circle = lambda at, look: f'<circle cx="{at[0]:.1f}" cy="{at[1]:.1f}" r="6" {look}/>\n'
@@ -172,7 +173,7 @@ def moving_picture(data):
             "<title>A simulated reach from above: the plate turns, the finger arrives at the real target, and the perceived path ends at the virtual one</title>\n"
             '<rect x="-105" y="-82" width="210" height="174" fill="#ffffff"/>\n<circle r="75" fill="#eef1f5" stroke="#8794a3"/>\n'
             '<g stroke="#b9c4d0" stroke-width="1.1">'
-            + animation('<animateTransform attributeName="transform" type="rotate"', [f"{-data['plate_deg'][i]:.1f}" for i in frames])
+            + animation('<animateTransform attributeName="transform" type="rotate"', [f"{-row['plate_deg']:.1f}" for row in frames])
             + '<path d="' + "".join(f"M{-half:.1f} {across:.1f}h{2 * half:.1f}" for across, half in halves.items()) + '"/></g>\n'
             + circle(real, 'fill="#8fb0d6" stroke="#08306b" stroke-width="1.4"')
             + circle(virtual, 'fill="none" stroke="#c45a00" stroke-width="1.4" stroke-dasharray="3 2"')

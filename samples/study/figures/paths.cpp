@@ -56,17 +56,14 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
     true_deg.push_back(outcome.final_direction_deg);
     data["direction_deg"].push_back(true_deg);
   }
-  const std::string number_text = std::to_string(paper.number);
-  return {.name = "fig" + number_text,
-          .title = "Fig. " + number_text + ": real target at " + number(paper.real_direction_deg) + "°, virtual at " +
-                   number(paper.virtual_direction_deg) + "°" + (paper.is_plate_fixed ? ", no controller" : ""),
-          .caption = "a: " + number(paper_trials) +
-                     " simulated paths and their median. b: the perceived paths. c: the plate in the first of these "
-                     "trials. d: the direction of motion, whose last value decides whether the trial is a hit. Motor "
-                     "variance " +
-                     number(paper.motor_variance_deg2) + " (°)², tactile weight " + number(paper.tactile_weight) +
-                     ". " + number(100.0 * hits / paper_trials) +
-                     " % of these trials end within 1.5° of the real direction; the paper: " + paper.paper + ".",
+  return {.name = fmt::format("fig{}", paper.number),
+          .title = fmt::format("Fig. {}: real target at {}°, virtual at {}°{}", paper.number, paper.real_direction_deg,
+                               paper.virtual_direction_deg, paper.is_plate_fixed ? ", no controller" : ""),
+          .caption = fmt::format(
+              "a: {} simulated paths and their median. b: the perceived paths. c: the plate in the first of these "
+              "trials. d: the direction of motion, whose last value decides whether the trial is a hit. Motor variance "
+              "{} (°)², tactile weight {}. {} % of these trials end within 1.5° of the real direction; the paper: {}.",
+              paper_trials, paper.motor_variance_deg2, paper.tactile_weight, 100.0 * hits / paper_trials, paper.paper),
           .data = data};
 }
 

@@ -40,7 +40,7 @@ bool CsvReader::next() {
   return true;
 }
 
-std::string CsvReader::where() const { return name_ + ", line " + std::to_string(number_); }
+std::string CsvReader::where() const { return fmt::format("{}, line {}", name_, number_); }
 
 void CsvReader::take_header(std::string_view columns, const std::string& allowed) {
   for (const std::string_view column : split(columns, ',')) {
@@ -56,7 +56,7 @@ void CsvReader::take_header(std::string_view columns, const std::string& allowed
 
 void CsvReader::take_row() const {
   if (fields_.size() != width_)
-    throw wrong("columns", std::to_string(fields_.size()), "as many as the header has, " + std::to_string(width_));
+    throw wrong("columns", fmt::to_string(fields_.size()), fmt::format("as many as the header has, {}", width_));
 }
 
 std::string_view CsvReader::text(std::string_view column) const {

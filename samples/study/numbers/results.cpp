@@ -11,7 +11,7 @@ namespace {
 std::string field_of(const Row& value) {
   if (value.is_null()) return "";
   if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-  if (value.is_number_float()) return std::isnan(value.get<double>()) ? "" : number(value.get<double>());
+  if (value.is_number_float()) return std::isnan(value.get<double>()) ? "" : fmt::format("{}", value.get<double>());
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
@@ -41,10 +41,14 @@ std::string csv_of(const Results& results) {
   return page;
 }
 
-std::string json_of(const Results& results) {
+Row page_of(const Results& results) {
   Row page = results.about;
   page["rows"] = results.rows;
-  return page.dump(2, ' ', false, Row::error_handler_t::replace) + '\n';
+  return page;
+}
+
+std::string json_of(const Results& results) {
+  return page_of(results).dump(2, ' ', false, Row::error_handler_t::replace) + '\n';
 }
 
 void Writing::add_options(CLI::App& command) {

@@ -29,7 +29,9 @@ void put(Row& row, const std::string& name, const std::string& unit, const Quant
 
 /// Returns CSV: a header and a line per row; flags are 1 and 0.
 std::string csv_of(const Results& results);
-/// Returns JSON: the members of `about`, then "rows". Invalid UTF-8 is replaced.
+/// Returns the members of `about`, then "rows".
+Row page_of(const Results& results);
+/// Returns page_of() as JSON. Invalid UTF-8 is replaced.
 std::string json_of(const Results& results);
 
 /// Destination and format of the results of a command: --format and --out.

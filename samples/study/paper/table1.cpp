@@ -24,22 +24,23 @@ Condition condition(double motor_variance_deg2, double tactile_weight, double re
   return condition;
 }
 
+// The pairs of Table I, scaled from 10 degrees to `gap_deg`.
 CellGroup six_pairs(const std::string& name, const std::string& title, double motor_variance_deg2,
-                    double tactile_weight, const Table1Options& options) {
+                    double tactile_weight, const Table1Options& options, double gap_deg = 10.0) {
   CellGroup group{.name = name, .title = title};
   for (const PaperCell& cell : paper_table1[0].cells)
-    group.cells.push_back({.condition = condition(motor_variance_deg2, tactile_weight, cell.real_direction_deg,
-                                                  cell.virtual_direction_deg, options)});
+    group.cells.push_back(
+        {.condition = condition(motor_variance_deg2, tactile_weight, cell.real_direction_deg * (gap_deg / 10.0),
+                                cell.virtual_direction_deg * (gap_deg / 10.0), options)});
   return group;
 }
 
 CellGroup paper_condition(std::size_t index, const Table1Options& options) {
   const PaperCondition& paper = paper_table1[index];
-  CellGroup group =
-      six_pairs("condition_" + std::to_string(index + 1),
-                "Condition " + std::to_string(index + 1) + ": motor variance " + number(paper.motor_variance_deg2) +
-                    " deg^2, tactile weight " + number(paper.tactile_weight),
-                paper.motor_variance_deg2, paper.tactile_weight, options);
+  CellGroup group = six_pairs(fmt::format("condition_{}", index + 1),
+                              fmt::format("Condition {}: motor variance {} deg^2, tactile weight {}", index + 1,
+                                          paper.motor_variance_deg2, paper.tactile_weight),
+                              paper.motor_variance_deg2, paper.tactile_weight, options);
   for (std::size_t i = 0; i < paper.cells.size(); ++i) group.cells[i].paper_percent = paper.cells[i].percent;
   group.paper_percent = paper.mean_percent;
   group.paper_sd = paper.sd_percent;
@@ -47,40 +48,25 @@ CellGroup paper_condition(std::size_t index, const Table1Options& options) {
 }
 
 std::vector<CellGroup> paper_claims(const Table1Options& options) {
-  std::vector<CellGroup> claims;
-  claims.push_back(six_pairs("tactile_weight_0.05", "Tactile weight 0.05", 0.5, 0.05, options));
-  claims.back().paper_percent = paper_impaired_touch_percent;
-  CellGroup narrow = claims.back();
-  narrow.name = "tactile_weight_0.05_gap_6";
-  narrow.title = "The same, gap of 6 deg";
-  for (Cell& cell : narrow.cells) {
-    cell.condition.real_direction_deg *= 0.6;
-    cell.condition.virtual_direction_deg *= 0.6;
-  }
-  claims.push_back(narrow);
-  for (const double tactile_weight : {0.2, 0.3, 0.45}) {
-    claims.push_back(six_pairs("tactile_weight_" + number(tactile_weight), "Tactile weight " + number(tactile_weight),
-                               0.5, tactile_weight, options));
+  std::vector<CellGroup> claims{
+      six_pairs("tactile_weight_0.05", "Tactile weight 0.05", 0.5, 0.05, options),
+      six_pairs("tactile_weight_0.05_gap_6", "The same, gap of 6 deg", 0.5, 0.05, options, 6.0)};
+  for (CellGroup& claim : claims) claim.paper_percent = paper_impaired_touch_percent;
+  for (const double weight : {0.2, 0.3, 0.45}) {
+    claims.push_back(six_pairs(fmt::format("tactile_weight_{}", weight), fmt::format("Tactile weight {}", weight), 0.5,
+                               weight, options));
     claims.back().paper_percent = paper_table1[0].mean_percent;
   }
 
-  Cell wide{.condition = condition(2.0, 0.15, 0.0, 12.0, options), .paper_percent = paper_wide_gap_percent};
-  claims.push_back({.name = "gap_12",
-                    .title = "Gap 12 deg, motor variance 2 deg^2",
-                    .cells = {wide},
-                    .paper_percent = paper_wide_gap_percent});
-  Cell deviation = wide;
-  deviation.condition.participant.motor_variance_deg2 = 4.0;
-  deviation.condition.controller.participant.motor_variance_deg2 = 4.0;
-  claims.push_back({.name = "gap_12_deviation_2",
-                    .title = "The same, standard deviation 2 deg",
-                    .cells = {deviation},
-                    .paper_percent = paper_wide_gap_percent});
-  wide.condition.tolerance_deg = 5.0;
-  claims.push_back({.name = "gap_12_within_5",
-                    .title = "Variance 2, counted within 5 deg",
-                    .cells = {wide},
-                    .paper_percent = paper_wide_gap_percent});
+  const auto add_wide = [&](const char* name, const char* title, double motor_variance_deg2, double tolerance_deg) {
+    Cell cell{.condition = condition(motor_variance_deg2, 0.15, 0.0, 12.0, options),
+              .paper_percent = paper_wide_gap_percent};
+    cell.condition.tolerance_deg = tolerance_deg;
+    claims.push_back({.name = name, .title = title, .cells = {cell}, .paper_percent = paper_wide_gap_percent});
+  };
+  add_wide("gap_12", "Gap 12 deg, motor variance 2 deg^2", 2.0, Condition{}.tolerance_deg);
+  add_wide("gap_12_deviation_2", "The same, standard deviation 2 deg", 4.0, Condition{}.tolerance_deg);
+  add_wide("gap_12_within_5", "Variance 2, counted within 5 deg", 2.0, 5.0);
 
   Cell uncontrolled{.condition = condition(0.1, 0.15, 5.0, -5.0, options)};
   uncontrolled.condition.controller.mode = ControlMode::fixed_plate;
@@ -89,27 +75,20 @@ std::vector<CellGroup> paper_claims(const Table1Options& options) {
   for (std::uint64_t steps = 1; steps <= 5; ++steps) {
     Table1Options other = options;
     other.horizon = steps;
-    claims.push_back(
-        six_pairs("horizon_" + std::to_string(steps), "Horizon " + std::to_string(steps), 0.5, 0.15, other));
+    claims.push_back(six_pairs(fmt::format("horizon_{}", steps), fmt::format("Horizon {}", steps), 0.5, 0.15, other));
+    if (steps == 3) claims.back().paper_percent = paper_table1[0].mean_percent;
   }
-  claims[claims.size() - 3].paper_percent = paper_table1[0].mean_percent;
-
   return claims;
 }
 
-// For each condition of Table I and each gap of `amplitudes_deg`: the six pairs, scaled from 10 degrees to that gap.
+// For each condition of Table I and each gap of `amplitudes_deg`: the six pairs with that gap.
 std::vector<CellGroup> amplitude_groups(const Table1Options& options) {
   std::vector<CellGroup> groups;
   for (std::size_t i = 0; i < paper_table1.size(); ++i)
-    for (const double gap_deg : amplitudes_deg) {
-      CellGroup group = six_pairs("amplitude_" + number(gap_deg) + "_condition_" + std::to_string(i + 1), "",
-                                  paper_table1[i].motor_variance_deg2, paper_table1[i].tactile_weight, options);
-      for (Cell& cell : group.cells) {
-        cell.condition.real_direction_deg *= gap_deg / 10.0;
-        cell.condition.virtual_direction_deg *= gap_deg / 10.0;
-      }
-      groups.push_back(std::move(group));
-    }
+    for (const double gap_deg : amplitudes_deg)
+      groups.push_back(six_pairs(fmt::format("amplitude_{}_condition_{}", gap_deg, i + 1), "",
+                                 paper_table1[i].motor_variance_deg2, paper_table1[i].tactile_weight, options,
+                                 gap_deg));
   return groups;
 }
 
@@ -122,29 +101,25 @@ void judge(CellGroup& group, const std::string& reason = {}) {
                                    : reason;
 }
 
-// Returns a verdict with the difference: "reproduced: 1.2 percentage points below".
-std::string compared_words(const CellGroup& group, const CellGroup& other) {
-  const double gain_percent = group.mean_percent() - other.mean_percent();
-  return std::string(group.reproduced ? "reproduced" : "NOT reproduced") + ": " + fixed(std::abs(gain_percent), 1) +
-         " percentage points " + (gain_percent < 0.0 ? "below" : "above");
-}
+const char* reproduced_words(bool reproduced) { return reproduced ? "reproduced" : "NOT reproduced"; }
 
 // Judges whether a horizon of three steps is the shortest without a significant loss.
 void judge_horizons(const std::vector<CellGroup*>& horizons) {
   const CellGroup& three = *horizons[2];
   const auto trials = static_cast<double>(three.cells.size() * three.cells.front().result.trials);
   for (CellGroup* group : horizons) {
-    const int horizon = group->cells.front().condition.controller.mpc.horizon;
     if (group->paper_percent) {
       judge(*group);
-    } else {
-      const double gain_percent = group->mean_percent() - three.mean_percent();
-      const double squared = squared_difference(group->mean_percent(), trials, three.mean_percent(), trials);
-      // Longer horizons must not be significantly better, and shorter ones must be significantly worse.
-      const bool no_better = gain_percent < 1.0 || squared < significant;
-      group->reproduced = horizon > 3 ? no_better : gain_percent < 0.0;
-      group->verdict = compared_words(*group, three) + " horizon 3";
+      continue;
     }
+    const double gain_percent = group->mean_percent() - three.mean_percent();
+    const double squared = squared_difference(group->mean_percent(), trials, three.mean_percent(), trials);
+    // Longer horizons must not be significantly better, and shorter ones must be significantly worse.
+    const bool no_better = gain_percent < 1.0 || squared < significant;
+    const bool is_longer = group->cells.front().condition.controller.mpc.horizon > 3;
+    group->reproduced = is_longer ? no_better : gain_percent < 0.0;
+    group->verdict = fmt::format("{}: {:.1f} percentage points {} horizon 3", reproduced_words(group->reproduced),
+                                 std::abs(gain_percent), gain_percent < 0.0 ? "below" : "above");
   }
 }
 
@@ -154,9 +129,9 @@ void judge_uncontrolled(CellGroup& claim) {
   const double final_deg = first.real_direction_deg + result.mean_miss_deg();
   claim.reproduced = result.hit_percent() < 5.0 &&
                      std::abs(final_deg - first.virtual_direction_deg) < std::abs(final_deg - first.real_direction_deg);
-  claim.verdict = std::string(claim.reproduced ? "reproduced" : "NOT reproduced") + ": the finger ends at " +
-                  fixed(final_deg, 1) + " deg on average, the real target at " + number(first.real_direction_deg) +
-                  ", the virtual one at " + number(first.virtual_direction_deg);
+  claim.verdict =
+      fmt::format("{}: the finger ends at {:.1f} deg on average, the real target at {}, the virtual one at {}",
+                  reproduced_words(claim.reproduced), final_deg, first.real_direction_deg, first.virtual_direction_deg);
 }
 
 void judge_claims(std::vector<CellGroup>& claims) {
@@ -164,16 +139,12 @@ void judge_claims(std::vector<CellGroup>& claims) {
   for (CellGroup& claim : claims) {
     const Condition& first = claim.cells.front().condition;
     if (claim.name == "tactile_weight_0.05") {
-      const auto limit = [&](double bound_deg) {
-        return fixed(max_gap_deg(first.participant.tactile_weight, bound_deg), 1);
-      };
-      const double bound_deg = first.controller.mpc.plate_bound_deg;
-      judge(
-          claim,
-          "NOT reproducible: by the paper's own equations a gap of 10 deg is infeasible with this weight; the largest "
-          "feasible gap is " +
-              limit(bound_deg) + " deg with the plate within " + number(bound_deg) + " deg of the virtual direction, " +
-              limit(90.0) + " deg within 90");
+      const double weight = first.participant.tactile_weight, bound_deg = first.controller.mpc.plate_bound_deg;
+      judge(claim, fmt::format(
+                       "NOT reproducible: by the paper's own equations a gap of 10 deg is infeasible with this weight; "
+                       "the largest feasible gap is {:.1f} deg with the plate within {} deg of the virtual direction, "
+                       "{:.1f} deg within 90",
+                       max_gap_deg(weight, bound_deg), bound_deg, max_gap_deg(weight, 90.0)));
     } else if (claim.name == "gap_12") {
       judge(claim);
       claim.verdict += "; in the caption of the paper's Fig. 7, 2 is the variance";

@@ -11,11 +11,11 @@ namespace {
 // "     93.0    89.5 - 95.4     92.8"
 std::string paper_columns(std::optional<double> paper_percent, std::optional<PercentInterval> interval,
                           double percent) {
-  return right(paper_percent ? fixed(*paper_percent, 1) : "", 9) +
-         right(interval ? between(interval->low, interval->high, 1, " - ") : "", 15) + right(fixed(percent, 1), 9);
+  return fmt::format("{:>9}{:>15}{:>9.1f}", paper_percent ? cell(*paper_percent, 1) : "",
+                     interval ? between(interval->low, interval->high, 1, " - ") : "", percent);
 }
 
-std::string yes_or_no(bool yes) { return yes ? "     yes" : "      NO"; }
+std::string yes_or_no(bool yes) { return yes ? "     yes\n" : "      NO\n"; }
 
 // Ends of the 95 % interval of the SD of a sample of six from a normal distribution, divided by the true SD.
 constexpr double low_sd_of_six = 0.408;
@@ -24,53 +24,50 @@ constexpr double high_sd_of_six = 1.602;
 std::string condition_text(const CellGroup& group) {
   std::string page = group.title + "\n   real  virtual    paper  95 % interval    model  agrees\n";
   for (const Cell& cell : group.cells)
-    page += right(number(cell.condition.real_direction_deg), 7) +
-            right(number(cell.condition.virtual_direction_deg), 9) +
+    page += fmt::format("{:>7}{:>9}", cell.condition.real_direction_deg, cell.condition.virtual_direction_deg) +
             paper_columns(cell.paper_percent, paper_interval(cell), cell.result.hit_percent()) +
-            yes_or_no(agrees(cell)) + '\n';
+            yes_or_no(agrees(cell));
   const double sd = group.sd_percent();
   const PercentInterval six{low_sd_of_six * sd, high_sd_of_six * sd};
-  return page + left("    mean", 16) +
-         paper_columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
-         yes_or_no(group.reproduced) + '\n' + left("    SD", 16) + paper_columns(group.paper_sd, six, sd) +
+  return page + "    mean        " + paper_columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
+         yes_or_no(group.reproduced) + "    SD          " + paper_columns(group.paper_sd, six, sd) +
          yes_or_no(six.contains(*group.paper_sd)) +
-         "\n    limit of any controller: " + fixed(limit_percent(group.cells.front().condition), 1) +
-         ", as the plate cannot correct the noise of the last step\n\n";
+         fmt::format("    limit of any controller: {:.1f}, as the plate cannot correct the noise of the last step\n\n",
+                     limit_percent(group.cells.front().condition));
 }
 
 std::string fit_text(const Table1& table) {
   int outside = 0;
   for (const CellGroup& group : table.conditions)
     for (const Cell& cell : group.cells) outside += agrees(cell) ? 0 : 1;
-  std::string page =
-      "chi-squared " + fixed(table.chi_squared, 1) + " over " + std::to_string(table.degrees_of_freedom) +
-      " cells, p = " + fixed(table.p_value, 2) + ": " + (table.p_value >= 0.05 ? "consistent" : "NOT consistent") +
-      " with the noise of the paper's 50 trials per cell.\nlog-likelihood of the paper's trials " +
-      fixed(table.log_likelihood, 1) + "\n" + std::to_string(outside) + " of the " +
-      std::to_string(table.degrees_of_freedom) +
-      " cells lie outside their 95 % interval; one in twenty does by chance.\n" + wrapped(in_sample_words, 110) +
-      "\nSD: over the six pairs. The model's SD is that of cells of 50 trials; its interval contains 95 % of the\n"
-      "SDs of six cells.\n";
+  std::string page = fmt::format(
+      "chi-squared {:.1f} over {} cells, p = {:.2f}: {} with the noise of the paper's 50 trials per cell.\n"
+      "log-likelihood of the paper's trials {:.1f}\n"
+      "{} of the {} cells lie outside their 95 % interval; one in twenty does by chance.\n{}\n"
+      "SD: over the six pairs. The model's SD is that of cells of 50 trials; its interval contains 95 % of the\n"
+      "SDs of six cells.\n",
+      table.chi_squared, table.degrees_of_freedom, table.p_value,
+      table.p_value >= 0.05 ? "consistent" : "NOT consistent", table.log_likelihood, outside, table.degrees_of_freedom,
+      wrapped(in_sample_words, 110));
   for (const CellGroup& group : table.conditions)
     if (!group.reproduced)
-      page += "The mean of " + group.name.substr(0, 9) + ' ' + group.name.substr(10) +
-              " lies outside its interval by " +
-              fixed(std::max(group.paper_interval()->low - group.mean_percent(),
-                             group.mean_percent() - group.paper_interval()->high),
-                    2) +
-              " percentage points.\n";
+      page += fmt::format("The mean of condition {} lies outside its interval by {:.2f} percentage points.\n",
+                          group.name.substr(10),
+                          std::max(group.paper_interval()->low - group.mean_percent(),
+                                   group.mean_percent() - group.paper_interval()->high));
   return page + "79 % of 50 trials is not a whole number of trials; it is used as the paper prints it.\n\n";
 }
 
 std::string claims_text(const Table1& table) {
-  std::string page = left("Other claims of the paper", 34) + "    paper  95 % interval    model  lowest and highest\n";
+  std::string page = "Other claims of the paper             paper  95 % interval    model  lowest and highest\n";
   for (const CellGroup& claim : table.claims) {
-    page += left(claim.title, 34) + paper_columns(claim.paper_percent, claim.paper_interval(), claim.mean_percent());
+    page += fmt::format("{:34}", claim.title) +
+            paper_columns(claim.paper_percent, claim.paper_interval(), claim.mean_percent());
     if (claim.cells.size() > 1) {
       const auto less = [](const Cell& a, const Cell& b) { return a.result.hits < b.result.hits; };
       const auto [lowest, highest] = std::minmax_element(claim.cells.begin(), claim.cells.end(), less);
-      page += right(fixed(lowest->result.hit_percent(), 1), 8) + " - " + fixed(highest->result.hit_percent(), 1) +
-              " of the six pairs";
+      page += fmt::format("{:>8.1f} - {:.1f} of the six pairs", lowest->result.hit_percent(),
+                          highest->result.hit_percent());
     }
     page += "\n    ";
     for (const char c : wrapped(claim.verdict, 96)) page += c == '\n' ? "\n    " : std::string(1, c);
@@ -81,21 +78,20 @@ std::string claims_text(const Table1& table) {
 
 std::string best_words(const BestAmplitude& best) {
   if (best.gap_deg == amplitudes_deg[paper_amplitude]) return "best at 10 deg";
-  return "best at " + number(best.gap_deg) + " deg, by " + fixed(best.percent - best.paper_amplitude_percent, 1) +
-         " points" + (best.by_chance ? ", not significant" : "");
+  return fmt::format("best at {} deg, by {:.1f} points{}", best.gap_deg, best.percent - best.paper_amplitude_percent,
+                     best.by_chance ? ", not significant" : "");
 }
 
 std::string amplitudes_text(const Table1& table) {
-  std::string page = "\nThe six pairs with other gaps, deg; the paper calls 10 deg the best\n" + left("", 12);
-  for (const double gap_deg : amplitudes_deg) page += right(number(gap_deg), 7);
-  page += '\n';
+  std::string page = "\nThe six pairs with other gaps, deg; the paper calls 10 deg the best\n            ";
+  for (const double gap_deg : amplitudes_deg) page += fmt::format("{:>7}", gap_deg);
   for (std::size_t i = 0; i < table.conditions.size(); ++i) {
-    page += "condition " + std::to_string(i + 1) + ' ';
+    page += fmt::format("\ncondition {} ", i + 1);
     for (std::size_t k = 0; k < std::size(amplitudes_deg); ++k)
-      page += right(fixed(table.amplitudes[i * std::size(amplitudes_deg) + k].mean_percent(), 1), 7);
-    page += "  " + best_words(best_amplitude(table, i)) + '\n';
+      page += fmt::format("{:>7.1f}", table.amplitudes[i * std::size(amplitudes_deg) + k].mean_percent());
+    page += "  " + best_words(best_amplitude(table, i));
   }
-  return page;
+  return page + '\n';
 }
 
 Row row_of(const CellGroup& group, const Cell& cell) {
@@ -141,13 +137,13 @@ Row group_row(const CellGroup& group) {
 }  // namespace
 
 std::string table1_text(const Table1& table) {
-  std::string page =
-      "Percentage of trials that end within 1.5 deg of the real target: paper (50 trials per cell) and model\n(" +
-      std::to_string(table.options.trials) + " trials per cell, seed " + std::to_string(table.options.seed) +
-      ", horizon " + std::to_string(table.options.horizon) + ", plate bound " + number(table.options.plate_bound_deg) +
-      " deg,\nsensory variance " + number(table.options.sensory_variance_deg2) + " deg^2, " +
-      std::to_string(table.options.steps) +
-      " steps). Both are simulation; there was no human trial. Directions in deg.\n\n";
+  const Table1Options& options = table.options;
+  std::string page = fmt::format(
+      "Percentage of trials that end within 1.5 deg of the real target: paper (50 trials per cell) and model\n"
+      "({} trials per cell, seed {}, horizon {}, plate bound {} deg,\nsensory variance {} deg^2, {} steps). Both are "
+      "simulation; there was no human trial. Directions in deg.\n\n",
+      options.trials, options.seed, options.horizon, options.plate_bound_deg, options.sensory_variance_deg2,
+      options.steps);
   for (const CellGroup& group : table.conditions) page += condition_text(group);
   return page + fit_text(table) + claims_text(table) + amplitudes_text(table);
 }

@@ -87,15 +87,18 @@ RecordedReach reach_of(const Samples& motion) {
 }
 
 RecordedReach checked_reach(const std::string& name, double number, const Samples& samples) {
-  const std::string which = name + ", reach " + hrt::study::number(number);
+  const std::string which = fmt::format("{}, reach {}", name, number);
   const Samples motion = motion_of(smoothed(samples));
   if (motion.size() < min_samples)
-    throw UsageError(which + " has " + std::to_string(motion.size()) + " samples in motion; at least " +
-                     std::to_string(min_samples) + " are needed: record at 40 Hz or more, from rest to rest");
+    throw UsageError(
+        fmt::format("{} has {} samples in motion; at least {} are needed: record at 40 Hz or more, from rest to "
+                    "rest",
+                    which, motion.size(), min_samples));
   const double length_mm = distance_mm(motion.front().position, motion.back().position);
   if (length_mm < min_reach_mm)
-    throw UsageError(which + " ends " + hrt::study::number(std::round(length_mm)) + " mm from its start; at least " +
-                     hrt::study::number(min_reach_mm) + " mm are needed: positions are in millimetres");
+    throw UsageError(
+        fmt::format("{} ends {:.0f} mm from its start; at least {} mm are needed: positions are in millimetres", which,
+                    length_mm, min_reach_mm));
   return reach_of(motion);
 }
 
@@ -153,7 +156,7 @@ SimulatedPeople people_of_recordings(const std::string& argument, const std::str
   for (const std::string& file : csv_files(argument, folder))
     paths.push_back(own_path_of(parse_reaches(file, read_input(argument, file, max_reaches_bytes))));
   return {.name = "own",
-          .description = std::to_string(paths.size()) + " files of --recorded",
+          .description = fmt::format("{} files of --recorded", paths.size()),
           .kind = FamilyKind::recorded,
           .draw = [paths = std::move(paths)](double duration_s, std::uint64_t seed, std::uint32_t index) {
             PersonCondition condition = draw_person(*people_family("linear"), duration_s, seed, index);

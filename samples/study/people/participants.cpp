@@ -30,8 +30,6 @@ std::vector<double> angles_in_order(const Session& session) {
   return ordered_deg;
 }
 
-std::string comment(const std::string& name, double value) { return "#   " + name + ' ' + number(value) + '\n'; }
-
 // Orientations of a plate at rest may differ by this much, because of the noise of its sensor.
 constexpr double rest_tolerance_deg = 1.0;
 // Half a nanosecond: times are written with nine decimals.
@@ -120,22 +118,18 @@ std::vector<CalibrationTrial> simulate_session(const Session& session) {
 std::string session_csv(const Session& session) {
   const CalibrationCondition& condition = session.condition;
   const Participant& participant = condition.participant;
-  std::string csv = "# hrt-study participants: SIMULATION. True values of the simulated participant:\n";
-  csv += comment("tactile_weight", participant.tactile_weight) + comment("bias_deg", participant.bias_deg) +
-         comment("motor_variance_deg2", participant.motor_variance_deg2) +
-         comment("sensory_variance_deg2", participant.sensory_variance_deg2) +
-         comment("tracker_noise_m", condition.tracker_noise_mm / mm_per_m) +
-         comment("goal_direction_deg", condition.goal_direction_deg) +
-         comment("step_period_s", condition.step_period_s) + "# seed " + std::to_string(session.seed) + '\n' +
-         calibration_header + '\n';
+  std::string csv = fmt::format(
+      "# hrt-study participants: SIMULATION. True values of the simulated participant:\n"
+      "#   tactile_weight {}\n#   bias_deg {}\n#   motor_variance_deg2 {}\n#   sensory_variance_deg2 {}\n"
+      "#   tracker_noise_m {}\n#   goal_direction_deg {}\n#   step_period_s {}\n# seed {}\n{}\n",
+      participant.tactile_weight, participant.bias_deg, participant.motor_variance_deg2,
+      participant.sensory_variance_deg2, condition.tracker_noise_mm / mm_per_m, condition.goal_direction_deg,
+      condition.step_period_s, session.seed, calibration_header);
   const std::vector<CalibrationTrial> trials = simulate_session(session);
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const CalibrationTrial& trial = trials[i];
-    for (std::size_t k = 0; k < trial.samples.size(); ++k)
-      csv += std::to_string(i + 1) + ',' + fixed(trial.samples[k].time_s, 9) + ',' +
-             number(trial.samples[k].position.right_mm / mm_per_m) + ',' +
-             number(trial.samples[k].position.away_mm / mm_per_m) + ',' + number(trial.plate_orientation_deg) + '\n';
-  }
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    for (const TimedPoint& sample : trials[i].samples)
+      csv += fmt::format("{},{:.9f},{},{},{}\n", i + 1, sample.time_s, sample.position.right_mm / mm_per_m,
+                         sample.position.away_mm / mm_per_m, trials[i].plate_orientation_deg);
   return csv;
 }
 

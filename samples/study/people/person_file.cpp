@@ -1,11 +1,12 @@
 #include "samples/study/people/person_file.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "samples/app/text/json_file.h"
-#include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/numbers/csv.h"
 
@@ -86,18 +87,11 @@ const WordParameter word_parameters[] = {
      [](C& c, std::size_t word) { c.person.pace = static_cast<Pace>(word); }},
 };
 
-std::string joined(std::span<const char* const> words) {
-  std::string text;
-  for (const char* word : words) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
-}
-
 std::string all_names() {
-  std::string text;
-  for (const WordParameter& parameter : word_parameters)
-    text += (text.empty() ? "" : ", ") + std::string(parameter.name);
-  for (const NumberParameter& parameter : number_parameters) text += std::string(", ") + parameter.name;
-  return text;
+  std::vector<std::string> names;
+  for (const WordParameter& parameter : word_parameters) names.emplace_back(parameter.name);
+  for (const NumberParameter& parameter : number_parameters) names.emplace_back(parameter.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 // `where`: file and parameter, for errors.
@@ -106,7 +100,8 @@ void take(const std::string& where, std::string_view parameter, const Json& valu
     if (parameter != known.name) continue;
     const auto word = value.is_string() ? value.get<std::string>() : value.dump();
     const auto found = std::find(known.words.begin(), known.words.end(), word);
-    if (found == known.words.end()) throw UsageError(not_allowed(where, shown(word), "one of " + joined(known.words)));
+    if (found == known.words.end())
+      throw UsageError(not_allowed(where, shown(word), fmt::format("one of {}", fmt::join(known.words, ", "))));
     return known.set(file->condition, static_cast<std::size_t>(found - known.words.begin()));
   }
   for (const NumberParameter& known : number_parameters) {
@@ -135,7 +130,7 @@ PersonFile parse_person(const std::string& name, std::string_view text) {
   for (const auto& [parameter, value] : page.items()) take(name + ", " + shown(parameter), parameter, value, &file);
   const C& c = file.condition;
   if (c.virtual_direction_deg == c.real_direction_deg)
-    throw UsageError(not_allowed(name + ", real_direction_deg", number(c.real_direction_deg),
+    throw UsageError(not_allowed(name + ", real_direction_deg", fmt::to_string(c.real_direction_deg),
                                  "another direction than virtual_direction_deg"));
   return file;
 }
@@ -148,11 +143,10 @@ std::string person_parameters() {
   const PersonCondition standard;
   std::string page;
   for (const WordParameter& parameter : word_parameters)
-    page += "  " + left(parameter.name, 28) + joined(parameter.words) + "; default " +
-            parameter.words[parameter.get(standard)] + '\n';
+    page += fmt::format("  {:28}{}; default {}\n", parameter.name, fmt::join(parameter.words, ", "),
+                        parameter.words[parameter.get(standard)]);
   for (const NumberParameter& parameter : number_parameters)
-    page += "  " + left(parameter.name, 28) + parameter.range.text() + "; default " + number(parameter.get(standard)) +
-            '\n';
+    page += fmt::format("  {:28}{}; default {}\n", parameter.name, parameter.range.text(), parameter.get(standard));
   return page;
 }
 

@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
         {{"trial", "--tactile-weight", "0.5"}, "--tactile-weight", "a number in (0, 0.5)"},
         {{"trial", "--tactile-weight", "0.1x"}, "--tactile-weight", "a number in (0, 0.5)"},
         {{"trial", "--tactile-weight"}, "--tactile-weight", "a number in (0, 0.5)"},
-        {{"trial", "--motor-variance", "-1"}, "--motor-variance", "a number in [0, 1e+06]"},
+        {{"trial", "--motor-variance", "-1"}, "--motor-variance", "a number in [0, 1000000]"},
         {{"trial", "--horizon", "2.5"}, "--horizon", "a whole number from 1 to 20"},
         {{"trial", "--plate-bound", "90.5"}, "--plate-bound", "a number in (0, 90]"},
         {{"trial", "--plate-rate-bound", "-inf"}, "--plate-rate-bound", "(0, 360], or inf"},
