@@ -153,7 +153,7 @@ void PlateNode::report_sample(size_t reason, const char* text) {
 /** Returns whether the plugin accepted a sample. Shows its error once per reach or set-up. */
 bool PlateNode::taken(hrt_result result) {
   result_ = result;
-  if (result != HRT_OK) report_sample(static_cast<size_t>(-result) % kFlagsReason, hrt_last_error());
+  if (result != HRT_OK) report_sample(static_cast<size_t>(-result) % kPoseReason, hrt_last_error());
   return result == HRT_OK;
 }
 

@@ -65,7 +65,7 @@ extern const std::span<const Method> methods;
 inline constexpr size_t kArgumentsMax = 8;
 
 /** Bits of refused_: up to 99 minus the number of an error of the plugin, then errors of the node. */
-inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
+inline constexpr size_t kPoseReason = 127;
 inline constexpr const char* kNotRigid =
     "the node is scaled, sheared or mirrored in the world; allowed: only translation and rotation. Set its scale to 1";
 

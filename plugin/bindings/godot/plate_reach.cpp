@@ -64,16 +64,8 @@ Error PlateNode::update_lost(Time time_ns) {
 
 Error PlateNode::update_sample(int64_t flags, Time time_ns, double finger_direction_deg, double finger_x_m,
                                double finger_y_m, double finger_z_m, double plate_orientation_deg) {
-  constexpr int64_t kTaken =
-      HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED;
-  if (flags & ~kTaken) {
-    const std::string text = "flags " + std::to_string(flags) +
-                             "; allowed: sums of 1 direction, 2 position on the plate, 4 plate's orientation, 8 lifted";
-    report_sample(kFlagsReason, text.c_str());
-    return Error::kInvalidParameter;
-  }
   hrt_sample sample = hrt_sample_init();
-  sample.flags = static_cast<uint32_t>(flags);
+  sample.flags = std::in_range<uint32_t>(flags) ? static_cast<uint32_t>(flags) : UINT32_MAX;
   sample.time_ns = time_ns.ns;
   sample.finger_direction_deg = finger_direction_deg;
   Vector3::Map(sample.finger_position_m) = Vector3(finger_x_m, finger_y_m, finger_z_m);
