@@ -43,8 +43,6 @@ def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, posit
     times = np.asarray(time_ns)
     if np.any(getattr(time_ns, "mask", False)):
         raise ValueError("time_ns has masked numbers; every sample needs its time")
-    if times.size == 0:
-        raise ValueError("time_ns is empty; at least one sample is needed")
     if times.ndim != 1 or times.dtype.kind not in "iu":
         raise ValueError(f"time_ns must be one row of whole numbers, not {times.dtype} of the shape {times.shape}")
     out: Array = np.zeros(len(times), SAMPLE)

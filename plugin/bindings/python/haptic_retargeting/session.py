@@ -230,8 +230,6 @@ class Session(SessionKeywords, Closing):
                   plate_orientation_deg: float | None = None) -> RunRecord:
         """Runs a whole reach over an array of SAMPLE, without copying it."""
         expect_rows(samples, "samples", SAMPLE)
-        if len(samples) == 0:
-            raise ValueError("samples is empty; at least one is needed")
         config = self.config
         real_deg, real_distance_m = target_place(real.config, config)
         virtual_deg, _ = target_place(virtual.config, config)
