@@ -114,6 +114,9 @@ namespace Hrt.HostTests
             Assert.AreEqual(targets.Length, component.Session.ListTargets(0).Length);
             TargetId found = component.Session.FindTarget("bottle");
             Assert.AreEqual(TargetRole.Virtual, component.Session.GetTarget(found).role);
+            Assert.Throws<KeyNotFoundException>(() => component.Session.FindTarget("glas"));
+            var refusal = Assert.Throws<HapticRetargetingException>(() => component.Session.LoadScene("/nowhere/désk.gltf"));
+            StringAssert.Contains("/nowhere/désk.gltf", refusal.Message);
         }
 
         internal static HapticRetargeting Component()

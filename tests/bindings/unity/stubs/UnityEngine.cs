@@ -69,7 +69,6 @@ namespace UnityEngine
         }
 
         public static Vector3 zero => new Vector3(0, 0, 0);
-        public static Vector3 one => new Vector3(1, 1, 1);
         public static Vector3 forward => new Vector3(0, 0, 1);
         public static Vector3 right => new Vector3(1, 0, 0);
         public static Vector3 up => new Vector3(0, 1, 0);
@@ -93,8 +92,6 @@ namespace UnityEngine
             this.z = z;
             this.w = w;
         }
-
-        public static Quaternion identity => new Quaternion(0, 0, 0, 1);
 
         public static Quaternion AngleAxis(float angle, Vector3 axis)
         {
@@ -121,8 +118,6 @@ namespace UnityEngine
             Vector3 t = Vector3.Cross(u, v) * 2;
             return v + t * q.w + Vector3.Cross(u, t);
         }
-
-        public override string ToString() => $"({x}, {y}, {z}, {w})";
     }
 
     public class Object
@@ -199,20 +194,16 @@ namespace UnityEngine
     {
         public Transform parent;
         public Vector3 localPosition = Vector3.zero;
-        public Quaternion localRotation = Quaternion.identity;
-        public Vector3 localScale = Vector3.one;
+        public Quaternion localRotation = new Quaternion(0, 0, 0, 1);
+        public Vector3 localScale; // has no effect
 
         public Vector3 position
         {
-            get => parent == null
-                ? localPosition
-                : parent.position + parent.rotation * Scaled(localPosition, parent.localScale);
-            set => localPosition = parent == null
-                ? value
-                : Over(Quaternion.Inverse(parent.rotation) * (value - parent.position), parent.localScale);
+            get => parent == null ? localPosition : parent.position + parent.rotation * localPosition;
+            set => localPosition = parent == null ? value : Quaternion.Inverse(parent.rotation) * (value - parent.position);
         }
 
-        public Vector3 TransformPoint(Vector3 local) => position + rotation * Scaled(local, localScale);
+        public Vector3 TransformPoint(Vector3 local) => position + rotation * local;
 
         public Quaternion rotation
         {
@@ -225,10 +216,6 @@ namespace UnityEngine
             if (worldPositionStays) throw new NotSupportedException("the stub keeps local positions only");
             parent = newParent;
         }
-
-        static Vector3 Over(Vector3 v, Vector3 scale) => new Vector3(v.x / scale.x, v.y / scale.y, v.z / scale.z);
-
-        static Vector3 Scaled(Vector3 v, Vector3 scale) => new Vector3(v.x * scale.x, v.y * scale.y, v.z * scale.z);
     }
 
     public class GameObject : Object

@@ -359,8 +359,8 @@ namespace Hrt
 
         // Adds targets, moves them to the positions of their Transforms, and removes targets that are not listed or are
         // destroyed.
-        static void SetTargets(HapticRetargetingSession session, List<Transform> targets, TargetRole role,
-                               Dictionary<Transform, TargetId> ids)
+        void SetTargets(HapticRetargetingSession session, List<Transform> targets, TargetRole role,
+                        Dictionary<Transform, TargetId> ids)
         {
             foreach (Transform known in new List<Transform>(ids.Keys))
             {
@@ -371,10 +371,7 @@ namespace Hrt
             foreach (Transform target in targets)
             {
                 if (target == null) continue;
-                TargetConfig config = TargetConfig.Default;
-                config.role = role;
-                config.place = Place.WorldPosition;
-                config.positionM = Axes.FromUnity(target.position);
+                TargetConfig config = OnPlate(target, role);
                 try
                 {
                     if (ids.TryGetValue(target, out TargetId id)) session.SetTarget(id, config);

@@ -14,19 +14,6 @@ namespace Hrt
         public override string ToString() => $"target {value}";
     }
 
-    public partial struct Interval
-    {
-        /// <summary>True if the data determine the value; otherwise it is only the most likely point of the search
-        /// range.</summary>
-        public bool IsKnown => known != 0;
-    }
-
-    public partial struct Gap
-    {
-        /// <summary>True if the plate can steer the finger to the real target.</summary>
-        public bool IsReachable => reachable != 0;
-    }
-
     /// <summary>Value of structSize, computed once for each struct.</summary>
     internal static class SizeOf<T> where T : struct
     {
