@@ -6,7 +6,6 @@
 #include <codecvt>
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <locale>
 #include <string>
 #include <vector>
@@ -79,15 +78,10 @@ template <typename Element>
 class TArray
 {
 public:
-	TArray() = default;
-	TArray(std::initializer_list<Element> List) : Elements(List) {}
 	void Reset() { Elements.clear(); }
 	void Add(const Element& Item) { Elements.push_back(Item); }
 	int32 Num() const { return static_cast<int32>(Elements.size()); }
 	const Element& operator[](int32 Index) const { return Elements.at(static_cast<size_t>(Index)); }
-	Element& operator[](int32 Index) { return Elements.at(static_cast<size_t>(Index)); }
-	auto begin() const { return Elements.begin(); }
-	auto end() const { return Elements.end(); }
 
 private:
 	std::vector<Element> Elements;
