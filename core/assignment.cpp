@@ -31,8 +31,8 @@ class Matching {
  private:
   bool joins(std::size_t row, std::size_t column) const { return costs_[row * columns_ + column] <= limit_; }
 
-  // Breadth-first search from all unassigned rows: sets the number of assigned pairs between each row and an unassigned
-  // row. Returns true if a free column can be reached.
+  // Breadth-first search from all unassigned rows: sets the depth of each row, the number of assigned pairs on the
+  // shortest path from an unassigned row to it. Returns true if an unassigned column can be reached.
   bool find_depths() {
     queue_.clear();
     for (std::size_t row = 0; row < column_of_.size(); ++row) {
@@ -56,8 +56,8 @@ class Matching {
     return leads;
   }
 
-  // Depth-first search from row `from` along increasing depths. Assigns the path to a free column, if there is one. Not
-  // recursive, since a path may contain all rows.
+  // Depth-first search from row `from` along increasing depths. If it reaches an unassigned column, assigns along the
+  // path and returns true. Not recursive, since a path may contain all rows.
   bool augment(std::size_t from) {
     path_.assign(1, from);
     while (!path_.empty()) {

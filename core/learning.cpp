@@ -35,7 +35,7 @@ void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
 // Divides the change of bias and habit between the person and this reach. In a reach, both deviate from those of the
 // person by normal deviations with covariance D. Their expectation, given the change from prior to posterior, is
 //
-//   deviations = K (learnt - before),   K = D P^-1,   P: covariance of the traits in this reach before it
+//   deviations = K (learnt - before),   K = D P^-1,   P: prior covariance of the traits in this reach, including D
 PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
   using Pair = Eigen::Matrix<double, 2, 2>;
   using Rows = Eigen::Matrix<double, 2, T::traits>;
@@ -65,11 +65,10 @@ PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& l
   return next;
 }
 
-// Mean square error of a habit that was estimated with a prior narrower than the person's. With that prior's variance
-// v, P after the reach, and V of the person's habit before it, the gain K and the variance e of what the reach shows
-// are
+// Mean square error of a habit that was estimated with a prior narrower than the person's. v: variance of that prior,
+// P: of the posterior, V: of the person's habit before the reach, e: of the reach's measurement of the habit, K: gain.
 //
-//   1 - K = P / v,   K e = P;   error: (1 - K)^2 V + K^2 e
+//   1 - K = P / v,   K e = P;   mean square error = (1 - K)^2 V + K^2 e
 double habit_variance_deg2(const PersonBelief& before, const PersonBelief& steering, const PersonBelief& next) {
   const double after_deg2 = next.covariance(T::habit, T::habit);
   const double kept = std::min(1.0, after_deg2 / steering.covariance(T::habit, T::habit));

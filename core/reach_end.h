@@ -1,13 +1,13 @@
 // Detects the end of a reach, under either controller, from the positions of the finger.
 //
-// A reach can end once the finger was at the start or has moved. It ends
-//   near     after a rest of 0.4 s within a quarter of the path (at least 15 mm) of the real target, if the finger has
-//            covered nine tenths of the path
-//   missed   after a rest of 2 s elsewhere, if the finger has covered three tenths of the path, at most 60 degrees off
-//            the direction of the target
+// A reach can end once the finger was at the start or has moved. It ends after a rest
+//   of 0.4 s near the real target, that is within a quarter of its distance from the start (at least 15 mm), if the
+//            finger has covered nine tenths of the path or the path is at most 15 mm long
+//   of 2 s   if the finger has covered three tenths of the path, at most 60 degrees off the direction of the target;
+//            the reach has missed if the finger is not near the target
 // The path begins at the start or, after a jump of the target, at the position of the finger at that time. The times
-// exceed the pauses of people: they begin a correction within 0.3 s of the end of a first motion, and pause for longer
-// only on the way.
+// exceed the pauses of people, who begin a correction within 0.3 s of the end of a first motion and pause for longer
+// only before they are near the target.
 #pragma once
 
 #include "core/reach/finger_sample.h"
@@ -16,7 +16,7 @@
 
 namespace hrt {
 
-/// A finger within this of the start is at the start.
+/// A finger within this distance of the start is at the start.
 inline constexpr double at_start_mm = 15.0;
 /// A target that moves by less in one call of retarget() does not restart the time of the rest.
 inline constexpr double max_target_step_mm = 2.0;
@@ -33,7 +33,7 @@ class ReachEnd {
   /// Changes the target to `target` while the finger is at `finger`.
   void retarget(const PlatePoint& target, const PlatePoint& finger);
 
-  /// Processes a sample. `finger`: the finger, which has processed it.
+  /// Processes a sample. `finger`: its phase, including this sample.
   void observe(const FingerSample& sample, const FingerPhase& finger);
   const ReachProgress& progress() const { return progress_; }
   /// True if the last sample completed a rest at the start by a finger that was first seen elsewhere: the reach begins
@@ -49,7 +49,7 @@ class ReachEnd {
   PlatePoint start_;
   PlatePoint target_;
   PlatePoint way_from_;
-  PlatePoint felt_offset_;  // offset of the perceived from the tracked position
+  PlatePoint felt_offset_;  // start minus tracked position of the first rest, if the start is felt
   bool start_is_felt_ = false;
   bool seen_ = false;
   bool comes_from_elsewhere_ = false;

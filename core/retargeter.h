@@ -22,11 +22,11 @@ class Retargeter {
   /// Begins a reach. Requires is_valid(reach) for the goal of config.participant.
   void begin(const Reach& reach);
 
-  /// Begins `reach` in place of the present one, while the plate moves on. Requires begin() and is_valid(reach).
+  /// Begins `reach` in place of the present one; the plate continues its motion. Requires begin() and is_valid(reach).
   void begin_here(const Reach& reach);
 
-  /// Processes one sample, not earlier than the previous one, and returns command(). After a gap, at most
-  /// StepClock::max_catch_up_steps are predicted. Requires begin().
+  /// Processes one sample, not earlier than the previous one, and returns command(). After a time without samples, at
+  /// most StepClock::max_catch_up_steps are predicted. Requires begin().
   const PlateCommand& update(const FingerSample& sample);
 
   /// Moves the targets of the present reach, which keeps all estimates. Returns the reach as seen from the position of

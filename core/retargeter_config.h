@@ -22,7 +22,7 @@ enum class ControlMode {
   fixed_plate,  ///< no control: the plate stays at RetargeterConfig::fixed_plate_orientation_deg (paper Fig. 8)
 };
 
-/// Configuration; by default, that of the paper's controller. Fields of [reach] are used by ControlMode::reach only.
+/// Configuration; by default, of the paper's controller. Only ControlMode::reach uses the fields marked [reach].
 struct RetargeterConfig {
   Participant participant;  ///< model of the participant; adaptation starts at its w_T
   MpcConfig mpc;
@@ -33,7 +33,7 @@ struct RetargeterConfig {
   std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
   PersonBelief person = unknown_person();     ///< [reach] prior of the person
   ReachControlConfig reach;
-  /// [reach] Time from a motion to the time of its sample, 0 to 0.5 s.
+  /// [reach] Age of a position at the time of its sample, 0 to 0.5 s.
   std::int64_t tracker_latency_ns = 0;
   double tracker_bearing_sd_deg = 0.0;  ///< [reach] SD of the tracked bearing of a reach, 0 to 45
   bool plate_waits = false;             ///< [reach] the plate does not turn before the motion

@@ -18,14 +18,14 @@ constexpr double min_offset_deg = 60.0;
 constexpr double max_weight_width = 0.1;
 constexpr double max_angle_width_deg = 10.0;
 constexpr int band_steps = 15;  // steps of 5 degrees to either side
-// SD of the largest gap between two knots, as a fraction of the change of slope there.
+// SD of the largest gap, as a fraction of curve_bend_deg() at its offset: the curve may have a kink between two knots.
 constexpr double peak_fraction = 0.25;
-// SD of the habit as a fraction of it, because a goal that turns over the path need not turn evenly.
+// SD of the habit as a fraction of the habit, because the goal need not rotate evenly over the path.
 constexpr double uneven_fraction = 0.2;
 // Excluded end of a rest, in which a slow start may look like noise.
 constexpr double before_onset_s = 0.05;
 
-// Each takes 0.02 ms on a core of 3 GHz.
+// One point of the curve, or one rest, takes 0.02 ms on a core of 3 GHz.
 constexpr int points_per_step = 16;
 constexpr std::size_t rests_per_step = 8;
 
@@ -229,14 +229,15 @@ bool CalibrationFit::describe() {
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight))
     return refuse("w_T is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) + " to " +
                   decimal(w.upper, 3) +
-                  "; it must be within 0.02 to 0.48: add slides, or this hand does not feel the ridges");
+                  "; it must be within 0.02 to 0.48: add slides; if that does not help, the hand does not feel ridges");
   calibration.slides_turned = slides_.turned;
   result_ = std::move(calibration);
   rests_.emplace();
   return true;
 }
 
-// Adds some points of the curve, then some slides, and finally begins the fit of the tracker noise.
+// Adds the next points of the curve or, after the last point, the next slides. After the last slide, begins the fit of
+// the tracker noise.
 void CalibrationFit::add_details() {
   auto& calibration = std::get<Calibration>(result_);
   if (const int added = static_cast<int>(calibration.band.size()); added <= 2 * band_steps) {

@@ -31,13 +31,13 @@ struct CurvePoint {
 
 /// Result. `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not determine it.
 struct Calibration {
-  /// shift divided by the offset at 60 degrees, mean of both sides, at the pace of the slides
+  /// shift of the perceived direction divided by the offset at 60 degrees, mean of both sides
   Interval tactile_weight;
   Interval bias_deg;     ///< goal direction at the middle of the path minus target direction, left positive
-  Interval habit_deg;    ///< half of the rotation of the goal direction over the path
+  Interval habit_deg;    ///< goal direction at the start of the path minus that at its end, halved
   Interval max_gap_deg;  ///< largest shift within an offset of 75 degrees, on the side where it is smaller
-  double peak_offset_deg = curve_bound_deg;  ///< smallest offset that causes it
-  Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2
+  double peak_offset_deg = curve_bound_deg;  ///< smallest offset that causes max_gap_deg
+  Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2 over the offset t
   Interval curve;                            ///< b of that curve
   double slope_curve_correlation = 0.0;
   RestNoise noise;  ///< noise of the tracker, from the finger at rest before each slide

@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// Prior of a parameter; wide, so that a parameter that the slides hardly determine stays bounded.
+// Prior of a parameter; wide, but bounds a parameter that the slides hardly determine.
 struct Prior {
   double mean;
   double deviation;
@@ -108,7 +108,7 @@ LeastSquares problem_of(std::span<const SlideTrack> slides, const Eigen::MatrixX
   return problem;
 }
 
-// Inverse of a slide's covariance plus the error of the steering law.
+// Inverse of the sum of a slide's covariance and the variances of the steering law's error.
 PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
   PartsMatrix covariance = parts_covariance;
   for (int part = 0; part < slide_parts; ++part)
@@ -116,7 +116,6 @@ PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
   return inverse(covariance);
 }
 
-// Derivatives of the predicted directions of one slide.
 SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& person) {
   const FitVector middle = fit_vector(person);
   SlideJacobian jacobian(slide_parts, middle.size());

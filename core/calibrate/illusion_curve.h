@@ -41,7 +41,7 @@ CurvePeak curve_peak(const IllusionCurve& curve, double sign);
 /// Returns the change of the slope at the offset of a maximum, times the spacing, on the side where it is larger.
 double curve_bend_deg(const IllusionCurve& curve, double offset_deg);
 
-/// Returns the nearest curve w t - b t (t / 75)^2 by least squares at the knots.
+/// The nearest curve of the form weight t - curve t (t / 75)^2, by least squares at the knots.
 struct ControllersCurve {
   double weight;
   double curve;

@@ -14,7 +14,7 @@ namespace hrt {
 enum class SlideVerdict {
   used,
   outlying,  ///< the path differs from those of the other slides
-  /// The motion settled within 5 to 12 degrees of the direction of the ridges, where the shift changes sign.
+  /// The motion settled within 12 degrees (5 if few slides remain) of the ridges, where the shift changes sign.
   along_ridges,
 };
 

@@ -35,13 +35,13 @@ class SteeringDelay {
   static constexpr double min_felt_speed_mm_s = 2.0;
   static constexpr double max_steps = 62.0;
 
-  // `steps`: delay, -0.5 to max_steps. Between steps, the perceived direction is interpolated.
+  // `steps`: delay in steps, 0 to max_steps. Between steps, the perceived direction is interpolated.
   explicit SteeringDelay(double steps)
       : whole_(steps > 0.0 ? static_cast<std::size_t>(steps) : 0), part_(steps - static_cast<double>(whole_)) {}
 
   struct Answer {
     double felt_deg;
-    double share;  // fraction of the step with a response: below 1 in the first step of the motion only
+    double share;  // fraction of the step with a response: may be below 1 in the first step with one
   };
   // Stores `felt_deg`, and returns the response of this step; nullopt before the first.
   std::optional<Answer> feel(double felt_deg) {

@@ -16,10 +16,10 @@ namespace {
 
 constexpr double min_step_s = 0.01;
 constexpr double steps_a_slide = 200.0;
-// Half of the time window in which lines smooth the pace.
+// Half of the time window of the lines that smooth the pace.
 constexpr double smoothing_s = 0.075;
 constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.75, 1.01};
-// A longer gap in tracking ends the slide.
+// A longer time without samples ends the slide.
 constexpr double max_gap_s = 5.0;
 // A position is an outlier if it is more than max_deviations SDs and more than min_outlier_mm from the median of the
 // `median_reach` positions on each side.
@@ -68,8 +68,8 @@ std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
   return keep;
 }
 
-// Distance along the goal direction at `time_s`, by a weighted line through the positions around it. `first`: first
-// position to use, which is advanced.
+// Distance along the goal direction at `time_s`, by a weighted line through the positions around it. `first`: index of
+// the first position to use; it is advanced for the next call, whose time must be later.
 double smooth_along_mm(const std::vector<Place>& places, double time_s, std::size_t* first) {
   double reach_s = smoothing_s;
   while (*first + 1 < places.size() && places[*first + 1].time_s < time_s - reach_s) ++*first;
@@ -110,7 +110,7 @@ std::optional<TimedPoint> find_onset(const std::vector<TimedPoint>& samples) {
   return std::nullopt;
 }
 
-// Samples from the onset to the first long gap in tracking.
+// Samples from the onset to the first time without samples that is longer than max_gap_s.
 std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const TimedPoint& onset,
                              double goal_direction_deg) {
   const double sine = sin_deg(goal_direction_deg);

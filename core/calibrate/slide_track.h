@@ -24,7 +24,7 @@ using SlideDirections = Eigen::Matrix<double, slide_parts, 1>;
 
 /// A reduced slide. Angles are relative to the goal direction.
 struct SlideTrack {
-  double plate_deg = 0.0;                                   ///< direction of the ridge normal, within 90 of the goal
+  double plate_deg = 0.0;                                   ///< direction of the ridge normal, -90 to 90
   SlideDirections direction_deg = SlideDirections::Zero();  ///< direction of each part
 
   /// Pace in steps of `step_s` from the onset.

@@ -24,7 +24,7 @@ inline constexpr double normal_975 = 1.959963984540054;
 /// Returns the SD of a normal estimate with a 95 % interval from `lower` to `upper`.
 inline double deviation_of_interval(double lower, double upper) { return (upper - lower) / (2.0 * normal_975); }
 
-/// Returns sqrt(a^2 + b^2), the SD of a sum. std::hypot() would require a newer C library.
+/// Returns sqrt(a^2 + b^2): the SD of the sum of independent errors. std::hypot() would require a newer C library.
 inline double in_quadrature(double a, double b) { return std::sqrt(a * a + b * b); }
 
 /// P(N(0, 1) <= x); absolute error below 2e-7.

@@ -11,8 +11,8 @@ namespace {
 constexpr int max_passes = 25;
 constexpr int max_attempts = 8;
 constexpr double min_improvement = 1e-5;
-// Limit of the factor by which a residual grows when its group is left out. The only group that determines a parameter
-// cannot be predicted without it.
+// Limit of the factor by which the residuals of a group grow when the fit omits the group. Without a limit, they would
+// be unbounded for a group that alone determines a parameter.
 constexpr double max_growth = 5.0;
 // A group of four residuals and 28 parameters takes 0.1 ms on a core of 3 GHz.
 constexpr std::size_t groups_per_step = 4;

@@ -110,8 +110,7 @@ class Estimator {
   double normalised_innovation_ = 0.0;
   int outliers_ = 0;
 
-  // direction at the start of the current step; the samples of the step change it
-  double step_direction_deg_ = 0.0;
+  double step_direction_deg_ = 0.0;  // at the start of the current step, before its samples correct the direction
   double step_variance_deg2_ = 0.0;  // 0 before the first step has ended
   double motor_variance_deg2_;       // assumed variance
   double motor_variance_score_ = 0.0;

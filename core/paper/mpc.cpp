@@ -52,7 +52,8 @@ Mpc::Mpc(const MpcConfig& config) : config_(config) {
   }
 }
 
-// Follows the table of gains, clamped to the bounds, and then moves to the optimum.
+// Sets `path` by the table of gains, clamped to the bounds, and then moves it to the optimum. Returns false at the
+// iteration limit.
 bool Mpc::solve_window(const Window& window, WindowPath& path) const {
   double finger_deg = window.finger_deg;
   double last_deg = window.last_plate_deg;
@@ -82,8 +83,8 @@ Mpc::Command Mpc::solve_bounded(const MpcProblem& problem, double last_deg, MpcP
   const bool optimal = solve_window(window, path);
   Command first{};
   for (int step = 0, i = 0; step < (plan ? config_.horizon : 1); ++step) {
-    // At an active bound, the offset is set from the bound, so that rounding cannot exceed it. In steps that are not
-    // perceived, the plate rotates towards the next offset that is.
+    // At an active bound, the offset is set from the bound, so that rounding cannot exceed it. In a step that is not
+    // perceived, the plate rotates towards the offset of the next step that is.
     const bool perceived = problem.gains[step] >= min_gain;
     const int side = !perceived ? 0 : path.pin[i] ? path.pin[i] : path.link[i];
     const double wanted_deg = side ? side * 2.0 * bound_deg : i < window.steps ? path.plate_deg[i] : last_deg;

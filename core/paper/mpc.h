@@ -23,7 +23,8 @@ struct MpcProblem {
   const double* gains;
 };
 
-/// Plate offsets over the window. Nothing is written past `horizon`, and if the plate returns from beyond its bound.
+/// Plate offsets over the window. Only `horizon` elements are written, and none if the plate returns from beyond its
+/// bound.
 struct MpcPlan {
   std::array<double, max_horizon> plate_offset_deg;  ///< t_k .. t_k+N-1
   std::array<ActiveBound, max_horizon> active;       ///< the plate bound, or else the rate bound
@@ -36,7 +37,7 @@ class Mpc {
   explicit Mpc(const MpcConfig& config);
 
   struct Command {
-    double plate_offset_deg;  ///< t_k, relative to the virtual direction; always within both bounds
+    double plate_offset_deg;  ///< t_k; within both bounds, unless the plate returns from beyond the plate bound
     ActiveBound active;       ///< bound that limits t_k
     bool optimal;             ///< false: the solver reached its iteration limit, and a better t_k may exist
   };

@@ -120,8 +120,8 @@ PlateHandover PaperReach::handover() const {
           dropped_before_ + counts.dropped_samples};
 }
 
-// If the gap is not feasible, steers to the nearest feasible direction: a larger aim would increase the
-// perceived-direction error without bringing the finger nearer.
+// If w_T is adapted and the gap is not feasible, the aim is the nearest feasible direction: one that is farther away
+// would increase the perceived-direction error without bringing the finger nearer.
 inline PaperReach::Aim PaperReach::aim() const {
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double gap_deg = goal_deg_ - reach_.real_direction_deg;

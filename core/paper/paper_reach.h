@@ -43,7 +43,7 @@ class PaperReach {
   const PlateCommand& command() const { return command_; }
   /// Position of the finger; nullopt before it moves, and without positions.
   std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
-  double speed_mm_s() const { return 0.0; }  ///< unused by this controller
+  double speed_mm_s() const { return 0.0; }  ///< 0: the paper's participant has no reaction time
   ReachSummary summary() const;
   PlateHandover handover() const;
   const FingerPhase& finger() const { return estimator_.finger(); }
@@ -83,7 +83,7 @@ class PaperReach {
   PlateCommand command_;  // last command, with the last observed state of the finger
   std::int64_t samples_before_ = 0;
   std::int64_t dropped_before_ = 0;
-  std::int64_t saturated_steps_ = 0;  // without that of the last decision
+  std::int64_t saturated_steps_ = 0;  // without the step of the last decision
   std::int64_t rate_limited_steps_ = 0;
 };
 

@@ -94,7 +94,7 @@ GapFeasibility paper_gap_feasibility(double real_direction_deg, double virtual_d
 /// A step of the Kalman filter that combines touch and proprioception. It does not depend on the perceived direction,
 /// so a controller can compute future gains.
 struct FilterGain {
-  double gain;           ///< K, in (0, 1] (0 only if both variances before it are 0)
+  double gain;           ///< K, in [0, 1]; 0 only if sigma_u^2 and the variance before the step are 0
   double variance_deg2;  ///< variance of the perceived direction: (1 - K) var-
 };
 

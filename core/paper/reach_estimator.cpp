@@ -155,7 +155,7 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
       place_ = sample.position;
       return Observation::none;
     }
-    // After a gap in tracking, the time of the onset is unknown.
+    // If the rest is longer ago, positions are missing, and the time of the onset is unknown.
     const double since_rest_s = time_s - finger_.left_s();
     if (since_rest_s < 2e-9 * static_cast<double>(clock_.period_ns()))
       start(sample.time_ns - std::llround(1e9 * since_rest_s), finger_.rest_place());

@@ -19,7 +19,7 @@ namespace hrt {
 /// Counts of samples and steps so far.
 struct SampleCounts {
   std::int64_t steps = 0;            ///< model steps with samples
-  std::int64_t predicted_steps = 0;  ///< model steps without
+  std::int64_t predicted_steps = 0;  ///< model steps without samples
   std::int64_t samples = 0;
   std::int64_t dropped_samples = 0;  ///< samples without an observation, outliers and duplicates
 };
@@ -32,8 +32,8 @@ class ReachEstimator {
   ReachEstimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                  const PlatePoint& start, std::int64_t step_period_ns, int horizon);
 
-  /// Advances to the time of the sample, also `plate`, and processes the sample. Returns the observation on which a
-  /// decision may be based: none, direction or position.
+  /// Advances the model and `plate` to the time of the sample, and processes the sample. Returns the observation on
+  /// which a decision may be based: none, direction or position.
   Observation observe(const FingerSample& sample, PlateModel& plate);
 
   /// Advances by one step without a clock: the finger moves along `direction_deg` after a step that ended with the
@@ -47,7 +47,7 @@ class ReachEstimator {
   double direction_deg() const { return direction_deg_; }
   double tactile_weight() const { return estimator_.tactile_weight(); }
   double tactile_weight_sd() const { return estimator_.tactile_weight_sd(); }
-  /// True if the last two steps have no samples.
+  /// True if neither the previous nor the current step has a sample.
   bool predicted() const { return missed_ && !sampled_; }
   /// Current step; -1 before the motion.
   std::int64_t current_step() const { return clock_.step(); }
@@ -84,7 +84,7 @@ class ReachEstimator {
   std::optional<PlatePoint> place_;
   std::optional<std::int64_t> first_ns_;     // time of the first position
   std::optional<std::int64_t> position_ns_;  // time of the last position
-  std::int64_t now_ns_ = 0;                  // time of the estimator
+  std::int64_t now_ns_ = 0;                  // time to which the estimate is advanced
   double unseen_s_ = 0.0;                    // time of predicted motion since the last sample
   bool paused_ = false;                      // the finger rests or is lifted
   bool sampled_ = false;                     // the current step has a sample

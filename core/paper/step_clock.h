@@ -53,7 +53,7 @@ class StepClock {
   /// Advances to the next step without a time.
   void count() { ++step_; }
 
-  /// Number of steps without a sample after which the model has settled.
+  /// Limit of the steps that advance() ends one by one: after so many steps without a sample, the model has settled.
   static constexpr std::uint64_t max_catch_up_steps = 64;
 
  private:

@@ -24,7 +24,6 @@ CalibrationTrial simulate_calibration_trial(const CalibrationCondition& conditio
       participant.step(plate_orientation_deg, normal(step));
     }
     finger.slide(time_s, participant.finger_direction_deg());
-    // Random numbers of the tracker follow those of the steps.
     const std::uint32_t draw = tracker_draws + 2 * sample;
     trial.samples.push_back({time_s,
                              {finger.place().right_mm + condition.tracker_noise_mm * normal(draw),

@@ -16,7 +16,7 @@ struct Condition {
   Participant participant;             ///< simulated participant
   RetargeterConfig controller;         ///< `controller.participant` is the one that the controller assumes
   double real_direction_deg = -5.0;    ///< P_R
-  double virtual_direction_deg = 5.0;  ///< theta_V, within 90 of the real one
+  double virtual_direction_deg = 5.0;  ///< theta_V, less than 90 degrees from P_R
   double plate_orientation_deg = 0.0;  ///< plate orientation before the first step
   int steps = 30;                      ///< steps of a reach, 1 to max_trial_steps
   double tolerance_deg = 1.5;          ///< a trial hits if |P_steps - P_R| is at most this, >= 0
@@ -32,7 +32,7 @@ struct TrialId {
   std::uint32_t trial;
 };
 
-/// First random number of a tracker; those of the steps are below it.
+/// Index of the first random number of the tracker; the steps use lower indices.
 inline constexpr std::uint32_t tracker_draws = 1U << 20;
 
 /// Step k, 0 to Condition::steps - 1. Angles in degrees from the mid-line.

@@ -11,9 +11,8 @@ namespace {
 constexpr double scale_deg = 75.0;
 
 constexpr double ridge_spacing_mm = 10.0;
-constexpr double max_newton_error_deg =
-    // Newton's method converges quadratically: after a change below this limit, the next value is exact to rounding.
-    1e-6;
+// Newton's method converges quadratically: after a change below this limit, the next value is exact to rounding.
+constexpr double max_newton_error_deg = 1e-6;
 
 // Fraction of f that is lost, A / (|cos t| + A), and its derivative by the offset t.
 struct LostFraction {

@@ -1,10 +1,10 @@
 // The illusion of touch in the controller's model: the ridges shift the direction of motion that the person perceives
 // by
 //   g(t) = (w t - b t (t / 75)^2) (1 - f A / (|cos t| + A))
-// where t is the angle from the direction of motion to the ridge normal, in degrees, folded to within 90. g is linear
-// in w, b and f, so that a filter can estimate them. If b > 0, g has a maximum. f is the fraction of the cue from touch
-// that has decayed when the finger crosses the next ridge slowly. A is large if the finger crosses ridges slowly; for a
-// motion along the ridges the shift then tends to (1 - f) of its full value.
+// where t is the angle from the direction of motion to the ridge normal, in degrees, folded to within 90. If w, b or f
+// alone varies, g is linear in it, so that a filter can estimate them. If b > 0, g has a maximum. The last factor is
+// the part of the cue from touch that has not decayed when the finger crosses the next ridge: 1 - f at low speed (large
+// A) and for a motion along the ridges, 1 at high speed.
 #pragma once
 
 #include "core/person/tuning.h"
@@ -16,7 +16,7 @@ namespace hrt {
 struct Illusion {
   double weight;          ///< w: slope at 0
   double curve;           ///< b: a third of the decrease of the slope from 0 to 75 degrees
-  double fading = 0.0;    ///< f: fraction of the cue from touch that decays between two ridges
+  double fading = 0.0;    ///< f: fraction of the cue from touch that decays between two ridges, at most
   double slowness = 0.0;  ///< A >= 0; 0 for a finger so fast that nothing decays
 };
 
@@ -45,7 +45,7 @@ struct MaxShift {
 /// Requires weight > 0. `bound_deg`: largest angle between ridge normal and motion, in (0, 90].
 MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
-/// Inverts g on its rising branch, from 0 to `max`: returns the offset for `shift_deg`, or the nearest possible shift.
+/// Inverts g on its rising branch, from 0 to `max`: returns the offset for `shift_deg` or the nearest possible shift.
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max);
 
 /// Computes the feasible gap for a person with this illusion, whether the gap from the real to the goal direction lies

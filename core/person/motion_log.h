@@ -2,7 +2,7 @@
 //
 // The SD of the wander is a parameter of the filter, not a state, so the filter cannot estimate it. After the reach,
 // three filters whose log_wander differs by -eps, 0 and eps (`wander_step`) process the positions. From their log
-// likelihoods
+// likelihoods, with the covariance S of an innovation,
 //   l = beta sum over the positions of -(nis + log det S) / 2
 // the posterior of log_wander is approximated by a normal distribution with precision 1 / var - l'' and a mean that
 // lies l' / precision above that of the prior. var is the variance of the prior, l' and l'' are finite differences over

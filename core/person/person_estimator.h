@@ -1,5 +1,5 @@
-// Estimates the state of finger and person from tracked positions, which may come at any rate and with gaps, jumps and
-// rests.
+// Estimates the state of finger and person from tracked positions, which may come at any rate, with interruptions,
+// jumps and rests.
 //   gate    OutlierGate rejects outliers; a run of outliers is accepted as a jump
 //   phase   FingerPhase: waiting until the onset, moving, paused or lifted (tracker/finger_phase.h)
 //   filter  PersonFilter runs during the motion; ModelFit measures how well it predicts the positions
@@ -131,7 +131,7 @@ class PersonEstimator {
   ModelFit fit_;
   MotionLog log_;
 
-  bool clock_stopped_ = false;  // the motion has paused, and with it the person's clock
+  bool clock_stopped_ = false;  // the phase u does not advance: the finger has paused or is lifted
   int backlog_ = 0;             // number of positions that the filter has not processed
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;

@@ -193,7 +193,7 @@ void PersonFilter::move_state(const Step& step) {
   mean_(X::noise_away) *= step.noise_kept;
 }
 
-// Process noise: of the random walks, and of the correlated quantities so that their variance is stationary.
+// Adds the process noise of the random walks, and that which keeps the variance of correlated quantities stationary.
 void PersonFilter::add_noise(const Step& step) {
   const auto add = [this](X::Index index, double variance) { covariance_(index, index) += variance; };
   add(X::steered, tuning_.direction_density_deg2_s * step.seconds);
@@ -274,7 +274,7 @@ void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool
     path_mm_ *= stretch;
     return;
   }
-  // Another motion.
+  // The person begins another motion.
   path_mm_ = std::max(path_mm_, left_mm);
   mean_(X::phase) = phase_at(mean_(X::evenness), 1.0 - left_mm / path_mm_, tuning_.pace_skew);
   add_phase_sd(tuning_.new_motion_sd_s);

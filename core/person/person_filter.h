@@ -9,8 +9,8 @@
 //   own path    o = dr + c (1 - 2 s(u)) - y / (L (1 - s)),   dy/dt = v (dr - y / (L (1 - s)))
 //   motion      phi = psi + o,   dpsi/dt = -k (psi + g(T(time - sensory delay) - phi) - G),   G = V + B
 //               dx/dt = -v sin phi,   dz/dt = v cos phi
-//   measured    x + nx and z + nz, each with white noise. nx and nz are correlated noise: they decay within 0.1 seconds
-//               unless the time is known. dr decays within 0.3 seconds.
+//   measured    x + nx and z + nz, each with white noise. nx and nz are correlated noise with a time constant of 0.1 s
+//               unless another one is known. The time constant of dr is 0.3 s.
 //
 // person_state.h lists the states. core/person/README.md has symbols and derivatives.
 #pragma once
@@ -55,13 +55,13 @@ class PersonFilter {
   PersonFilter with_wander(double change) const;
 
   static constexpr double max_step_s = 0.012;  ///< longest step of move()
-  /// Advances the motion by `seconds`, at most max_step_s. `felt_plate_deg`: ridge normal, sensory delay ago.
+  /// Advances the motion by `seconds`, at most max_step_s. `felt_plate_deg`: plate orientation one sensory delay ago.
   void move(double seconds, double felt_plate_deg);
 
   /// Advances by `seconds` in which the finger rests: the phase u does not change.
   void rest(double seconds);
 
-  /// A measured position minus its prediction: nu = z - H x, where H x is the position plus the correlated noise.
+  /// A measured position minus its prediction, which is the position plus the correlated noise. H: its derivative.
   struct Innovation {
     PlatePoint off_mm;                         ///< nu
     Eigen::Matrix<double, X::count, 2> cross;  ///< P H^T
@@ -112,7 +112,7 @@ class PersonFilter {
   double turn_kept(double seconds) const;
   /// Direction o of the own path at a fraction of the path, if `wander_kept` (0 to 1) of the present wander remains.
   double own_deg(double path_fraction, double wander_kept) const;
-  /// Lateral distance, left positive, that the own path will add until arrival. It returns to the line.
+  /// Lateral distance, left positive, that the own path will add until arrival, where it returns to the line.
   double own_to_come_mm() const;
   /// Pace at a phase.
   Progress pace(double phase) const { return progress(mean_(X::evenness), phase, tuning_.pace_skew); }

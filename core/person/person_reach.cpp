@@ -77,7 +77,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   const double longer_mm = now.real_distance_mm - distance_mm(now.start, goal_.target);
   limits_.turn_goal(now.virtual_direction_deg - reach.virtual_direction_deg);
   reach.virtual_direction_deg = now.virtual_direction_deg;
-  // Continuous with the former direction, to within half a turn.
+  // The direction from the start, within half a turn of that from the finger.
   reach.real_direction_deg =
       now.real_direction_deg + wrap_deg(bearing_deg(reach.start, real) - now.real_direction_deg, 360.0);
   reach.real_distance_mm = distance_mm(reach.start, real);

@@ -22,7 +22,7 @@ struct PersonReachConfig {
   ReachControlConfig control;
   PlateDynamics plate;
   std::optional<TrackerNoise> noise;    ///< noise of the tracker; nullopt: estimated while the finger rests
-  std::int64_t tracker_latency_ns = 0;  ///< time from a motion to the time of its sample, 0 to 0.5 s
+  std::int64_t tracker_latency_ns = 0;  ///< age of a position at the time of its sample, 0 to 0.5 s
   double tracker_bearing_sd_deg = 0.0;  ///< SD of the tracked bearing of a reach, 0 to 45
   std::int64_t step_period_ns = 100'000'000;
   bool plate_waits = false;    ///< the plate does not turn before the motion

@@ -117,7 +117,7 @@ struct Tuning {
   // Flags.
   /// [model] fraction of the duration after which the person no longer responds to the plate
   double last_phase = 0.97;
-  double first_judged_phase = 0.5;  ///< fraction before which OFF_TARGET is not raised
+  double first_judged_phase = 0.5;  ///< fraction of the duration before which OFF_TARGET is not raised
   double min_margin_deg = 0.3;      ///< deg: the gap is unreachable if the margin is below this
   double margin_deviations = 0.9;   ///< SDs subtracted from min_margin_deg
   /// fraction of the path; if less remains, the bearing of the target from the finger is no longer updated

@@ -9,7 +9,7 @@ namespace {
 // Most planned orientations lie at most this far from holding_deg towards the goal.
 constexpr double play_deg = 30.0;
 
-// On the other side, the first steps may require orientations up to the bound.
+// On the side of holding_deg away from the goal, the first steps may require orientations up to the bound.
 double half_turns_for_reach(const PlateStops& stops, double goal_deg, double bound_deg, double holding_deg,
                             double current_deg) {
   const double lowest_deg = holding_deg < goal_deg ? goal_deg - bound_deg : holding_deg - play_deg;

@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Range of orientations; infinite: the plate turns freely. At least 180 wide, for every direction of ridges.
+/// Range of orientations; infinite: the plate turns freely. At least 180 wide, so that ridges can have any direction.
 struct PlateStops {
   double lower_deg = -std::numeric_limits<double>::infinity();
   double upper_deg = std::numeric_limits<double>::infinity();
@@ -61,8 +61,8 @@ class PlateLimits {
 
   /// For a plate with a limit of speed: it stays within one half turn during the reach, so that the person does not
   /// feel a rotation by half a turn. Chooses the half turn in which the stops cut least off the expected range: from 30
-  /// degrees before `holding_deg`, the orientation that sustains the gap, to `bound_deg` from the goal beyond it. Of
-  /// several, the nearest to `current_deg`.
+  /// degrees nearer to the goal than `holding_deg`, the orientation that sustains the gap, to the bound on the same
+  /// side of the goal, `bound_deg` from it. Of several, the nearest to `current_deg`.
   PlateLimits(const PlateStops& stops, double goal_direction_deg, double bound_deg, double holding_deg,
               double current_deg);
 

@@ -8,7 +8,7 @@
 namespace hrt {
 namespace {
 
-// With an acceleration limit, motion is integrated in steps of tick_ns, or in max_ticks steps over a long gap.
+// With an acceleration limit, motion is integrated in steps of tick_ns, or in max_ticks longer steps.
 constexpr std::int64_t tick_ns = 4'000'000;
 constexpr std::uint64_t max_ticks = 500;
 
@@ -27,7 +27,7 @@ void PlateModel::advance_turning(std::int64_t time_ns) {
   if (!timed_) {
     timed_ = true;
     motion_.now_ns = time_ns;
-    // A command given before the first time.
+    // A command was given before the time was known.
     if (pending_count_ > 0) pending_[0].effective_ns = later_ns(time_ns, dynamics_.latency_ns);
   }
   if (time_ns <= motion_.now_ns) return;

@@ -27,8 +27,8 @@ class PlateModel {
   /// Begins at rest at `orientation_deg`. Requires is_valid(dynamics).
   PlateModel(const PlateDynamics& dynamics, double orientation_deg);
 
-  /// Advances to `time_ns`; an earlier time has no effect. With an acceleration limit, gaps of more than two seconds
-  /// are integrated more coarsely.
+  /// Advances to `time_ns`; an earlier time has no effect. With an acceleration limit, an advance of more than two
+  /// seconds is integrated more coarsely.
   void advance(std::int64_t time_ns) {
     if (timed_ && at_rest())
       motion_.now_ns = std::max(motion_.now_ns, time_ns);

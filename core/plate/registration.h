@@ -33,7 +33,7 @@ struct RegistrationConfig {
 enum class RegistrationVerdict {
   accepted,
   too_few,       ///< fewer than 3 touches
-  degenerate,    ///< all marks are within 1 cm of a line, so the rotation about the line is unknown
+  degenerate,    ///< the marks are within 1 cm (RMS) of a line, so the rotation about the line is unknown
   inconsistent,  ///< no pose fits the touches, even without one of them
   upside_down,   ///< the plate's normal is not upward: marks on opposite sides were swapped
 };

@@ -9,7 +9,7 @@
 // because trackers drift.
 //
 // Reaches show only the sum of the person's bias and the rotation of the frame, which the estimator attributes to the
-// bias. When D changes, the bias is therefore changed by the opposite rotation.
+// bias. When D changes, the bias therefore changes by the rotation of the corrected positions.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@
 namespace hrt {
 
 struct TouchedFrame {
-  PlatePoint home;
+  PlatePoint home;                                       ///< h: start of reaches
   Eigen::Matrix2d stretch = Eigen::Matrix2d::Zero();     ///< D: rows and columns right, away
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< covariance of D row by row; zero: no contact yet
 

@@ -53,7 +53,7 @@ struct PlateHandover {
 /// Progress of a reach (reach_end.h).
 struct ReachProgress {
   bool arrived = false;       ///< the reach is over
-  bool off_target = false;    ///< the reach ended away from the target, or the finger moves away from it
+  bool off_target = false;    ///< the reach ended away from the target, or the finger is 60 degrees off its direction
   bool not_at_start = false;  ///< the finger rests elsewhere, and has not been at the start
 };
 
@@ -102,7 +102,7 @@ struct PlateCommand {
   bool fault = false;                  ///< a computed value was not finite
 };
 
-/// A reach is on target if its end is within this of the real target's bearing.
+/// A reach is on target if the bearing of its end is within this angle of the real target's.
 inline constexpr double near_deg = 1.5;
 
 /// Estimates of the paper's controller in a reach. SDs are those of the filter.
@@ -156,7 +156,7 @@ struct ReachSummary {
   bool not_at_start = false;             ///< value in the last PlateCommand
   bool miss_unknown = false;             ///< no motion was observed
   bool implausible = false;              ///< true if any PlateCommand had it
-  FingerEstimate estimate;               ///< estimated w_T and tracker noise
+  FingerEstimate estimate;               ///< under the controller for people, only w_T and the tracker noise
   std::optional<PersonEstimate> person;  ///< nullopt under the paper's controller
 };
 

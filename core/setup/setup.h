@@ -17,7 +17,7 @@ struct SetupConfig {
   static constexpr int max_marks = 8;
 
   std::uint32_t parts = 0;  ///< SetupPart flags of the parts to do
-  /// True: skips parts whose fields the samples do not have.
+  /// True: skips parts that need fields which the samples do not have.
   bool only_possible = false;
   /// Marks in plate coordinates. The first one is also touched to determine the fingertip's offset.
   std::array<Eigen::Vector3d, max_marks> marks_mm;

@@ -65,10 +65,11 @@ void fit_registration_of(const Setup& setup, SetupFit* fit) {
   if (found.verdict == RegistrationVerdict::upside_down || mirrored == RegistrationVerdict::accepted ||
       mirrored == RegistrationVerdict::upside_down)
     reject(SetupProblem::upside_down,
-           "marks were confused, or an axis is mirrored: x is to the right, y up and z towards the user", fit);
+           "marks were confused, or an axis is mirrored: x must point to the right, y up and z towards the user", fit);
   else if (!(scale > 1.0 / max_unit_ratio && scale < max_unit_ratio))
     reject(SetupProblem::disagrees,
-           "the touches are " + decimal(scale, 3) + " times as far apart as their marks: positions are in metres", fit);
+           "the touches are " + decimal(scale, 3) + " times as far apart as their marks: positions must be in metres",
+           fit);
   else
     reject(SetupProblem::disagrees,
            "the touches are " + decimal(found.residual_mm, 0) + " mm from their marks (root mean square)", fit);

@@ -14,7 +14,7 @@ struct SetupFit {
   SetupPart part = setup_calibration;
   SetupProblem problem = SetupProblem::none;  ///< reason for repeating the part
   std::string reason;                         ///< details of the problem, or of an unknown result
-  std::optional<FingertipOffset> fingertip;   ///< known
+  std::optional<FingertipOffset> fingertip;   ///< known offset
   std::optional<Registration> registration;   ///< accepted registration
   std::optional<RegistrationCheck> check;
   std::optional<TouchedFrame> guided;

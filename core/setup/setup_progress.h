@@ -21,15 +21,14 @@ class SetupProgress {
         static_cast<std::uint64_t>(now_ns_) - static_cast<std::uint64_t>(since_ns_.value_or(now_ns_));
     return samples_ >= many_samples || (samples_ >= min_samples && passed_ns >= patience_ns);
   }
-  /// Returns a diagnosis; Kind::none in the first 20 s. `place`: requested position of the finger, if it is on the
-  /// plate. `commanded_deg`: commanded plate orientation, if the set-up waits for the plate.
+  /// Returns a diagnosis; Kind::none or Kind::time in the first 20 s. `place`: requested position of the finger, if it
+  /// is on the plate. `commanded_deg`: commanded plate orientation, if the set-up waits for the plate.
   Observed observed(const std::optional<PlatePoint>& place, const std::optional<double>& commanded_deg) const;
 
  private:
   static constexpr std::uint64_t patience_ns = 20'000'000'000;
-  static constexpr int min_samples = 100;  // fewer: the application paused
-  // 11 s at 90 Hz
-  static constexpr int many_samples = 1000;
+  static constexpr int min_samples = 100;    // fewer: the application paused
+  static constexpr int many_samples = 1000;  // 11 s at 90 Hz
 
   std::optional<std::int64_t> since_ns_;
   std::int64_t now_ns_ = 0;

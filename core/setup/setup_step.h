@@ -32,7 +32,7 @@ enum class Instruction : std::uint32_t {
 /// Problem of the last attempt.
 enum class SetupProblem : std::uint32_t {
   none,
-  too_fast,      ///< the slide took less than 0.4 s or so
+  too_fast,      ///< the slide took less than about 0.4 s
   too_slow,      ///< the slide took more than 8 s
   stopped,       ///< the finger stopped before half of the distance, or away from the line
   left_plate,    ///< the finger was lifted, or moved over the rim
@@ -76,12 +76,12 @@ struct SetupStep {
   SetupPart part;
   Instruction instruction;
   SetupProblem problem;
-  int number;  ///< index of the mark, or of the orientation of the finger, from 0
+  int number;  ///< index of the mark, of the orientation of the finger, or of the object of a guide, from 0
   int done;    ///< completed touches or slides
-  int of;
+  int of;      ///< requested touches or slides
   Eigen::Vector3d place_mm;  ///< requested position of the finger in plate coordinates
   double plate_orientation_deg;
-  Observed observed;        ///< Kind::none in the first 20 s
+  Observed observed;        ///< in the first 20 s only Kind::none, time or wrong_way
   std::string_view reason;  ///< reason of a rejected fit; valid until the set-up changes
 };
 

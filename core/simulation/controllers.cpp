@@ -51,8 +51,7 @@ RetargeterConfig informed_controller(const PersonCondition& condition, std::span
   know_if(T::gain, person.gain_per_s, 0.5);
   know_if(T::bias, person.bias_deg - person.own_bias_deg, 0.5);
   know_if(T::habit, person.habit_deg + mean_habit_deg(person.own_path), 0.5);
-  know_if(T::scatter, std::max(person.scatter_deg, tuning.min_scatter_deg),
-          0.1);  // SD of the estimate
+  know_if(T::scatter, std::max(person.scatter_deg, tuning.min_scatter_deg), 0.1);
   know_if(T::log_wander, logarithm(std::max(wander_sd_deg(person.own_path), steady_wander_deg)), 0.2);
   know_if(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
   know_if(T::log_rate, -logarithm(person.duration_s), 0.05);

@@ -14,7 +14,7 @@ RetargeterConfig people_controller(const Tuning& tuning = {});
 /// Returns the same with the declared latency and accuracy of the condition's tracker.
 RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning = {});
 
-/// Traits that an informed controller is given. Without gain and fading, with which fewer reaches end on target.
+/// Traits that an informed controller is given. If gain and fading were given too, fewer reaches would end on target.
 inline constexpr PersonState::Index informed_traits[] = {
     PersonState::weight,  PersonState::curve,      PersonState::bias,    PersonState::habit,
     PersonState::scatter, PersonState::log_wander, PersonState::log_rate};

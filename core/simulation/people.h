@@ -28,7 +28,7 @@ struct PersonCondition {
   double virtual_direction_deg = 5.0;
   double distance_mm = 100.0;
   std::optional<TargetMove> move;  ///< move of the targets in each reach
-  /// SD of the known position of a contact with an object after each reach; 0: no contacts.
+  /// SD of the error of the position at which an object is touched after each reach; 0: no contacts.
   double contact_sd_mm = 0.0;
   bool random_side = false;  ///< the real target of each reach is on a random side of the virtual one
   bool faulty = false;       ///< each reach has a random fault of tracker or plate: draw_fault()

@@ -114,7 +114,7 @@ class SlidingPerson {
   const PlatePoint& felt_position() const { return felt_position_; }
   double speed_mm_s() const { return speed_mm_s_; }
   double direction_deg() const { return direction_deg_; }
-  /// Perceived direction minus that of the virtual target and of the own path.
+  /// Perceived direction minus the sum of virtual direction and own path.
   double felt_error_deg() const { return felt_deg_ - virtual_direction_deg_ - own_deg_; }
   /// Perceived minus intended direction.
   double intended_error_deg() const { return felt_deg_ - goal_deg_; }

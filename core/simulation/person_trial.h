@@ -17,7 +17,7 @@ struct PersonOutcome {
   double bearing_error_deg;            ///< bearing of the end from the start, minus that of the real target
   double miss_mm;                      ///< distance across the real direction, signed as bearing_error_deg
   PlatePoint finger;                   ///< final position
-  double peak_felt_error_deg;          ///< largest perceived minus virtual direction while the finger moves
+  double peak_felt_error_deg;          ///< largest size of SlidingPerson::felt_error_deg() while the finger moves
   ReachSummary summary;                ///< summary of the controller; zero without a controller
   std::optional<PersonBelief> learnt;  ///< prior of the next reach; nullopt if this reach changes nothing
 };
@@ -27,7 +27,7 @@ struct PersonMoment {
   double time_s;      ///< time since the reach began; the finger moves later
   PlatePoint finger;  ///< position of the finger
   PlatePoint felt;    ///< perceived position of the finger
-  double plate_deg;   ///< direction of the ridge normal
+  double plate_deg;   ///< plate orientation, without PersonCondition::plate_offset_deg
   PlateCommand command;
   const PersonFilter* filter;  ///< filter of the controller; null under the paper's
 };

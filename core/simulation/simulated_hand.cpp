@@ -74,7 +74,7 @@ Eigen::Vector3d SimulatedHand::follow(std::int64_t time_ns, double plate_orienta
                                       const std::optional<SetupStep>& step) {
   if (step) guided_->ask(*step);
   pass(time_ns, plate_orientation_deg, [&] {
-    // After a long pause of the host, only the last milliseconds are simulated.
+    // After a long pause of the host, only the last minute is simulated.
     ticks_ = std::max(ticks_ + 1, (time_ns - began_ns_) / hand_tick_ns - max_guided_ticks);
     plate_.advance(began_ns_ + ticks_ * hand_tick_ns);
     guided_->advance(plate_.orientation_deg());

@@ -8,7 +8,7 @@
 // tests, with the numbers of PhaseTuning:
 //
 //   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this in 1 of
-//            10^7 means. After few positions, sigma is at least the SD of the steps times 1 + 2 / steps.
+//            10^7 means. After n steps between positions, sigma is at least their SD times 1 + 2 / n.
 //   still    Over the last T seconds, with at least 10 positions that are later than the test "left", the displacement d
 //            along the least-squares line is small, and the sagitta of the least-squares parabola is at most four times
 //            as large: a finger that turns back has no displacement. A line through n positions of white noise has
@@ -18,7 +18,7 @@
 //   outlier  At rest, a position further from the last one than 600 mm/s * elapsed + 5.7 sigma (4 SDs of a difference)
 //            is ignored, at most twice in succession. The third is accepted as the rest position.
 //   rest     Its position is the running mean of positions within 3 sigma, with a memory of 1 s. It ends when the finger
-//            has been away for more than 0.5 s; a gap in tracking of more than 0.2 s restarts its duration.
+//            has been away for more than 0.5 s. More than 0.2 s without a position restart its duration.
 #pragma once
 
 #include <Eigen/Core>
@@ -52,7 +52,7 @@ struct PhaseTuning {
   /// a position closer to the rest position shows that the finger still rests
   double seen_at_rest_deviations = 1.0;
   double min_seen_at_rest_mm = 0.1;  ///< mm: lower limit of that distance
-  double max_gap_s = 0.2;            ///< s: a longer gap restarts the duration of a rest
+  double max_gap_s = 0.2;            ///< s: a longer time without a position restarts the duration of a rest
   double max_departure_s = 0.5;      ///< s: a shorter departure does not end the rest
   double min_place_sd_mm = 0.05;     ///< mm: lower limit of the SD of the rest position
 };
@@ -84,8 +84,8 @@ class PhaseDetector {
   /// paused.
   Outcome process(double time_s, const Point& position);
   /// Tests whether a moving finger has come to rest; call it after process(). `expected_mm_s`: speed that the motion is
-  /// expected to have, if known; a finger that is expected to be so slow does not pause. Returns true if the phase
-  /// became paused.
+  /// expected to have, if known; no pause is detected if it is too low to be distinguished from a rest. Returns true if
+  /// the phase became paused.
   bool find_pause(std::optional<double> expected_mm_s = {});
   /// Calls process() and find_pause(), with a time in nanoseconds.
   void observe(std::int64_t time_ns, const Point& position);

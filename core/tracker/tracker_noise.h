@@ -59,8 +59,8 @@ class RestNoiseFit {
 /// Runs all steps of a RestNoiseFit.
 RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 
-/// Returns the noise for a controller; nullopt if the white part is unknown. If correlated noise is not certain, or its
-/// time constant is unknown, correlated_mm is 0, and white_mm includes all noise.
+/// Returns the noise for a controller; nullopt if the white part is unknown. An unknown correlated part is omitted. If
+/// that part may be 0, or only its time constant is unknown, correlated_mm is 0, and white_mm includes all noise.
 std::optional<TrackerNoise> known_noise(const RestNoise& noise);
 
 }  // namespace hrt
