@@ -34,7 +34,8 @@ Quality quality(const std::vector<double>& costs, std::size_t columns, const std
   return found;
 }
 
-// Brute-force reference: tries each free column and none for every row (most rows first, then the smallest maximum).
+// Brute-force reference: tries each unassigned column, and no column, for every row. A result with more assigned rows
+// is better; of equal ones, that with the smaller maximum.
 void try_all(const std::vector<double>& costs, std::size_t columns, std::size_t row, std::vector<bool>& taken,
              const Quality& so_far, Quality& best) {
   if (row * columns == costs.size()) {

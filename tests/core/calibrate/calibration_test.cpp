@@ -78,7 +78,7 @@ TEST(Calibration, SlopesBeyondAnyWeight_AreRejected) {
   EXPECT_NE(refused(trials).find("w_T is -0."), std::string::npos) << refused(trials);
 }
 
-// A gap in tracking ends a slide: a sample centuries later does not count.
+// More than 5 s without a sample end a slide: a sample centuries later does not count.
 TEST(Calibration, ASampleCenturiesLater_IsIgnored) {
   auto trials = simulate({}, 3);
   const Calibration timely = calibrated(trials);

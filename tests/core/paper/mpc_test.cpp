@@ -79,7 +79,7 @@ TEST(Mpc, ARateBoundAtBothSteps_GivesTheHandCalculatedPlan) {
 }
 
 // N = 3 with a gain of 0 at the second step, p_k = 0, p_R = -12, w = 0.1, from 0 with R = 40. The optimum of the first
-// step exceeds 40, so t_0 = 40 and p = -0.085 * 40 = -3.4. In the last one, e = 0 at 0.9 * 3.4 / 0.1 = 30.6.
+// step exceeds 40, so t_0 = 40 and p = -0.085 * 40 = -3.4. In the last step, e = 0 at 0.9 * 3.4 / 0.1 = 30.6.
 TEST(Mpc, AStepWithoutGain_RotatesTowardsTheNextPerceivedStep) {
   const std::array<double, 3> gap_gains{0.85, 0.0, 0.85};
   const MpcProblem problem{0.0, -12.0, 0.1, 0.0, gap_gains.data()};

@@ -152,8 +152,8 @@ TEST(PaperReach, MissingSamples_GiveThePredictedFinger) {
   EXPECT_NEAR(finger_deg, 4.65, 0.005);
 }
 
-// A finger at 33 mm/s that is lost at 35 mm of 100: the distance decreases with the predicted finger, and is constant
-// while the finger is lifted.
+// A finger at 33 mm/s whose tracking is lost at 33 mm of 100: the distance decreases with the predicted finger, and is
+// constant while the finger is lifted.
 TEST(PaperReach, ADropout_ReducesThePredictedDistanceToGo) {
   PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
   int t = 0;

@@ -93,7 +93,7 @@ TEST(PersonReach, AMotion_GivesItsRemainingTime) {
   trial.run_for(1200);
   const double to_go_s = trial.last.time_to_go_s;
   EXPECT_NEAR(to_go_s, 0.8, 0.25);
-  // It also decreases in a dropout.
+  // The time to go also decreases in a dropout.
   const PlateCommand later = trial.reach.update({.time_ns = trial.time_ns - 10 * ms + 300 * ms});
   EXPECT_NEAR(later.time_to_go_s, to_go_s - 0.3, 1e-6);
 }

@@ -29,7 +29,7 @@ TEST(FrameError, ARotationAboutTheStart_ChangesTheBearingByItsAngle) {
   }
 }
 
-// The centre is 5 cm beyond the start, so the target is only 5 cm from it.
+// The target is 10 cm from the start, but only 5 cm from the centre.
 TEST(FrameError, ARotationAboutTheCentre_ChangesTheBearingByHalfOfIt) {
   EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 50.0}), 0.5, 1e-6);
   EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 0.0}), 0.0, 1e-9);

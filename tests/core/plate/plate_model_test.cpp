@@ -116,7 +116,7 @@ TEST(PlateModel, DynamicsOutOfRange_AreInvalid) {
   EXPECT_FALSE(is_valid(PlateDynamics{.stops = {-80.0, 80.0}}));
 }
 
-// A half turn at 30 degrees per second takes six seconds, also in a gap.
+// A half turn at 30 degrees per second takes six seconds, also if seconds pass between two calls.
 TEST(PlateModel, AGap_DoesNotStopTheRotation) {
   for (const double acceleration_deg_s2 : {std::numeric_limits<double>::infinity(), 600.0}) {
     PlateModel plate({.max_speed_deg_s = 30.0, .max_acceleration_deg_s2 = acceleration_deg_s2}, 0.0);

@@ -170,7 +170,7 @@ TEST(SimulationPerson, WithoutIllusion_AnySteeringReachesTheVirtualTarget) {
   EXPECT_NEAR(distance_mm({}, arm.person.position()), path_mm, 2.0);
 }
 
-// Steering in steps of 100 ms with noise: on average at the virtual target, and straight between steps.
+// With steering in steps of 100 ms, reaches end at the virtual target on average, and are straight between steps.
 TEST(SimulationPerson, SteeringInSteps_ChangesDirectionEvery100Ms) {
   Person person = numb();
   person.steering = Steering::steps;
@@ -203,7 +203,7 @@ TEST(SimulationPerson, SteeringByCorrections_ChangesDirectionEvery250Ms) {
   }
 }
 
-// At 50 degrees from the motion the shift is 0.2 * 50 = 10: the motion is 10 to the right of the perceived direction.
+// With the ridge normal 50 degrees to the left of the motion, the perceived direction is 0.2 * 50 = 10 to its left.
 TEST(SimulationPerson, AConstantOffset_DeflectsTheMotionByTheShift) {
   for (const Steering steering : {Steering::continuous, Steering::predictive}) {
     Person person = linear();

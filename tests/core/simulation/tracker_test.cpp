@@ -35,7 +35,7 @@ double root_mean_square(const std::vector<double>& values) {
 PlatePoint slide(double time_s) { return {0.0, 100.0 * std::min(1.0, std::max(0.0, time_s - 0.5))}; }
 
 // Half of the mean square difference at a lag t, for a process with two time constants a and b, is sigma^2 (1 - (a
-// e^(-t / a) - b e^(-t / b)) / (a - b)): at 14 ms a twentieth of that with one time constant.
+// e^(-t / a) - b e^(-t / b)) / (a - b)): at 14 ms about a quarter of that with the time constant a alone.
 TEST(SimulatedTracker, SmoothedNoise_HasItsSdAndSmallSteps) {
   TrackerModel model{.rate_hz = 1000.0 / 14.0, .white_mm = 0.0, .correlated_mm = 1.3, .correlation_s = 0.131};
   model.smoothing_s = 0.022;

@@ -109,7 +109,7 @@ TEST(FingerPhase, ADepartureOf50Ms_DoesNotEndTheRest) {
   EXPECT_NEAR(watch.finger.rest_s(), 0.84, 1e-9);
 }
 
-// 60 mm up and down at 0.4 m/s: the line through a window about the turn is level.
+// 60 mm away and back at 0.4 m/s: the line through a window about the reversal is level.
 TEST(FingerPhase, AReversal_IsNoPause) {
   FingerWatch watch;
   watch.until(0.5);
@@ -127,7 +127,7 @@ TEST(FingerPhase, AGap_RestartsTheDurationOfTheRest) {
   EXPECT_EQ(watch.finger.rest_s(), 0.0);
 }
 
-// Ten seconds at rest, of 40 fingers each.
+// Of 40 fingers that rest for ten seconds, at most one is reported as moving.
 TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {

@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// D(t) = 1 + 3 (1 - exp(-t / 0.1)) at lags of 10 ms, 20 ms, ...
+// D(t) = w + c (1 - exp(-t / tau)) at lags of 10 ms, 20 ms, 40 ms, ...
 StructureFunction structure_of(double white_mm2, double correlated_mm2, double correlation_s) {
   StructureFunction differences;
   for (int lag = 0; lag < StructureFunction::lags; ++lag) {
@@ -53,7 +53,7 @@ TEST(NoiseLearner, TwoPositions_GiveTheHandCalculatedVariance) {
   EXPECT_EQ(learner.noise().white_mm, TrackerNoise{}.white_mm) << "one difference does not change the estimate";
 }
 
-// A middle place that is 3 mm off the line through its even neighbours: 9 / 1.5 in one coordinate and 0 in the other.
+// A position 3 mm off the line between its neighbours: 9 / 1.5 mm^2 in one coordinate and 0 in the other, mean 3.
 TEST(NoiseLearner, ABentMotion_GivesTheHandCalculatedVariance) {
   RecentPlaces<PlatePoint> places;
   NoiseLearner<PlatePoint> learner;
@@ -74,7 +74,8 @@ TEST(NoiseLearner, AKnownNoise_IsUnchanged) {
   EXPECT_EQ(learner.noise().correlated_mm, 1.0);
 }
 
-// After two seconds the mean estimate is within a fifth, and 0.3 mm for the assumed noise, whose weight decreases.
+// After two seconds the error of the mean estimate is at most a fifth of the noise, plus 0.3 mm due to the weight that
+// the assumed noise still has.
 TEST(NoiseLearner, TwoSecondsAtRest_GiveTheNoise) {
   for (const double rate_hz : {30.0, 90.0, 240.0}) {
     for (const double noise_mm : {0.3, 1.2, 2.5}) {

@@ -19,7 +19,7 @@ struct SimulatedTracker {
   double rate_hz;
   double jitter_share = 0.0;
   double outlier_share = 0.0;
-  double step_mm = 0.0;  // positions are rounded to it
+  double step_mm = 0.0;  // step to which positions are rounded
 };
 
 using Rests = std::vector<std::vector<TimedPoint>>;
@@ -155,7 +155,7 @@ struct Coverage {
   }
 };
 
-// 40 people; of a coverage of 95 % fewer than 32 have a probability of 0.1 %.
+// If the coverage is 95 %, more than 8 of 40 intervals miss the truth with a probability below 0.1 %.
 TEST_P(TrackerNoiseCoverage, SimulatedTrackers_LieWithinTheKnownIntervals) {
   const SimulatedTracker& tracker = GetParam();
   constexpr int people = 40;
