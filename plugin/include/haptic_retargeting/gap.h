@@ -92,7 +92,7 @@ typedef uint32_t hrt_assign_flags;
  *  @param flags            Options.
  *  @param capacity         Elements of `out_gaps`.
  *  @param out_gaps         Gap of each virtual target. `out_gaps[0].struct_size` is the size of each. A target without
- *                          a real one has `reachable` 0, a null real_target, and the numbers of the nearest one.
+ *                          a real one has `reachable` 0, a null real_target, and the numbers of its smallest gap.
  *  @return BUFFER_TOO_SMALL if `capacity` is below `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the argument
  *          and the index of a wrong or repeated id; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */

@@ -100,8 +100,8 @@ HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
  *  virtual target. Each call starts another reach, with other noise.
  *
  *  With virtual_target {0}, the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m, rotated
- *  by 20 degrees about y, and the skin is at (2, -8, -12) mm from the joint, in the axes of the joint. Samples are in
- *  world coordinates until a registration has found the plate, and if the session is registered.
+ *  by 20 degrees about y, and the skin is at (2, -8, -12) mm from the joint, in the axes of the joint. Samples have
+ *  WORLD_POSITION and JOINT_ROTATION in the parts FINGERTIP, REGISTRATION and CHECK, and if the session is registered.
  *
  *  @param session         Session of the target or of the set-up.
  *  @param virtual_target  Target that the person reaches for; {0}: follow the set-up in progress.
@@ -111,7 +111,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session
                                                   hrt_target virtual_target) HRT_NOEXCEPT;
 
 /** Commands the servo, advances the simulation, and returns the sample that tracker and servo report. It has the flags
- *  PLATE_ORIENTATION and PLATE_POSITION or, in a set-up, those that hrt_person_begin() describes. The first call after
+ *  PLATE_ORIENTATION and PLATE_POSITION; hrt_person_begin() describes the exceptions in a set-up. The first call after
  *  hrt_person_begin() puts the plate at the given orientation and starts the rest.
  *
  *  @param time_ns                Time to which the simulation advances.

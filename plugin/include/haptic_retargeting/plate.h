@@ -125,7 +125,7 @@ typedef uint32_t hrt_plate_report_flags;
 #define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< the plate has reached no command since opening: keep fingers off */
 #define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are from the plate's file */
 /** The plate does not behave as in its file: its speed is below 80 % of the speed there, it has rested for a second
- *  further from its command than its error plus three SD, or its latency is 40 ms longer. Commission it again. */
+ *  further from its command than the error there, or it follows commands 40 ms later. Commission it again. */
 #define HRT_PLATE_REPORT_DEVIATES 256u
 
 /** State and properties of a plate. All numbers are finite, and 0 while they are unknown. */

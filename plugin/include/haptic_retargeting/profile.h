@@ -99,9 +99,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t 
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 
-/** Prepares the session for another user: resets the part person except max_felt_error_deg, the fields of the part
- *  paper that profiles contain, and fingertip_offset_m. Plate, tracker, registration and targets are kept, so that
- *  HRT_SETUP_ALL_MISSING measures only the user.
+/** Prepares the session for another user: resets fingertip_offset_m, the fields of the part paper that profiles
+ *  contain, and those of the part person, but not max_felt_error_deg. Plate, tracker, registration and targets are
+ *  kept, so that HRT_SETUP_ALL_MISSING measures only the user.
  *
  *  @return WRONG_STATE during a reach or a set-up.
  *  @threadsafety [one-thread] */

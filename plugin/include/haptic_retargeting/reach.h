@@ -104,8 +104,9 @@ typedef struct hrt_sample {
 
 /** @flags HRT_COMMAND Reasons of a command, and warnings: hrt_command::flags. */
 typedef uint32_t hrt_command_flags;
-#define HRT_COMMAND_HELD UINT32_C(1)         /**< the controller computed no new command: the last one is repeated */
-#define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< no position now or, under FIXED_DIRECTION, in the last step */
+#define HRT_COMMAND_HELD UINT32_C(1) /**< the controller computed no new command: the last one is repeated */
+/** The sample is a dropout; under FIXED_DIRECTION, all samples of this step and the last one are. */
+#define HRT_COMMAND_PREDICTED UINT32_C(2)
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the command is limited by the plate's bound or a stop */
 #define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the command is limited by the largest speed of the plate */
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
@@ -127,10 +128,11 @@ typedef uint32_t hrt_command_flags;
  *  hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 /** The motion has ended; hrt_reach_retarget() may continue the reach. The finger was at the start or has moved, and has
- *  then rested in one of two regions: for 0.4 s after nine tenths of the path and within a quarter of its length of the
- *  real target; or for 2 s after three tenths of the path and within 60 degrees of the target's bearing, then with
- *  OFF_TARGET. A lift, a dropout of 0.2 s, or a retarget by 2 mm or more restarts the time. Never set in a reach with
- *  directions only: use a time limit there. */
+ *  then rested in one of two regions. For 0.4 s: after nine tenths of the path, and not further from the real target
+ *  than a quarter of its distance from the start or 15 mm. For 2 s: after three tenths of the path, and within 60
+ *  degrees of the target's bearing; OFF_TARGET is set if the finger is further from the target. A lift, a dropout of
+ *  0.2 s, or a retarget by 2 mm or more restarts the time. Never set in a reach with directions only: use a time limit
+ *  there. */
 #define HRT_COMMAND_ARRIVED UINT32_C(8192)
 /** Contacts (hrt_reach_touched()) contradict the registration: they shift the real target by more than its covariance
  *  allows in 99.9 % of cases. The plate or the tracker's frame has moved, or another object was touched. Set up again
@@ -350,7 +352,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_tar
 /** Reports that the finger has touched the real object. Call it at most once for each reach, before the next one
  *  begins. The contact reveals the error of the tracker's frame: from the next reach on,
  *  hrt_session_config::registration.contact_correction corrects the finger's positions, and the estimated bias of the
- *  user is reduced by the same angle.
+ *  user changes by the angle by which they rotate.
  *
  *  @param contact  Position of contact. Null: the default.
  *  @return OUT_OF_RANGE naming the field, or the position if it is within 10 mm of the start or too far from the

@@ -113,7 +113,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t 
  *  @param capacity     Elements of `out_targets`.
  *  @param out_targets  Ids of the targets in the order of the scene. May be null if `capacity` is 0.
  *  @return BUFFER_TOO_SMALL; NAME_TAKEN; WRONG_STATE during a reach or a set-up.
- *  @threadsafety [one-thread] for both. */
+ *  @threadsafety [one-thread] for the scene and for the session. */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
                                                     hrt_target* out_targets) HRT_NOEXCEPT;
 

@@ -95,9 +95,9 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_GAIN 2
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
-/** Habit, a curvature of the path: half of the difference between the aimed directions at the start and at the end. It
- *  is the mean over the reaches to the targets so far; recorded people differ from it by 7 deg (SD) towards another
- *  target. @range -45 to 45 @unit deg @ccw */
+/** Habit, a curvature of the path: the aimed direction at the start minus that at the end, halved. It is the mean over
+ *  the reaches to the targets so far; recorded people differ from it by 7 deg (SD) towards another target.
+ *  @range -45 to 45 @unit deg @ccw */
 #define HRT_PERSON_HABIT 4
 /** Speed profile of the motion, from 0: minimum jerk, to 1: constant speed. @range 0 to 1 @unit 1 */
 #define HRT_PERSON_EVENNESS 5
@@ -113,7 +113,7 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_LOG_WANDER 9
 /** Number of traits. */
 #define HRT_PERSON_TRAITS 10
-/** Number of elements in the lower triangle of their covariance. */
+/** Number of elements in the lower triangle of the covariance of all traits. */
 #define HRT_PERSON_COVARIANCES 55
 
 /** Part of hrt_session_config: limits of the plate and its servo, and the plate's pose in the world. */
@@ -170,7 +170,7 @@ typedef struct hrt_session_tracker {
   /** Time in which the correlated part decays to 1/e. Read if tracker.correlated_noise_m is not 0. @range 0.01 to 2
    *  @default 0.1 @profile tracker.correlated_noise_m */
   double correlation_s;
-  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. Set the value of the device (SETUP.md):
+  /** Age of a position at the time_ns of its sample, under GUIDANCE_ARRIVAL. Set the value of the device (SETUP.md):
    *  latency that is not configured makes fast reaches miss. @range 0 to 0.5 s @default 0 */
   int64_t latency_ns;
   /** SD of the tracker's error in the bearing of a reach: it is constant within a reach, so the samples do not show it,

@@ -6,7 +6,8 @@
  * each instruction is completed, and repeats failed attempts. In each frame, display step.text and step.place_m, and
  * turn the plate to step.plate_orientation_deg. Tested with simulated people only.
  *
- * Example: a simulated person follows the set-up. With a tracked finger, fill `sample` instead of hrt_person_move().
+ * Example: a simulated person follows the set-up. With a tracked finger, fill in `sample` instead of calling
+ * hrt_person_move().
  *
  *   #include <haptic_retargeting/haptic_retargeting.h>
  *   #include <haptic_retargeting/person.h>
@@ -51,8 +52,9 @@ typedef uint32_t hrt_setup_parts;
 /** Measures the plate's pose in the world from touches of marks. Requires HRT_SAMPLE_WORLD_POSITION. An error of the
  *  rotation rotates every reach by the same angle, and the samples of a reach do not reveal it. */
 #define HRT_SETUP_REGISTRATION UINT32_C(2)
-/** Checks the registration by one touch, for example before each reach; by a second touch if the first disagrees. Sets
- *  registration.time_ns, or clears HRT_SESSION_REGISTERED. Cannot be combined with REGISTRATION. */
+/** Checks the registration by one touch, for example before each reach, and by a second one if the first disagrees. If
+ *  a touch agrees, sets registration.time_ns; otherwise, clears HRT_SESSION_REGISTERED. Cannot be combined with
+ *  REGISTRATION. */
 #define HRT_SETUP_CHECK UINT32_C(4)
 /** Corrects the error that remains after registration. A guide is a strip on the plate from a dimple at the start to a
  *  real object. For each of the first 8 real targets, in the order of their addition, the user slides six times back
@@ -73,7 +75,7 @@ typedef uint32_t hrt_setup_parts;
 
 /** Maximum number of marks. */
 #define HRT_MARKS_MAX 8
-/** Numbers in hrt_setup_config::marks_m. */
+/** Number of elements of hrt_setup_config::marks_m. */
 #define HRT_MARK_NUMBERS 24
 /** Bytes of a sentence, including the terminating zero. */
 #define HRT_TEXT_SIZE 256
@@ -197,8 +199,7 @@ typedef uint32_t hrt_setup_lack_of_fit;
  *  orientations and the direction of the slides. */
 #define HRT_LACK_OF_FIT_ANGLE UINT32_C(1)
 /** The residuals depend on the order of the slides: the user learns or gets tired. Allow practice or rest, and repeat
- * the
- *  calibration. */
+ *  the calibration. */
 #define HRT_LACK_OF_FIT_ORDER UINT32_C(2)
 /** The residuals depend on the position along the path: the paths are curved more than habit and steering explain. Ask
  *  for slower, longer and more even slides, and repeat the calibration. */
@@ -240,13 +241,13 @@ typedef struct hrt_setup_result {
   /** Largest SD of a coordinate of the fingertip's offset. */
   double fingertip_sd_m;
   /** Tactile weight: perceived shift divided by the angle between ridge normal and motion, at 60 degrees and at the
-   *  pace of the slides. @unit 1 */
+   *  speed of the slides. @unit 1 */
   hrt_interval tactile_weight;
   /** Bias: aimed minus target direction. @ccw */
   hrt_interval bias_deg;
   /** Largest feasible gap (hrt_gap::max_gap_deg), on the side on which it is smaller. */
   hrt_interval max_gap_deg;
-  /** Why the last dropped part was dropped, in one line of UTF-8; empty if none was. */
+  /** Reason for which the last dropped part was dropped, in one line of UTF-8; empty if no part was dropped. */
   char reason[HRT_TEXT_SIZE];
 } hrt_setup_result;
 
