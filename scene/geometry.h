@@ -8,7 +8,7 @@
 
 namespace hrt {
 
-/// Smallest distance along the plate at which a direction is defined. Nearer, it would be noise of the tracker.
+/// Smallest distance along the plate at which a direction is defined. Below it, tracker noise would determine it.
 inline constexpr double min_distance_m = 1e-3;
 
 /// A position in metres, or a direction.

@@ -84,7 +84,7 @@ HapticProperties haptic_properties(const tinygltf::Value& extras, const std::str
   };
 
   const std::optional<std::string> name = text("role");
-  if (!name) refuse(where, "{} is missing", label("role"));
+  if (!name) refuse(where, "{} is missing; set it to plate, real, virtual or start", label("role"));
   const auto* role = std::find_if(std::begin(roles), std::end(roles), [&](const Role& r) { return r.name == *name; });
   if (role == std::end(roles))
     refuse(where, "{} is {}; allowed: \"plate\", \"real\", \"virtual\" and \"start\"", label("role"), in_quotes(*name));

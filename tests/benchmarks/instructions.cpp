@@ -39,7 +39,7 @@ auto counted(const Work& work) {
 }
 
 void end_row(const std::string& row, std::uint64_t count) {
-  const std::string name = row + '|' + std::to_string(count);  // used by all statements of the macro
+  const std::string name = row + '|' + std::to_string(count);
   CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 
@@ -236,7 +236,7 @@ void count_reaches(const char* family) {
 int main(int argc, char** argv) {
   using namespace hrt;
   if (argc != 2) {
-    std::fprintf(stderr, "usage: hrt_instructions LIBRARY, under callgrind; `instructions` does it all\n");
+    std::fprintf(stderr, "usage: hrt_instructions LIBRARY, under callgrind; the script `instructions` runs it\n");
     return 2;
   }
   load(argv[1]);

@@ -1,6 +1,6 @@
-// Passes arbitrary bytes on the plate's line to the firmware and to the host: unchanged, and with correct checksums,
-// so that the code after the check is also reached. Then passes them to the devices of the driver, from their
-// opening, and as the name of a device.
+// Passes arbitrary bytes on the plate's line to the firmware and to the host: unchanged, and with correct checksums, so
+// that the code after the check is also reached. Then passes them to the devices of the driver, also while these are
+// opened, and as the name of a device.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

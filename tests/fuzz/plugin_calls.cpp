@@ -48,7 +48,7 @@ void check(hrt_result result) {
   require(result <= HRT_OK && std::strcmp(hrt_result_string(result), "unknown result") != 0);
 }
 
-/// Makes calls with arguments from the fuzzer's bytes, which are often consistent.
+/// Makes calls with arguments from the fuzzer's bytes. Handles are often those of existing sessions and targets.
 class Caller {
  public:
   explicit Caller(FuzzedDataProvider& bytes) : bytes_(bytes) {}
@@ -78,7 +78,7 @@ class Caller {
                                                : hrt_target{bytes_.ConsumeIntegral<uint64_t>()};
   }
 
-  // Returns the defaults with a few changed bytes.
+  // Overwrites up to three numbers of a struct.
   template <class Struct>
   void disturb(Struct& value) {
     for (int n = bytes_.ConsumeIntegralInRange(0, 3); n > 0; --n) {
@@ -252,7 +252,7 @@ class Caller {
     if (result != HRT_OK) return;
     require((summary.flags & HRT_COMMAND_FAULT) == 0 && summary.counts.samples >= 0);
     require_finite(summary, offsetof(hrt_reach_summary, bearing_deg));
-    // The carried estimates are a valid configuration.
+    // The configuration with the estimates of this reach is valid.
     hrt_session_config config{};
     config.struct_size = sizeof config;
     require(hrt_session_get(ended, &config, nullptr) == HRT_OK);

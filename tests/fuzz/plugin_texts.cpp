@@ -1,5 +1,5 @@
-// Loads arbitrary bytes as profiles and recordings. Accepted profiles are written back unchanged, and two replays
-// of a recording have the same hash.
+// Loads arbitrary bytes as profiles and recordings. A saved profile that is loaded again is saved with the same text,
+// and two replays of a recording have the same hash.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

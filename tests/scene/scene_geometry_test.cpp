@@ -130,7 +130,8 @@ TEST(SceneGeometry, NegativeScaleOfThePlateMirrorsItsAxes) {
   EXPECT_DOUBLE_EQ(position({1.0, 1.0, 1e-5}).x, -0.03);
 }
 
-// Within a non-uniform scale, a rotation by 90 degrees keeps the axes perpendicular; one by 45 degrees does not.
+// Within a non-uniform scale, rotations by 90 degrees about X and by 45 degrees about Y keep the normal perpendicular
+// to the mid-line; one by 45 degrees about X does not.
 TEST(SceneGeometry, ShearedPlateIsRejected) {
   const double sin_deg_22_5 = std::sqrt(0.5 - 0.5 * sin_45);
   const double cos_deg_22_5 = std::sqrt(0.5 + 0.5 * sin_45);
