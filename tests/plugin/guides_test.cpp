@@ -1,6 +1,6 @@
 // Guided slides, which correct the registration at real targets. The trackers' frames are rotated, sheared or distorted
-// by a field; the point of contact on the skin changes at each touch; the noise is correlated in time. The fit only
-// models the rotation.
+// by a field; the point of contact on the skin changes at each touch; the noise is correlated in time. The fit models
+// rotation, scale and shear, but not the field.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>

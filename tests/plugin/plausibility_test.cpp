@@ -9,7 +9,7 @@ namespace {
 
 class PlausibilityTest : public SessionTest {
  protected:
-  /// The slide of SessionTest with a mistake in each sample. Returns the summary.
+  /// The slide of SessionTest, rotated by `bend_deg`, with a mistake in each sample. Returns the summary.
   hrt_reach_summary slide_with(const std::function<void(hrt_sample*)>& mistake, double bend_deg = 0.0) {
     begin_reach();
     for (std::int64_t t = 0; t < 2500; t += 10) {

@@ -134,7 +134,7 @@ TEST_F(ConditionsTest, CalibrationStoresConditionsAndProfilesRestoreThem) {
   EXPECT_EQ(back.time_s, 1'767'225'600);
   EXPECT_STREQ(back.plate, "desk \"1\" \\ \u00fc");
   EXPECT_STREQ(back.tracker, "Ultraleap");
-  EXPECT_EQ(back.differing, 0u) << "what is now is unknown";
+  EXPECT_EQ(back.differing, 0u) << "the present conditions are unknown";
   EXPECT_EQ(save_profile(), text);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using plugin::Field;
 using plugin::FieldKind;
 
-/// Returns the limits of a field, or the values just beyond.
+/// Returns the limits of a field.
 template <class S, class T>
 std::vector<typename Field<S, T>::Number> ends(const Field<S, T>& field) {
   if (field.kind == FieldKind::reserved) return {0};
@@ -25,6 +25,7 @@ std::vector<typename Field<S, T>::Number> ends(const Field<S, T>& field) {
   return values;
 }
 
+/// Returns values just beyond the limits of a field, infinities and NaN.
 template <class S, class T>
 std::vector<typename Field<S, T>::Number> beyond(const Field<S, T>& field) {
   using Number = typename Field<S, T>::Number;
@@ -45,7 +46,7 @@ std::vector<typename Field<S, T>::Number> beyond(const Field<S, T>& field) {
 }
 
 /// Passes structs with each field at its limits and beyond to `take`. `prepare` returns a struct in which that field is
-/// read. Returns the names of the fields that were rejected at a limit, because it depends on other fields.
+/// read. Returns the names of the fields that were rejected at a limit, because the limit depends on other fields.
 template <class S, class Prepare, class Take>
 std::set<std::string> try_ranges(Prepare&& prepare, Take&& take) {
   std::set<std::string> refused_at_an_end;

@@ -24,7 +24,7 @@
 
 namespace {
 
-constinit thread_local bool watching = false;  // this thread
+constinit thread_local bool watching = false;  // the calls of this thread are counted
 constinit std::atomic<long> allocations{0};
 constinit std::atomic<long> locks{0};
 
@@ -152,7 +152,7 @@ class RealTimeTest : public SessionTest {
     return wrong;
   }
 
-  /// Updates a set-up that was begun before: touches and slides, and every error.
+  /// Updates a calibration that was begun before: rests and slides, and every error.
   int set_up() const {
     int wrong = 0;
     const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };

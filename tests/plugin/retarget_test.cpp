@@ -98,7 +98,6 @@ TEST_F(RetargetTest, RetargetRejectsTheSamePairsAsBegin) {
   EXPECT_NEAR(to_go_m, slide(910, 920).distance_to_go_m, 0.003) << "the reach continues as before";
 }
 
-// After a retarget to another or a moved target, the distance to go is that to the new position.
 TEST_F(RetargetTest, DistanceToGoIsThatToTheNewTarget) {
   for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
     hrt_session_config config = session_config();
@@ -109,7 +108,7 @@ TEST_F(RetargetTest, DistanceToGoIsThatToTheNewTarget) {
     const double before_m = slide(0, 900).distance_to_go_m;
     change(real, placed(HRT_TARGET_REAL, -0.02, 0.05));
     change(cup, placed(HRT_TARGET_VIRTUAL, -0.035, 0.05));
-    EXPECT_NEAR(slide(900, 910).distance_to_go_m, before_m, 0.002) << "not before it is said";
+    EXPECT_NEAR(slide(900, 910).distance_to_go_m, before_m, 0.002) << "not before the retarget";
     ASSERT_OK(hrt_reach_retarget(session, real, cup));
     const hrt_command command = slide(910, 920);
     const double u = 610.0 / 1500.0;

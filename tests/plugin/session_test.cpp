@@ -36,7 +36,7 @@ TEST(Results, HeadersOfAnotherMinorVersionAreRejected) {
   EXPECT_OK(hrt_session_destroy(session));
 }
 
-#if !defined(__EMSCRIPTEN__)  // there is one thread
+#if !defined(__EMSCRIPTEN__)  // a program in WebAssembly has one thread
 TEST(Results, LastErrorBelongsToTheThread) {
   EXPECT_EQ(hrt_session_destroy({0}), HRT_ERROR_INVALID_HANDLE);
   EXPECT_TRUE(std::string_view(hrt_last_error()).starts_with("hrt_session_destroy: session 0 "));
@@ -121,7 +121,6 @@ TEST(Session, OneSessionMoreThanTheMaximumIsRejected) {
   for (const hrt_session session : all) ASSERT_OK(hrt_session_destroy(session));
 }
 
-// Conditions between several fields.
 TEST(SessionConfig, FieldsThatDependOnEachOtherAreChecked) {
   const auto refused = [](auto change, const char* field) {
     hrt_session_config config = session_config();

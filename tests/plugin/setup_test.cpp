@@ -52,7 +52,7 @@ class SetupTest : public RecordingTest {
       EXPECT_OK(hrt_setup_finish(session, &result));
       if (result.left == 0) return result;
     }
-    ADD_FAILURE() << "it does not end: " << step.text;
+    ADD_FAILURE() << "the set-up does not end: " << step.text;
     return cancelled_result();
   }
 
@@ -70,7 +70,7 @@ double turn_error_deg(const hrt_session_config& config, const GuidedPerson& pers
   return atan2_deg(-ahead.x(), -ahead.z());
 }
 
-// For 20 people, the results are within their intervals.
+// Of 20 people, at least 16 have each result within its interval.
 TEST_F(SetupTest, AllMissingMeasuresEveryPart) {
   int fingertips = 0, turns = 0, weights = 0, biases = 0;
   double squares = 0.0;
@@ -224,7 +224,7 @@ TEST_P(SetupMistake, IsReportedAndTheSetupEnds) {
   const hrt_setup_result result = run(person, watch, mistake.make);
   EXPECT_EQ(observed != 0, mistake.observed != 0) << last.text;
   EXPECT_EQ(observed & 1u << mistake.observed, mistake.observed ? 1u << mistake.observed : 0u) << last.text;
-  EXPECT_EQ(result.left, mistake.dropped ? 0u : cancelled_result().left) << "it waits for the user";
+  EXPECT_EQ(result.left, mistake.dropped ? 0u : cancelled_result().left) << "the set-up waits for the user";
   EXPECT_EQ(result.dropped, mistake.dropped);
   EXPECT_EQ(result.done, 0u);
   EXPECT_NE(std::string(mistake.dropped ? result.reason : last.text).find(mistake.reason), std::string::npos)
@@ -265,7 +265,6 @@ TEST_F(SetupTest, MarksAtOnePointAreRejected) {
   begin_setup(HRT_SETUP_REGISTRATION, &config);
 }
 
-// hrt_person follows each part.
 TEST_F(SetupTest, ASimulatedPersonFollowsEveryPart) {
   hrt_person person{};
   ASSERT_OK(hrt_person_create(nullptr, 1, &person));
@@ -358,7 +357,6 @@ TEST_F(SetupTest, RetestReportsDifferencesForAnotherPerson) {
   EXPECT_NEAR(config_of(session).person.tactile_weight, 0.28, 0.02);
 }
 
-// Curve, bias and habit of the calibration replace the estimates of reaches.
 TEST_F(SetupTest, CalibrationReplacesTheEstimatesOfReaches) {
   hrt_session_config before = session_config();
   before.person.motion_bound_deg = 30.0;
@@ -378,13 +376,13 @@ TEST_F(SetupTest, CalibrationReplacesTheEstimatesOfReaches) {
   EXPECT_NEAR(result.tactile_weight.value, weight, 0.02);
   EXPECT_EQ(config.person.tactile_weight, result.tactile_weight.value);
   const double sd = (result.tactile_weight.upper - result.tactile_weight.lower) / 3.92;
-  EXPECT_NEAR(config.person.tactile_weight_sd, std::max(sd, 0.01), 1e-5) << "people change";
+  EXPECT_NEAR(config.person.tactile_weight_sd, std::max(sd, 0.01), 1e-5) << "at least 0.01, because people change";
   EXPECT_NEAR(config.person.mean[HRT_PERSON_WEIGHT], weight, 0.05);
   EXPECT_NEAR(config.person.mean[HRT_PERSON_BIAS], 3.0, 1.0);
   EXPECT_EQ(config.person.mean[HRT_PERSON_BIAS], result.bias_deg.value);
   EXPECT_EQ(config.person.bias_deg, result.bias_deg.value);
   EXPECT_NE(config.person.covariance[0], 0.01);
-  EXPECT_NE(config.person.covariance[1], 0.0) << "of weight and curve";
+  EXPECT_NE(config.person.covariance[1], 0.0) << "covariance of weight and curve";
   EXPECT_NEAR(config.tracker.noise_m, 0.001, 0.0002);
   EXPECT_GT(config.person.motion_bound_deg, 40.0);
 
@@ -400,7 +398,7 @@ TEST_F(SetupTest, CalibrationReplacesTheEstimatesOfReaches) {
   expect_error(hrt_setup_get_residual(session, result.slides, &residual), HRT_ERROR_OUT_OF_RANGE, "slide is");
 }
 
-// The illusion changes along the path, which the model cannot fit: no result is applied.
+// The weight changes from 0.1 to 0.35 after eight slides, which the model cannot fit: no result is applied.
 TEST_F(SetupTest, LackOfFitLeavesThePersonUnchanged) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;
@@ -448,7 +446,7 @@ TEST_F(SetupTest, SetupReplaysBitForBit) {
   const hrt_replay_report report = replay(text);
   expect_same(report);
   EXPECT_GT(report.rows, 5000u);
-  // A changed bit of one sample is detected.
+  // A changed number in a result of the set-up is detected.
   std::string altered = text;
   altered.replace(altered.find("weight=0"), 8, "weight=1");
   EXPECT_NE(replay(altered).first_different_line, 0u);

@@ -97,11 +97,11 @@ TEST_F(SimulatedPersonTest, ArrivesSoonAfterTheMotion) {
     sample.time_ns += 11'111'111;
     sample.finger_position_m[2] += 0.05;
     ASSERT_OK(hrt_reach_update(session, &sample, &command));
-    EXPECT_NE(command.flags & HRT_COMMAND_ARRIVED, 0u) << "it stays so";
+    EXPECT_NE(command.flags & HRT_COMMAND_ARRIVED, 0u) << "ARRIVED remains set";
     ASSERT_OK(hrt_reach_retarget(session, real, seen));
     sample.finger_position_m[2] -= 0.05;
     ASSERT_OK(hrt_reach_update(session, &sample, &command));
-    EXPECT_NE(command.flags & HRT_COMMAND_ARRIVED, 0u) << "with the same targets";
+    EXPECT_NE(command.flags & HRT_COMMAND_ARRIVED, 0u) << "a retarget to the same targets keeps ARRIVED";
     change(real, target_config(HRT_TARGET_REAL, 5.0));
     ASSERT_OK(hrt_reach_retarget(session, real, seen));
     ASSERT_OK(hrt_reach_update(session, &sample, &command));
@@ -145,7 +145,7 @@ TEST_F(SimulatedPersonTest, PlateHasTheConfiguredLatencyAndSpeed) {
   ASSERT_OK(hrt_person_begin(person, session, seen));
   auto sample = output<hrt_sample>();
   ASSERT_OK(hrt_person_move(person, 1'000'000'000, 20.0, &sample));
-  EXPECT_EQ(sample.plate_orientation_deg, 20.0);  // it has not moved yet
+  EXPECT_EQ(sample.plate_orientation_deg, 20.0);  // the plate starts at the first command
   ASSERT_OK(hrt_person_move(person, 1'050'000'000, 60.0, &sample));
   EXPECT_EQ(sample.plate_orientation_deg, 20.0);
   ASSERT_OK(hrt_person_move(person, 1'150'000'000, 60.0, &sample));

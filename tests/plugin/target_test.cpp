@@ -104,8 +104,8 @@ TEST_F(TargetTest, NamesMayBeInAnyScript) {
   }
 }
 
-// To keep the finger at P_R while the user perceives theta_V, the plate must be at (theta_V - P_R)(1 - w_T)/w_T from
-// theta_V: 10 x 0.85/0.15 = 56.67 for w_T = 0.15.
+// To keep the finger at -5 degrees while the user perceives 5 degrees, the plate must be turned away from the virtual
+// direction by 10 x (1 - w_T)/w_T degrees: by 56.67 for w_T = 0.15.
 TEST_F(GapTest, GapOfAPairIsAsDerivedByHand) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
   hrt_gap gap = gap_of(real, virtual_target);
@@ -122,9 +122,9 @@ TEST_F(GapTest, GapOfAPairIsAsDerivedByHand) {
   EXPECT_OK(hrt_reach_begin(session, &behind));
 }
 
-// A linear illusion of 0.15 shifts the perceived direction by 0.15 t: by 11.25 with the plate 75 degrees from the
-// motion, and by 10 at 66.67 degrees. In the paper, the bound is relative to the virtual direction: 84.5 x 0.15/0.85 =
-// 14.91.
+// A linear illusion of weight 0.15 shifts the perceived direction by 0.15 times the angle between plate and motion: by
+// 11.25 degrees at 75, and by 10 at 66.67. In the paper, the plate's bound is relative to the virtual direction, and
+// the largest gap is 84.5 x 0.15/0.85 = 14.91 degrees.
 TEST_F(GapTest, BoundIsRelativeToTheMotionUnderArrival) {
   hrt_session_config config = session_config();
   config.person.tactile_weight = 0.15;
@@ -164,8 +164,8 @@ TEST_F(GapTest, DirectionsAreMeasuredFromTheStart) {
   EXPECT_NEAR(gap.settling_direction_deg, -84.5 * 0.15 / 0.85, 1e-12);
 }
 
-// The plate's mid-line is the world's -x (see reach_test.cpp), and the start is at x = 0.05: a target at x = -0.05 and
-// z = -0.1, relative to the plate, is 0.1 ahead and 0.1 to the right.
+// The plate's mid-line is the world's -x (see reach_test.cpp), and the start is at x = 0.05 m: a target at x = -0.05 m
+// and z = -0.1 m, relative to the plate, is 0.1 m ahead and 0.1 m to the right.
 TEST_F(GapTest, WorldTargetsAreConvertedToPlateCoordinates) {
   hrt_session_config config = paper_config();
   config.plate.rotation[1] = config.plate.rotation[3] = std::sqrt(0.5);
@@ -243,8 +243,8 @@ TEST_F(AssignTest, VirtualTargetsWithoutAFeasibleGapAreMarked) {
     EXPECT_LT(assigned[0].margin_deg, 0.0);
   }
   EXPECT_EQ(shared[1].reachable + shared[2].reachable, 2u);
-  EXPECT_EQ(exclusive[1].reachable + exclusive[2].reachable, 1u) << "one real target is near them";
-  EXPECT_EQ(exclusive[1].reachable, 1u) << "the smaller share";
+  EXPECT_EQ(exclusive[1].reachable + exclusive[2].reachable, 1u) << "only one real target is near them";
+  EXPECT_EQ(exclusive[1].reachable, 1u) << "its gap is smaller";
 }
 
 TEST_F(AssignTest, MissingOrRepeatedTargetsAreRejected) {

@@ -61,7 +61,7 @@ TEST(Memory, SessionSurvivesFailureOfAnyAllocation) {
 }
 
 // Fails each allocation of an operation in turn, alone and with all later ones. Each time, the operation must return an
-// error and release what it allocated. Of more than 1000 allocations, every 101st and the last ones are tested.
+// error and release what it allocated. After the first 1000 allocations, only every 101st and the last ones are tested.
 template <class Operation>
 void fail_each_allocation(CountingAllocator& allocator, Operation&& operation) {
   allocator.requests = 0;
@@ -108,7 +108,7 @@ TEST_F(SessionMemory, BeginOfASetupSurvivesFailureOfAnyAllocation) {
     });
 }
 
-// A failure of each of the first fifty allocations, and of every 211th after that.
+// Fails each of the first fifty allocations of hrt_setup_finish(), and every 211th after them.
 TEST(Memory, FinishOfASetupSurvivesFailureOfAnyAllocation) {
   CountingAllocator allocator;
   const hrt_session_config config = session_config();

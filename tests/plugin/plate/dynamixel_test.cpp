@@ -142,7 +142,7 @@ TEST_F(DynamixelTest, OpeningWritesTheControlTable) {
   EXPECT_NEAR(device->limits().speed_deg_s, 200.0, 0.7);
   EXPECT_EQ(device->limits().max_deg, 360.0);
   EXPECT_TRUE(device->is_measured());
-  // Reads of 1 to 4 bytes: 14 and 12 to 15 bytes of 174 us, and the servo's delay of 500 us.
+  // A request of 14 bytes and an answer of 12 to 15 bytes, of 174 us each, and the servo's delay of 500 us.
   EXPECT_NEAR(std::chrono::duration<double>(*device->round_trip()).count(), 5.4e-3, 0.4e-3);
   turn(*device, 9.0, 100ms);
   EXPECT_EQ(servo.get(112, 4), 146);  // 200 / (0.229 * 6)
@@ -166,7 +166,7 @@ TEST_F(DynamixelTest, PushesWithAtMost4NewtonsAtTheRim) {
     EXPECT_EQ(servo.get(102, 2), row.current_ma);
   }
   servo = EmulatedDynamixel(1, 1200);
-  servo.set(38, 2, 300);  // its own limit is lower
+  servo.set(38, 2, 300);  // the servo's own limit, in mA, is lower
   open();
   EXPECT_EQ(servo.get(102, 2), 300);
 }
@@ -242,7 +242,7 @@ TEST_F(DynamixelTest, MovesItsZeroByTheHomingOffset) {
   EXPECT_EQ(servo.get(20, 4), 34);
 }
 
-// Each write wears out the memory of the mode.
+// Each write wears the EEPROM in which the servo stores its mode.
 TEST_F(DynamixelTest, WritesTheModeOnlyIfItDiffers) {
   open();
   open();
@@ -261,7 +261,7 @@ TEST_F(DynamixelTest, TurnsCounterClockwiseByItsProfile) {
   EXPECT_NEAR(device->limits().speed_deg_s, 300.0, 15.0);
 }
 
-// The servo counts turns, so that ridges take the shorter direction past half a turn.
+// The servo counts turns, so that the plate can turn past half a turn without turning back.
 TEST_F(DynamixelTest, ContinuesPastHalfATurn) {
   const auto device = open();
   for (const double orientation_deg : {170.0, 200.0, -250.0}) {

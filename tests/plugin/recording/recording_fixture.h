@@ -28,13 +28,13 @@ inline hrt_replay_report replay(const std::string& text) {
   return report;
 }
 
-/// It is whole, and its replay gave the same bits.
+/// Expects that the recording is complete, and that its replay gave the same bits.
 inline void expect_same(const hrt_replay_report& report) {
   EXPECT_EQ(report.complete, 1u);
   EXPECT_EQ(report.first_different_line, 0u);
 }
 
-/// The recording of the scripted reach, which all hosts make too.
+/// Expects that the recording of the scripted reach replays to the hash that all hosts compute.
 inline void expect_golden_bits() {
   const hrt_replay_report report = replay(read(HRT_GOLDEN_RECORDING));
   expect_same(report);
@@ -80,7 +80,7 @@ class RecordingTest : public SessionTest {
     return status;
   }
 
-  /// A recording of play().
+  /// Returns a recording of play().
   std::string recording() {
     EXPECT_OK(hrt_recording_start(session, path().c_str()));
     play();
@@ -99,7 +99,8 @@ class RecordingTest : public SessionTest {
     return static_cast<double>(state_ >> 40) / double{1 << 23} - 1.0;
   }
 
-  /// Runs three reaches with both controllers and every flag of a sample, and makes calls that fail.
+  /// Runs three reaches with both controllers and every flag of a sample except JOINT_ROTATION, and makes calls that
+  /// fail.
   void play() {
     const hrt_target real = add(HRT_TARGET_REAL, -5.0, "cylinder"), cup = add(HRT_TARGET_VIRTUAL, 5.0, "a \"cup\"");
     reach_by_direction(real, cup);

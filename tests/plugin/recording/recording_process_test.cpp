@@ -23,7 +23,7 @@ extern "C" __attribute__((weak, visibility("default"))) const char* __lsan_defau
 namespace hrt::test {
 namespace {
 
-#if !defined(__EMSCRIPTEN__)  // there, files are not shared between processes
+#if !defined(__EMSCRIPTEN__)  // in WebAssembly, the library locks no files
 // The file of the first recording is not changed.
 TEST_F(RecordingTest, FileOfAnotherRecordingIsRejected) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
@@ -71,7 +71,7 @@ TEST_F(RecordingTest, PipesAreRejectedWithoutBlocking) {
   expect_error(hrt_recording_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM, "/dev/zero");
 }
 
-/// During its lifetime, the system limits the size of files.
+/// While this object exists, the system limits the size of files.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t size) {
@@ -211,7 +211,8 @@ TEST_F(RecordingTest, ForkedChildIsNotRecordedAndReportsIt) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();
   update(direction_sample(0, 1.0));
-  // With the address sanitizer, a child that is forked while a thread starts may hang.
+  // The flush waits for the writing thread: with the address sanitizer, a child that is forked while a thread starts
+  // may hang.
   auto written = output<hrt_recording_status>();
   ASSERT_OK(hrt_recording_flush(session, &written));
   EXPECT_EQ(written.rows_written, 2u);
@@ -281,7 +282,7 @@ TEST_F(RecordingTest, ThreadBlocksSignalsAndChildrenInheritNoFile) {
     EXPECT_TRUE(blocked >> (SIGUSR1 - 1) & 1) << std::hex << blocked;
     EXPECT_TRUE(blocked >> (SIGTERM - 1) & 1) << std::hex << blocked;
   }
-  EXPECT_GE(writers, 1);  // the thread sanitizer adds one of its own
+  EXPECT_GE(writers, 1);  // the thread sanitizer adds a thread of its own
   sigset_t own;
   ASSERT_EQ(pthread_sigmask(SIG_SETMASK, nullptr, &own), 0);
   EXPECT_EQ(sigismember(&own, SIGUSR1), 0);

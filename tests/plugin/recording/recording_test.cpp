@@ -38,7 +38,8 @@ std::string join(const std::vector<std::string>& cells) {
   return row;
 }
 
-// Both controllers, with every flag of a sample and with errors, give the same commands in every build on every host.
+// Both controllers, with almost every flag of a sample and with errors, give the same commands in every build on every
+// host.
 TEST_F(RecordingTest, BothControllersWithEverySampleReplayBitForBit) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   play();
@@ -121,7 +122,7 @@ TEST_F(RecordingTest, ContactsReplayBitForBit) {
   const std::size_t at = elsewhere.find(",0.012,", elsewhere.find("\ntouched,0,"));
   ASSERT_NE(at, std::string::npos);
   elsewhere.replace(at, 7, ",0.013,");
-  EXPECT_GT(replay(elsewhere).first_different_line, 270u) << "what follows depends on it";
+  EXPECT_GT(replay(elsewhere).first_different_line, 270u) << "the next reaches depend on the contact";
 }
 
 TEST_F(RecordingTest, ScriptedReachReplaysToItsHash) { expect_golden_bits(); }
@@ -241,7 +242,7 @@ TEST_F(RecordingTest, EveryOutputColumnIsCompared) {
     }
   }
   EXPECT_EQ(seen, (std::vector<std::string>{"begin", "update", "end"}));
-  // Result, reach and plate; result and command; result and summary.
+  // "begin": result, reach and plate. "update": result and command. "end": result and summary.
   EXPECT_EQ(compared, (1 + 5 + 1) + (1 + std::size(plugin::columns_of<hrt_command>)) +
                           (1 + std::size(plugin::columns_of<hrt_reach_summary>)));
 }
