@@ -14,7 +14,6 @@
 
 namespace hrt {
 
-/// Result for one slide of the data.
 struct CalibratedSlide {
   std::size_t trial;          ///< index of the slide in the data, from 0
   double plate_deg;           ///< direction of the ridge normal, relative to the goal direction

@@ -33,7 +33,6 @@ constexpr double max_bend_deg = 20.0;
 constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
-// Initial value of the slope.
 constexpr double first_slope = 0.18;
 // Lower bound of the prior SD of the change of slope at a knot, which otherwise equals the slope.
 constexpr double min_steepness = 0.02;

@@ -43,7 +43,6 @@ CurvePeak weaker_peak(const IllusionCurve& curve);
 /// Returns, for each slide, whether its settled motion is far enough from the direction of the ridges.
 std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides);
 
-/// Minimum number of slides for a fit.
 inline constexpr int min_fitted_slides = 8;
 
 /// Runs the fit in steps of bounded time.

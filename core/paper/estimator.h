@@ -78,7 +78,6 @@ class Estimator {
   double direction_deg() const { return state_(direction); }
   double tactile_weight() const { return state_(weight); }
   double tactile_weight_sd() const { return std::sqrt(std::max(covariance_(weight, weight), 0.0)); }
-  /// Returns all estimates.
   FingerEstimate estimate() const;
 
   /// Normalised innovation squared (NIS) of the last position: chi-squared with 2 degrees of freedom.

@@ -116,7 +116,6 @@ class GainWindow {
   /// Returns `horizon` gains, that of the current step first. Valid until advance().
   const double* data() const { return gains_.data() + first_; }
 
-  /// Moves to the next step.
   void advance();
 
  private:

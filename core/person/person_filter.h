@@ -114,7 +114,6 @@ class PersonFilter {
   double own_deg(double path_fraction, double wander_kept) const;
   /// Lateral distance, left positive, that the own path will add until arrival, where it returns to the line.
   double own_to_come_mm() const;
-  /// Pace at a phase.
   Progress pace(double phase) const { return progress(mean_(X::evenness), phase, tuning_.pace_skew); }
 
   /// Posterior of the traits, from the samples processed so far.

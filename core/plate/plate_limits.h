@@ -19,7 +19,6 @@ struct PlateStops {
 /// True if every field is in its range.
 bool is_valid(const PlateStops& stops);
 
-/// Clamps an orientation to the stops.
 double clamped(double orientation_deg, const PlateStops& stops);
 
 /// The limit of an orientation: a bound about the virtual direction, a stop (both `lower`, `upper`), or the rate bound.

@@ -45,7 +45,6 @@ class PlateModel {
   /// Sets the orientation without a motion.
   void put(double orientation_deg) { motion_.orientation_deg = motion_.target_deg = orientation_deg; }
 
-  /// Present plate orientation.
   double orientation_deg() const { return motion_.orientation_deg; }
 
   /// Returns the plate orientation at `time_ns`, not in the past, under the commands already given.

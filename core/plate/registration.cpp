@@ -19,7 +19,6 @@ constexpr double max_offset_sd_mm = 5.0;
 // too little between touches. No eigenvalue exceeds 2 per touch.
 constexpr double min_turned = 1e-6;
 constexpr double min_cosine_up = 0.5;
-// Limits of the scale.
 constexpr double min_scale = 0.5;
 constexpr double max_scale = 2.0;
 constexpr int touches_to_leave_one_out = 5;

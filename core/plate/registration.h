@@ -14,7 +14,6 @@
 
 namespace hrt {
 
-/// A touch of one mark.
 struct MarkTouch {
   Eigen::Vector3d mark_mm;     ///< in plate coordinates
   Eigen::Vector3d touched_mm;  ///< tracked position of the fingertip

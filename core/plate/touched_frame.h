@@ -30,7 +30,6 @@ struct TouchedFrame {
 /// True if its numbers are finite, entries of D within 0.5, and the covariance zero or positive definite.
 bool is_valid(const TouchedFrame& frame);
 
-/// Returns the corrected position.
 PlatePoint corrected(const TouchedFrame& frame, const PlatePoint& seen);
 
 /// Estimated position of the finger, and the variance of a coordinate.

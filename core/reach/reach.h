@@ -129,7 +129,6 @@ struct PersonEstimate {
   double duration_s = 0.0;  ///< duration of the motion
 };
 
-/// The outcome of a reach.
 struct ReachSummary {
   std::int64_t steps = 0;               ///< model steps with samples
   std::int64_t predicted_steps = 0;     ///< model steps without samples

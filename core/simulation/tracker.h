@@ -62,7 +62,6 @@ class MotionErrors {
   Excursion excursion_{};
 };
 
-/// A tracker that observes a finger.
 class Tracker {
  public:
   /// `about`: centre of rotation and scale of the frame.

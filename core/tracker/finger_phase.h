@@ -89,7 +89,6 @@ class PhaseDetector {
   bool find_pause(std::optional<double> expected_mm_s = {});
   /// Calls process() and find_pause(), with a time in nanoseconds.
   void observe(std::int64_t time_ns, const Point& position);
-  /// Reports that the finger is lifted.
   void lift() { phase_ = Phase::lifted; }
   /// Sets the phase to paused: the finger rests at `place` from `time_s` on.
   void pause_at(double time_s, const Point& place);

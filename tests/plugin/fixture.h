@@ -146,7 +146,6 @@ class SessionTest : public ::testing::Test {
   void SetUp() override { create(session_config()); }
   void TearDown() override { destroy(); }
 
-  /// Destroys the session, if there is one.
   void destroy() {
     if (session.value != 0) {
       EXPECT_OK(hrt_session_destroy(session));
@@ -224,7 +223,6 @@ class SessionTest : public ::testing::Test {
   hrt_session session{0};
 };
 
-/// A session with the controller of the paper.
 class PaperTest : public SessionTest {
  protected:
   void SetUp() override { create(paper_config()); }

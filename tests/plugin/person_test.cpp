@@ -18,7 +18,6 @@ constexpr double start_forward_m = -0.05;
 
 bool has_begun(const hrt_command& command) { return (command.flags & HRT_COMMAND_MISS_UNKNOWN) == 0; }
 
-/// Result of a reach.
 struct ReachOutcome {
   double bearing_error_deg = 0.0;  ///< error of the true position of the finger
   std::vector<hrt_command> commands;

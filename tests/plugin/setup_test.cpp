@@ -120,7 +120,6 @@ TEST_P(SetupFrameRate, AllMissingMeasuresEveryPart) {
 }
 INSTANTIATE_TEST_SUITE_P(Milliseconds, SetupFrameRate, testing::Values(4, 11, 17, 33));
 
-// ALL_MISSING omits parts that the session has already, and parts whose data the samples lack.
 TEST_F(SetupTest, AllMissingSkipsKnownPartsAndPartsWithoutData) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;
@@ -315,7 +314,6 @@ TEST_F(SetupTest, LostFingerRestartsTheTouch) {
   EXPECT_EQ(step.problem, HRT_PROBLEM_NONE);
 }
 
-// A set-up that is cancelled at any step keeps the results of completed parts, and can be begun again.
 TEST_F(SetupTest, CanBeCancelledAtEachStep) {
   std::uint32_t seen = 0;
   GuidedPerson person = quiet_person();

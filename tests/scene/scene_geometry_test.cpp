@@ -103,7 +103,6 @@ TEST(SceneGeometry, AnyRotationOfThePlateIsReturned) {
   }
 }
 
-// Scale moves the children of the scaled node, and does not change the plate's radius.
 TEST(SceneGeometry, ScaleMovesChildrenAndKeepsTheRadius) {
   const Json doubled = node("Group", {}, {{"scale", {3.0, 5.0, 2.0}}, {"children", {1, 2}}});
   const Scene scene = load(document({doubled, plate(), real({{"translation", {-0.05, 0.01, 0.025}}})}));

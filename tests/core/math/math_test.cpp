@@ -90,7 +90,6 @@ TEST(Distributions, TwoNumeratorDegrees_GiveTheClosedForm) {
       EXPECT_NEAR(f_tail(f, 2.0, n), std::pow(1.0 + 2.0 * f / n, -0.5 * n), 1e-9);
 }
 
-// Quantiles from tables.
 TEST(Distributions, StudentQuantiles_AgreeWithTables) {
   EXPECT_NEAR(student_975(3.0), 3.182, 0.05);
   EXPECT_NEAR(student_975(8.0), 2.306, 0.003);

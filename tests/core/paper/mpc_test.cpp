@@ -164,7 +164,6 @@ TEST(Mpc, ProblemsWithManyActiveBounds_AreSolvedToTheOptimum) {
   }
 }
 
-// From any orientation beyond the bound, the plate returns at full rate.
 TEST(Mpc, APlateBeyondTheBound_ReturnsAtFullRate) {
   Random random(4);
   for (int i = 0; i < 3000; ++i) {

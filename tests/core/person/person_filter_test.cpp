@@ -140,7 +140,6 @@ TEST(PersonFilter, ARestingFinger_LosesCorrelatedNoiseWithItsTimeConstant) {
   }
 }
 
-// For people of the filter's model with the assumed noise, the mean NIS is 2.
 TEST(PersonFilter, PeopleOfTheModel_GiveAMeanNisOfTwo) {
   Draws draws(7, 0, 0, 0);
   double sum = 0.0;

@@ -180,7 +180,6 @@ TEST(SimulationPeople, InformedControllers_HaveTheTrueTraits) {
   EXPECT_GT(informed_controller(draw("clip-45")).person.mean(T::curve), 0.02);
 }
 
-// draw_fault() changes the condition by the fault of one family, or leaves it unchanged.
 TEST(SimulationPeople, DrawFault_GivesOneFaultOrNone) {
   std::set<int> faults;
   Draws draws(1, PersonStream::faults, 0, 0);

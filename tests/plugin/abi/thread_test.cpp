@@ -41,7 +41,6 @@ TEST_F(ThreadTest, SecondThreadGetsBusyAndNothingIsCorrupted) {
   EXPECT_EQ(end().counts.samples, taken);
 }
 
-// The results of a session do not depend on calls of another thread on another session.
 TEST(Threads, SessionsAreIndependent) {
   const auto run = [](double& last_deg) {
     const hrt_session_config config = session_config();

@@ -58,7 +58,6 @@ TEST_F(RecordingTest, NonRegularFilesAreRejected) {
 
 #if defined(__linux__)  // these tests use Linux's pipes, limits and processes
 
-// Neither starting a recording nor a replay waits for the other end of the pipe.
 TEST_F(RecordingTest, PipesAreRejectedWithoutBlocking) {
   ASSERT_EQ(mkfifo(path().c_str(), 0600), 0);
   auto report = output<hrt_replay_report>();
@@ -246,7 +245,6 @@ TEST_F(RecordingTest, ForkedChildIsNotRecordedAndReportsIt) {
   expect_same(report);
 }
 
-// A child that is still running does not keep the file locked.
 TEST_F(RecordingTest, StoppedRecordingUnlocksItsFileDespiteRunningChildren) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   const pid_t child = fork();
@@ -269,7 +267,6 @@ std::set<std::string> threads() {
   return ids;
 }
 
-// The writing thread blocks all signals, and programs that the host starts do not inherit the file.
 TEST_F(RecordingTest, ThreadBlocksSignalsAndChildrenInheritNoFile) {
   const std::set<std::string> before = threads();
   ASSERT_OK(hrt_recording_start(session, path().c_str()));

@@ -23,7 +23,6 @@ void expect_compared(const std::string& text, const std::vector<std::string>& ca
   }
 }
 
-/// Splits a row into cells.
 std::vector<std::string> split(const std::string& row) {
   std::istringstream line(row);
   std::vector<std::string> cells;
@@ -212,7 +211,6 @@ TEST_F(RecordingTest, AlteredOrTruncatedRecordingIsNotComplete) {
   EXPECT_EQ(lossy.rows, 2u) << "the replay stops there";
 }
 
-// Each output cell of a row in turn is changed, and must be reported.
 TEST_F(RecordingTest, EveryOutputColumnIsCompared) {
   const std::string text = recording();
   std::istringstream lines(text);
@@ -247,7 +245,6 @@ TEST_F(RecordingTest, EveryOutputColumnIsCompared) {
                           (1 + std::size(plugin::columns_of<hrt_reach_summary>)));
 }
 
-// Calls that fail because of a value or the state are recorded, too.
 TEST_F(RecordingTest, FailedCallsAreRecordedAndReplayed) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
@@ -324,7 +321,6 @@ TEST_F(RecordingTest, TruncationAtAnyByteIsIncompleteOrRejected) {
   }
 }
 
-// Expects an error that contains `part`.
 void expect_malformed(const std::string& text, const std::string& part) {
   auto report = output<hrt_replay_report>();
   report.rows = 77;
