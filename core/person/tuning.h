@@ -61,7 +61,7 @@ struct Tuning {
   double direction_density_deg2_s = 14.0;  ///< deg^2/s: density of psi
   double log_rate_density_s = 0.07;        ///< 1/s: rho, the log rate
   double place_density_mm2_s = 0.018;      ///< mm^2/s: x and z
-  /// s: process noise along the motion, per squared speed. Kept for RetargetTest.BringsAPersonToTheMovedTarget.
+  /// s: process noise along the motion, per squared speed. Kept for RetargetTest.SteersAPersonToTheMovedTarget.
   double speed_variance_s = 4e-4;
   double resting_density_mm2_s = 0.5;  ///< mm^2/s: process noise of the position in a pause
   double wander_s = 0.3;               ///< s: [model] time constant of the wander, the random part of the own path
