@@ -193,7 +193,8 @@ void PersonFilter::move_state(const Step& step) {
   mean_(X::noise_away) *= step.noise_kept;
 }
 
-// Adds the process noise of the random walks, and that which keeps the variance of correlated quantities stationary.
+// Adds the process noise of the random walks, and the noise that keeps the variance of correlated quantities
+// stationary.
 void PersonFilter::add_noise(const Step& step) {
   const auto add = [this](X::Index index, double variance) { covariance_(index, index) += variance; };
   add(X::steered, tuning_.direction_density_deg2_s * step.seconds);

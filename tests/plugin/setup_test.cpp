@@ -70,7 +70,7 @@ double turn_error_deg(const hrt_session_config& config, const GuidedPerson& pers
   return atan2_deg(-ahead.x(), -ahead.z());
 }
 
-// Of 20 people, at least 16 have each result within its interval.
+// At least 16 of 20 people have each result within its interval.
 TEST_F(SetupTest, AllMissingMeasuresEveryPart) {
   int fingertips = 0, turns = 0, weights = 0, biases = 0;
   double squares = 0.0;

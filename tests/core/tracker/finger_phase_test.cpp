@@ -127,7 +127,7 @@ TEST(FingerPhase, AGap_RestartsTheDurationOfTheRest) {
   EXPECT_EQ(watch.finger.rest_s(), 0.0);
 }
 
-// Of 40 fingers that rest for ten seconds, at most one is reported as moving.
+// At most one of 40 fingers that rest for ten seconds is reported as moving.
 TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {
