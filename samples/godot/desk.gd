@@ -40,7 +40,6 @@ func open() -> String:
 	return ""
 
 
-## Returns the object of the target with this name.
 func object(target: String) -> Node3D:
 	return _objects.find_child(target.capitalize(), true, false)
 

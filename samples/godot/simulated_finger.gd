@@ -40,7 +40,6 @@ func _init(plate: HapticRetargeting, seed_of_person: int) -> void:
 	asked_to_slide.connect(slide)
 
 
-## Follows a step of a set-up.
 func follow_step(step: Dictionary) -> void:
 	var measures_skin: bool = step.part == HapticRetargeting.SETUP_FINGERTIP
 	match step.instruction:

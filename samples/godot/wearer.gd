@@ -24,7 +24,6 @@ func start() -> bool:
 	return true
 
 
-## Shows an instruction.
 func show_instruction(instruction: String) -> void:
 	if instruction != _instruction:
 		print(instruction)

@@ -63,7 +63,7 @@ void hrt_web_set_person(double seed, double tactile_weight, double duration_s) {
   world.condition.person = drawn.person;
   world.condition.person.illusion.tactile_weight = tactile_weight;
   world.condition.person.duration_s = duration_s;
-  // Fraction of the angle from the mid-line to the virtual target, whose direction begin_reach() receives.
+  // Here a fraction of the virtual target's direction, which begin_reach() receives.
   world.condition.person.start_direction_deg = drawn.person.start_direction_deg / drawn.virtual_direction_deg;
 }
 

@@ -65,7 +65,6 @@ def _record(abi: Abi, struct: str) -> str:
 
 
 def _methods() -> list[str]:
-    """Returns the methods that plate_node.h declares for scripts."""
     header = (_GODOT / "plate_node.h").read_text(encoding="utf-8")
     shown = header.split("// Methods for scripts")[1].split(" private:")[0]
     methods = [(name, re.sub(r"[\w:]+ (\w+)", r'"\1"', arguments))

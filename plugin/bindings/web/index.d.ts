@@ -28,7 +28,6 @@ export type TargetId = number;
 export class HapticRetargetingError extends Error {
   /** Result code, one of HRT_ERROR_*. */
   readonly code: number;
-  /** Name of the code. */
   readonly codeName: string;
 }
 

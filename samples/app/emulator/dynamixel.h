@@ -26,7 +26,6 @@ class EmulatedDynamixel {
 
   explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const ServoTraits& traits = xl330_m288);
 
-  /// Receives bytes from the bus.
   void receive(std::string_view bytes, Time now);
   /// Returns the bytes sent since the last call.
   std::string take_output();

@@ -63,7 +63,6 @@ class HobbyPlate {
   /// Returns the bodies of the lines sent since the last call.
   std::vector<std::string> take_lines();
 
-  /// Sends a line with this body to the host.
   void send(const std::string& body) { output_ += line_of(body); }
   void stop_answering() { traits_.answers = false; }
   /// Simulates a reset, after which the firmware has no host and no known orientation.

@@ -12,7 +12,6 @@
 namespace hrt::app {
 namespace {
 
-// Plate that the runtime simulates.
 class RuntimePlate : public Plate {
  public:
   explicit RuntimePlate(Simulation& simulation) : simulation_(simulation) {}

@@ -87,7 +87,7 @@ void measure_steps(Device& device, Measurements& found) {
   for (int i = 0; i < steps; ++i) {
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     settle_at(device, -sign * half_deg);
-    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // start at another fraction of a count of the sensor
+    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // each step starts at another fraction of a count
     const double from_deg = settle_at(device, -sign * (half_deg - run_up_deg - aside_deg));
     while ((device.now() - first) % frame > 1ms) device.wait(1ms);
     for (const auto begin = device.now() + frame * i / steps; device.now() < begin;) device.wait(1ms);

@@ -56,7 +56,6 @@ Measurements measure(Device& device, const std::function<void(const std::string&
 /// quantity cannot be measured, and InputEnded.
 Measurements commission(const std::function<std::unique_ptr<Device>()>& open, const Dialogue& dialogue);
 
-/// Returns the measurements as text.
 std::string text_of(const Measurements& found);
 /// Returns the text of the plate file. `device`: device name; `date`: ISO 8601.
 std::string file_of(const Measurements& found, const std::string& device, const std::string& date);

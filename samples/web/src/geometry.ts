@@ -10,9 +10,7 @@ export interface Place {
 export const start: Readonly<Place> = { right_m: 0, away_m: -0.05 };
 /** Distance from the start to the cylinder and to the glass. */
 export const distance_m = 0.1;
-/** Radius of the plate. */
 export const radius_m = 0.075;
-/** Radius of the cylinder. */
 export const cylinderRadius_m = 0.0055;
 /** Distance between neighbouring ridges. */
 export const ridgeSpacing_m = 0.01;

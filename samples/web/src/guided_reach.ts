@@ -77,7 +77,6 @@ export abstract class GuidedReach {
     this.trace = [];
   }
 
-  /** Begins a reach and its recording. */
   protected beginReach(plate_deg: number): void {
     this.session.startRecording();
     this.session.beginReach(this.#real, this.#virtual, plate_deg);

@@ -11,7 +11,6 @@ export function radios(name: string): HTMLInputElement[] {
   return [...document.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`)];
 }
 
-/** Returns the value of the chosen radio button. */
 export function chosen(name: string): string | undefined {
   return radios(name).find(({ checked }) => checked)?.value;
 }
@@ -26,7 +25,6 @@ export function addRow(body: HTMLTableSectionElement, texts: readonly string[], 
   return row;
 }
 
-/** Returns the message of a caught error. */
 export function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }

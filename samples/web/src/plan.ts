@@ -23,7 +23,6 @@ export function paths(steps: readonly Step[], all = true): string {
   return path("real", real) + path("felt", felt);
 }
 
-/** Draws an arrow from `from` in this direction. */
 export function arrow(kind: Kind, from: Readonly<Place>, direction_deg: number, length_m: number): string {
   if (Number.isNaN(direction_deg)) return "";
   const tip = ahead(from, direction_deg, length_m),

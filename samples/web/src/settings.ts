@@ -81,7 +81,6 @@ export function fromLink(link: string): { settings: Settings; mode: Mode; proble
   return { settings, mode, problems };
 }
 
-/** Returns the seed of another person. */
 export function nextPerson(person: number): number {
   return (person % maxPerson) + 1;
 }

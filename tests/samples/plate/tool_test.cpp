@@ -216,7 +216,7 @@ TEST(PlateStep, IsFitted) {
   EXPECT_FALSE(fit_steps({{90.0, {{0.0, 0.0}, {0.1, 40.0}}}}, 0.0));
 }
 
-// The firmware's own ELF. Its servo turns clockwise, needs 1.1 times the usual pulses, and starts at 20 degrees.
+// The firmware's own ELF. Its servo turns clockwise, has 1.1 times the usual span, and starts at 20 degrees.
 TEST(PlateCommission, WritesTheFileOfAPlate) {
   BoardWithServo board({.speed_deg_s = 160.0, .backlash_deg = 2.0, .lower_stop_deg = -72.0}, 20.0,
                        eeprom_with(settings_default()));

@@ -84,7 +84,6 @@ export async function accessible(page) {
   assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))]), []);
 }
 
-/** Drops a file onto the page. */
 export function drop(page, name, content) {
   return page.evaluate(([fileName, fileText]) => {
     const dataTransfer = new DataTransfer();
@@ -106,7 +105,6 @@ export async function ended(page) {
   return numbers(page.locator("#stage"));
 }
 
-/** Returns the file that a button saves. */
 export async function saved(page, button) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
   return { name: download.suggestedFilename(), content: await readFile(await download.path(), "utf8") };

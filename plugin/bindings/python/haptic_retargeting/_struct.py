@@ -110,7 +110,7 @@ _S = TypeVar("_S", bound=Struct)
 
 
 def laid_out(struct: type[_S]) -> type[_S]:
-    """Adds the annotated fields to a struct. Enumerations, texts and targets are read as such."""
+    """Adds the annotated fields to a struct. Enumerations, texts and targets are converted when they are read."""
     hints = get_type_hints(struct, include_extras=True)
     types = {name: hints[name] for name in struct.__annotations__}
     struct._fields_ = [(name, _stored(type_)) for name, type_ in types.items()]

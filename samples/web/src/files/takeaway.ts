@@ -86,7 +86,6 @@ export class TakeAway {
   }
 }
 
-/** Offers a text as a download. */
 function save(name: string, type: string, text: string): void {
   const link = document.createElement("a"),
     url = URL.createObjectURL(new Blob([text], { type }));

@@ -27,7 +27,6 @@ export class Compare {
     this.#show();
   }
 
-  /** Removes all slides. */
   clear(): void {
     this.#slides.on = this.#slides.off = null;
     element("compare", HTMLElement).hidden = true;

@@ -49,7 +49,6 @@ export class Series {
     this.#question.hidden = false;
   }
 
-  /** Withdraws the question. */
   skip(): void {
     this.#asked_deg = NaN;
     this.#question.hidden = true;

@@ -63,7 +63,6 @@ export class SlideMode {
     this.#series.begin(settings.gap_deg);
   }
 
-  /** The hand that slides now. */
   get hand(): VisitorReach {
     return this.#plateOff ? this.unguided : this.guided;
   }

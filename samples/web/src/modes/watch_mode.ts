@@ -57,7 +57,6 @@ export class WatchMode {
     this.#finishIfStill();
   }
 
-  /** Advances by one frame of `elapsed_ms`. */
   frame(elapsed_ms: number): void {
     if (this.playing) {
       if (this.watch.phase === "arrived") {

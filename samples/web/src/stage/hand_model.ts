@@ -10,7 +10,6 @@ export async function readHand(side: "left" | "right"): Promise<GLTF> {
   return new GLTFLoader().parseAsync(bytes, "");
 }
 
-/** Gives the hand this material. */
 export function cover(hand: THREE.Object3D, skin: THREE.Material): void {
   const mesh = hand.getObjectByProperty("isSkinnedMesh", true) as THREE.SkinnedMesh;
   Object.assign(mesh, { material: skin, castShadow: true, frustumCulled: false });

@@ -76,7 +76,6 @@ export class FeltTip extends THREE.Group {
   }
 }
 
-/** Ring at the start of a slide. */
 export class StartMark extends THREE.Mesh {
   constructor() {
     super(new THREE.RingGeometry(0.0085, 0.0095, 40), startPaint);

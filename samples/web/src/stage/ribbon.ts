@@ -34,7 +34,6 @@ export class Ribbon extends Line2 {
     this.#show();
   }
 
-  /** Appends a point to the path. */
   extend(right_m: number, away_m: number): void {
     const [x = NaN, , z = NaN] = this.#points.slice(-3);
     if (Math.hypot(right_m - x, -away_m - z) < minStep_m || this.#points.length >= 3 * capacity) return;

@@ -14,7 +14,6 @@ namespace HrtSamples
 
         long seed = 7;
 
-        /// <summary>Runs the reach.</summary>
         public static ScriptedReach Run()
         {
             var reach = new ScriptedReach();

@@ -83,8 +83,8 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool GetGap(const FHapticTarget& Real, const FHapticTarget& Virtual, FHapticGap& OutGap);
 
-	/** Loads plate, start and targets of a glTF file, by its path on disk. The component moves to the scene's plate. Names
-	 *  and positions of the targets are in the order of their ids. */
+	/** Loads plate, start and targets of a glTF file, by its path on disk. The component moves to the scene's plate.
+	 *  OutDescriptions has names and positions of the targets in the order of OutTargets. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Scene")
 	bool LoadScene(const FString& Path, TArray<FHapticTarget>& OutTargets, TArray<FHapticSceneTarget>& OutDescriptions);
 
