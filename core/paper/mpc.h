@@ -18,8 +18,8 @@ struct MpcProblem {
   /// t_k-1: current plate offset, finite. Used only with a rate bound. If it is farther beyond the plate bound than the
   /// plate can rotate in one step, the plate returns at full rate.
   double plate_offset_deg;
-  /// K_k .. K_k+N-1, `horizon` gains in [0, 1]. In a step with a gain below 1e-12 the plate is not perceived; it
-  /// rotates towards the offset of the next step in which it is, or does not move.
+  /// K_k .. K_k+N-1, `horizon` gains in [0, 1]. In a step with a gain below 1e-12 the plate is not perceived: it
+  /// rotates towards the offset of the next step with a larger gain or, without such a step, does not move.
   const double* gains;
 };
 

@@ -91,7 +91,7 @@ struct Tuning {
   double max_outliers = 4;
   double fit_sample_weight = 0.05;  ///< weight of one position in the running means
   /// upper bound of the NIS of one position in the mean. Kept for
-  /// PersonTest.MotionThatIsNoReachIsAMisfitAndTeachesNothing.
+  /// PersonTest.ImpossibleMotionIsAMisfitAndChangesNoEstimate.
   double max_counted_nis = 9.0;
   double misfit_nis = 6.0;           ///< mean above which the model does not fit
   double misfit_correlation = 0.75;  ///< correlation above which the model does not fit

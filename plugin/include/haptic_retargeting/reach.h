@@ -128,11 +128,11 @@ typedef uint32_t hrt_command_flags;
  *  hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 /** The motion has ended; hrt_reach_retarget() may continue the reach. The finger was at the start or has moved, and has
- *  then rested in one of two regions. For 0.4 s: after nine tenths of the path, and not further from the real target
- *  than a quarter of its distance from the start or 15 mm. For 2 s: after three tenths of the path, and within 60
- *  degrees of the target's bearing; OFF_TARGET is set if the finger is further from the target. A lift, a dropout of
- *  0.2 s, or a retarget by 2 mm or more restarts the time. Never set in a reach with directions only: use a time limit
- *  there. */
+ *  then rested in one of two regions. For 0.4 s: after nine tenths of the path, and near the real target, which is
+ *  within a quarter of its distance from the start (at least 15 mm). For 2 s: after three tenths of the path, and at
+ *  most 60 degrees off the target's bearing; OFF_TARGET is set unless the finger is near the target. A lift, a dropout
+ *  of 0.2 s, or a retarget by 2 mm or more restarts the time. Never set in a reach with directions only: use a time
+ *  limit there. */
 #define HRT_COMMAND_ARRIVED UINT32_C(8192)
 /** Contacts (hrt_reach_touched()) contradict the registration: they shift the real target by more than its covariance
  *  allows in 99.9 % of cases. The plate or the tracker's frame has moved, or another object was touched. Set up again

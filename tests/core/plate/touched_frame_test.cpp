@@ -37,8 +37,8 @@ TEST(TouchedFrame, TimeBetweenContacts_WidensTheCovariance) {
   EXPECT_NEAR(twice.covariance(1, 1), before_mm2 * 4.0 / (before_mm2 + 4.0) / 1e4, 1e-12);
 }
 
-// A registration whose rotation has an SD of 0.04 rad about a centre 50 mm from the target: at the target its SD to the
-// right is 2 mm, as that of the 2 %.
+// A registration whose rotation has an SD of 0.04 rad about a centre 50 mm from the target: an SD of 2 mm to the right
+// at the target, which adds to the 2 mm of a frame with an SD of 2 % at 100 mm from home.
 TEST(TouchedFrame, TheFirstContact_UsesTheUncertaintyOfTheRegistration) {
   FrameCovariance registered = exact;
   registered(0, 0) = 0.04 * 0.04;

@@ -249,7 +249,7 @@ TEST(SimulationPerson, SteeringToAPosition_ReducesTheMiss) {
   EXPECT_LT(std::abs(by_place_deg - virtual_deg), 0.5 * std::abs(by_direction_deg - virtual_deg));
 }
 
-// Ridges along the motion are never crossed; across it, one is crossed every 10 mm.
+// Ridges along the motion are never crossed; of ridges across the motion, one is crossed every 10 mm.
 TEST(SimulationPerson, RidgesAlongTheMotion_CauseNoShift) {
   Person person = linear();
   person.steering = Steering::crossings;
