@@ -36,7 +36,7 @@ Eigen::Matrix2d prior_mm2(const FrameCovariance& registered, const PlatePoint& p
   return by * registered * by.transpose() + prior_sd * prior_sd * square_mm2 * Eigen::Matrix2d::Identity();
 }
 
-// Kronecker product with the identity, so that D r has the covariance prior_mm2().
+// Covariance of the entries of D: a Kronecker product with the identity, so that D r has the covariance prior_mm2().
 Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place, double square_mm2) {
   const Eigen::Matrix2d entries = prior_mm2(registered, place, square_mm2) / square_mm2;
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();

@@ -10,8 +10,7 @@
 namespace hrt {
 namespace {
 
-// A window is that of a motion if its ends are further apart, or its middle is further from them, than this many
-// limits.
+// Largest distance of a window's ends, and largest sagitta, of a rest: as a multiple of the limit of the displacement.
 constexpr double clearly_moving_limits = 4.0;
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST_F(ContactTest, ConvertsAWorldPositionToPlateCoordinates) {
   EXPECT_NEAR(reach_straight_ahead().miss_deg, -1.6, 0.05);
 }
 
-// The paper's controller also uses corrected positions: 1.6 degrees from a target at 100 mm.
+// The paper's controller also uses corrected positions: after the contact, the reach ends 1.6 degrees off the target.
 TEST_F(ContactTest, CorrectsPositionsUnderFixedDirection) {
   hrt_session_config config = paper_config();
   config.flags = HRT_SESSION_REGISTERED;

@@ -105,7 +105,7 @@ TEST(PaperReach, PositionsAfterDirections_SetTheDistanceToGo) {
   EXPECT_EQ(controller.summary().dropped_samples, 0);
 }
 
-// Steps are suspended while the finger is lifted or rests, up to the largest time.
+// Steps are suspended while the finger is lifted, even for the longest time that a sample can have, or rests.
 TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
   PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
   const auto sample = [](std::int64_t time_ns, Observation observation) {

@@ -91,7 +91,6 @@ TEST(SimulationPerson, HalfTurnsAndMirrors_GiveTheSameShift) {
     }
 }
 
-// Within 75 degrees: 75 w, 45 w, 45 w at 45, 60 w tanh(75 / 60), 65 w; unequal: half to the right.
 TEST(SimulationPerson, Illusions_GiveTheHandCalculatedLargestShift) {
   using enum IllusionFamily;
   for (const double w : {0.1, 0.2, 0.3})
@@ -158,7 +157,7 @@ TEST(SimulationPerson, WithoutIllusion_AnySteeringReachesTheVirtualTarget) {
       person.steering = steering;
       person.pace = pace;
       EXPECT_LT(distance_mm(walk_beside(person, 60.0).person.position(), target), 1e-6);
-      // Also from another initial direction, except for a small error.
+      // A person who starts in another direction ends there too, except for a small error.
       person.start_direction_deg = 0.0;
       if (pace != Pace::minimum_jerk) continue;
       EXPECT_LT(distance_mm(walk_beside(person, 60.0).person.position(), target), 0.5);

@@ -227,7 +227,7 @@ TEST_F(DynamixelTest, OpensWithoutAMotion) {
   EXPECT_EQ(servo.writes_to_eeprom(), 0);
 }
 
-// The notch is 3 degrees too far counter-clockwise: the shaft turns back by 3 degrees, which is then orientation 0.
+// Orientation 0 is 3 degrees too far counter-clockwise: the shaft turns back by 3 degrees to the new orientation 0.
 TEST_F(DynamixelTest, MovesItsZeroByTheHomingOffset) {
   const auto device = open();
   turn(*device, 0.0, 100ms);
