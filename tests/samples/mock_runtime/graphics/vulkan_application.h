@@ -1,28 +1,20 @@
 // A minimal Vulkan application: creates a device by XR_KHR_vulkan_enable2 and fills images with one colour.
 #pragma once
 
-#include <dlfcn.h>
-
 #include "tests/samples/mock_runtime/support.h"
 
 namespace hrt::mock {
 
 class VulkanApplication {
  public:
-#define VK(name) of_device<PFN_##name>(#name)
 #define FETCH(name) fetch<PFN_##name>(xr_, #name)
-  VulkanApplication(XrInstance of, XrSystemId system) : xr_(of), system_(system) {
-    library_ = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
-    EXPECT_NE(library_, nullptr) << dlerror();
-    get = reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(library_, "vkGetInstanceProcAddr"));
-  }
+  VulkanApplication(XrInstance of, XrSystemId system) : xr_(of), system_(system) {}
   ~VulkanApplication() {
     if (device != nullptr) {
-      VK(vkDestroyCommandPool)(device, pool_, nullptr);
-      VK(vkDestroyDevice)(device, nullptr);
+      vkDestroyCommandPool(device, pool_, nullptr);
+      vkDestroyDevice(device, nullptr);
     }
-    if (instance != nullptr) of_instance<PFN_vkDestroyInstance>("vkDestroyInstance")(instance, nullptr);
-    dlclose(library_);
+    if (instance != nullptr) vkDestroyInstance(instance, nullptr);
   }
   VulkanApplication(const VulkanApplication&) = delete;
   VulkanApplication& operator=(const VulkanApplication&) = delete;
@@ -39,7 +31,7 @@ class VulkanApplication {
     VkInstanceCreateInfo vulkan{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
     vulkan.pApplicationInfo = &application;
     XrVulkanInstanceCreateInfoKHR create{
-        XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR, nullptr, system_, 0, get, &vulkan, nullptr};
+        XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR, nullptr, system_, 0, vkGetInstanceProcAddr, &vulkan, nullptr};
     VkResult result = VK_NOT_READY;
     ASSERT_XR(XR_SUCCESS, FETCH(xrCreateVulkanInstanceKHR)(xr_, &create, &instance, &result));
     ASSERT_EQ(result, VK_SUCCESS);
@@ -53,13 +45,19 @@ class VulkanApplication {
     VkDeviceCreateInfo device_info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
     device_info.queueCreateInfoCount = 1;
     device_info.pQueueCreateInfos = &queue_info;
-    const XrVulkanDeviceCreateInfoKHR wanted{
-        XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR, nullptr, system_, 0, get, physical, &device_info, nullptr};
+    const XrVulkanDeviceCreateInfoKHR wanted{XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR,
+                                             nullptr,
+                                             system_,
+                                             0,
+                                             vkGetInstanceProcAddr,
+                                             physical,
+                                             &device_info,
+                                             nullptr};
     ASSERT_XR(XR_SUCCESS, FETCH(xrCreateVulkanDeviceKHR)(xr_, &wanted, &device, &result));
     ASSERT_EQ(result, VK_SUCCESS);
-    VK(vkGetDeviceQueue)(device, 0, 0, &queue_);
+    vkGetDeviceQueue(device, 0, 0, &queue_);
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-    ASSERT_EQ(VK(vkCreateCommandPool)(device, &pool, nullptr, &pool_), VK_SUCCESS);
+    ASSERT_EQ(vkCreateCommandPool(device, &pool, nullptr, &pool_), VK_SUCCESS);
   }
 
   XrGraphicsBindingVulkanKHR binding() const {
@@ -71,9 +69,9 @@ class VulkanApplication {
     const VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool_,
                                                VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
     VkCommandBuffer commands = nullptr;
-    ASSERT_EQ(VK(vkAllocateCommandBuffers)(device, &allocate, &commands), VK_SUCCESS);
+    ASSERT_EQ(vkAllocateCommandBuffers(device, &allocate, &commands), VK_SUCCESS);
     const VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    VK(vkBeginCommandBuffer)(commands, &begin);
+    vkBeginCommandBuffer(commands, &begin);
     const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
     const auto move = [&](VkImageLayout from, VkImageLayout to) {
       VkImageMemoryBarrier barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
@@ -82,41 +80,28 @@ class VulkanApplication {
       barrier.newLayout = to;
       barrier.image = image;
       barrier.subresourceRange = range;
-      VK(vkCmdPipelineBarrier)(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
-                               nullptr, 0, nullptr, 1, &barrier);
+      vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                           nullptr, 0, nullptr, 1, &barrier);
     };
     move(VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     const VkClearColorValue value{{colour[0], colour[1], colour[2], colour[3]}};
-    VK(vkCmdClearColorImage)(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
+    vkCmdClearColorImage(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
     move(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-    VK(vkEndCommandBuffer)(commands);
+    vkEndCommandBuffer(commands);
     VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands;
-    ASSERT_EQ(VK(vkQueueSubmit)(queue_, 1, &submit, VK_NULL_HANDLE), VK_SUCCESS);
+    ASSERT_EQ(vkQueueSubmit(queue_, 1, &submit, VK_NULL_HANDLE), VK_SUCCESS);
   }
 
   VkInstance instance = nullptr;
   VkPhysicalDevice physical = nullptr;
   VkDevice device = nullptr;
-  PFN_vkGetInstanceProcAddr get = nullptr;
-
-  template <typename Function>
-  Function of_instance(const char* name) const {
-    return reinterpret_cast<Function>(get(instance, name));
-  }
-  template <typename Function>
-  Function of_device(const char* name) const {
-    const auto get_device = of_instance<PFN_vkGetDeviceProcAddr>("vkGetDeviceProcAddr");
-    return reinterpret_cast<Function>(get_device(device, name));
-  }
 
  private:
   XrInstance xr_;
 #undef FETCH
-#undef VK
   XrSystemId system_;
-  void* library_ = nullptr;
   VkQueue queue_ = nullptr;
   VkCommandPool pool_ = VK_NULL_HANDLE;
 };
