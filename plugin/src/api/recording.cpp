@@ -118,7 +118,7 @@ class Replay {
   hrt_result take_config(std::string_view json) {
     hrt_session_config config{};
     SessionModel model;
-    HRT_RETURN_IF_FAILED(read_config(json, &config));
+    HRT_RETURN_IF_FAILED(read_json(json, &config));
     HRT_RETURN_IF_FAILED(read(config, &model));
     if (session_) return session_->set_model(model);
     session_.emplace(model);

@@ -18,9 +18,9 @@ constexpr std::string_view explanation =
     "# columns: all others. In a row \"begin\", plate_orientation_deg is the orientation of the plate at that time.\n";
 
 void write(const ConfigSet& set, hrt_result, RecordText& out) {
-  JsonText json;
-  write_config(set.config, json);
-  out << config_comment << json.view() << "\n";
+  out << config_comment;
+  write_json(set.config, out);
+  out << "\n";
 }
 
 constexpr std::string_view verbs[] = {"added", "set", "removed"};
@@ -28,9 +28,8 @@ constexpr std::string_view verbs[] = {"added", "set", "removed"};
 void write(const TargetChanged& changed, hrt_result, RecordText& out) {
   out << target_comment << verbs[static_cast<std::size_t>(changed.change)] << " " << changed.number;
   if (changed.change != TargetChanged::Change::removed) {
-    JsonText json;
-    write_target(changed.config, json);
-    out << " " << json.view();
+    out << " ";
+    write_json(changed.config, out);
   }
   out << "\n";
 }
@@ -118,9 +117,9 @@ void put_setup(const Struct& values, Row& row, SetupCell& cell) {
 }
 
 void write(const SetupBegun& begun, hrt_result, RecordText& out) {
-  JsonText json;
-  write_setup_config(begun.config, json);
-  out << setup_comment << begun.what << " " << json.view() << "\n";
+  out << setup_comment << begun.what << " ";
+  write_json(begun.config, out);
+  out << "\n";
 }
 
 void write(const SetupUpdated& updated, hrt_result result, RecordText& out) {
@@ -267,7 +266,7 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
     return fail(HRT_ERROR_BAD_FORMAT, "the target is \"", Shown{verb}, "\"; allowed: added, set, removed");
   *out = {.change = static_cast<TargetChanged::Change>(known - verbs), .number = 0, .config = {}};
   HRT_RETURN_IF_FAILED(take_number("the target's number", next_word(), &out->number));
-  return out->change == TargetChanged::Change::removed ? HRT_OK : read_target(rest, &out->config);
+  return out->change == TargetChanged::Change::removed ? HRT_OK : read_json(rest, &out->config);
 }
 
 hrt_result read_initial_plate_orientation(std::string_view rest, InitialPlateOrientation* out) {
@@ -279,7 +278,7 @@ hrt_result read_setup_begun(std::string_view rest, SetupBegun* out) {
   const std::string_view what = rest.substr(0, rest.find(' '));
   HRT_RETURN_IF_FAILED(take_number("the set-up's parts", what, &out->what));
   rest.remove_prefix(what.size() == rest.size() ? what.size() : what.size() + 1);
-  return read_setup_config(rest, &out->config);
+  return read_json(rest, &out->config);
 }
 
 }  // namespace hrt::plugin

@@ -104,7 +104,7 @@ inline bool is_row(const Record& record) {
          !std::holds_alternative<SetupBegun>(record.call);
 }
 
-using RecordText = Text<8192>;
+using RecordText = JsonText;
 
 /// The first line of a recording.
 inline constexpr std::string_view recording_begin = "# haptic retargeting recording, version 4\n";

@@ -77,11 +77,6 @@ class ObjectWriter {
   std::string_view separator_;
 };
 
-template <class Struct>
-void write_object(const Struct& values, JsonText& out) {
-  visit_fields(values, ObjectWriter(out));
-}
-
 // A field of a JSON object: a number, a string, or an array of numbers.
 struct JsonField {
   std::string key;
@@ -221,6 +216,13 @@ hrt_result read(const JsonField& field, char (&out)[HRT_NAME_SIZE]) {
   return HRT_OK;
 }
 
+template <class Struct>
+constexpr const char* name_of = "configuration";
+template <>
+constexpr const char* name_of<hrt_target_config> = "target";
+template <>
+constexpr const char* name_of<hrt_setup_config> = "set-up";
+
 // Reads a field into the member of `*out` with the same name. `what` is the name of the struct in error texts.
 template <class Struct>
 hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
@@ -232,16 +234,6 @@ hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what, "; remove it");
 }
 
-// Reads a JSON object into `*out`. Missing members are those of `values`.
-template <class Struct>
-hrt_result read_object(const char* what, std::string_view text, Struct values, Struct* out) {
-  std::vector<JsonField> fields;
-  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  for (const JsonField& field : fields) HRT_RETURN_IF_FAILED(read_into(what, field, &values));
-  *out = values;
-  return HRT_OK;
-}
-
 bool is_in_profile(std::string_view key) {
   bool found = false;
   for_each_field<hrt_session_config>(
@@ -251,31 +243,35 @@ bool is_in_profile(std::string_view key) {
 
 }  // namespace
 
-void write_config(const hrt_session_config& config, JsonText& out) { write_object(config, out); }
-
-void write_target(const hrt_target_config& target, JsonText& out) {
-  // Fields that `place` does not select may be uninitialised: they are written as their defaults.
-  hrt_target_config read = target;
-  if (target.place == HRT_PLACE_DIRECTION)
-    std::fill(std::begin(read.position_m), std::end(read.position_m), 0.0);
-  else
-    read.direction_deg = read.distance_m = 0.0;
-  write_object(read, out);
+template <class Struct>
+void write_json(const Struct& values, JsonText& out) {
+  Struct read = values;
+  if constexpr (std::is_same_v<Struct, hrt_target_config>) {
+    // Fields that `place` does not select may be uninitialised: they are written as their defaults.
+    if (values.place == HRT_PLACE_DIRECTION)
+      std::fill(std::begin(read.position_m), std::end(read.position_m), 0.0);
+    else
+      read.direction_deg = read.distance_m = 0.0;
+  }
+  visit_fields(std::as_const(read), ObjectWriter(out));
 }
 
-void write_setup_config(const hrt_setup_config& config, JsonText& out) { write_object(config, out); }
-
-hrt_result read_setup_config(std::string_view text, hrt_setup_config* out) {
-  return read_object("set-up", text, defaults<hrt_setup_config>, out);
+template <class Struct>
+hrt_result read_json(std::string_view text, Struct* out) {
+  std::vector<JsonField> fields;
+  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
+  Struct values = std::is_same_v<Struct, hrt_target_config> ? Struct{.struct_size = sizeof(Struct)} : defaults<Struct>;
+  for (const JsonField& field : fields) HRT_RETURN_IF_FAILED(read_into(name_of<Struct>, field, &values));
+  *out = values;
+  return HRT_OK;
 }
 
-hrt_result read_config(std::string_view text, hrt_session_config* out) {
-  return read_object("configuration", text, defaults<hrt_session_config>, out);
-}
-
-hrt_result read_target(std::string_view text, hrt_target_config* out) {
-  return read_object("target", text, {.struct_size = sizeof *out}, out);
-}
+template void write_json(const hrt_session_config&, JsonText&);
+template void write_json(const hrt_target_config&, JsonText&);
+template void write_json(const hrt_setup_config&, JsonText&);
+template hrt_result read_json(std::string_view, hrt_session_config*);
+template hrt_result read_json(std::string_view, hrt_target_config*);
+template hrt_result read_json(std::string_view, hrt_setup_config*);
 
 void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out) {
   {
