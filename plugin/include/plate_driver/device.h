@@ -44,7 +44,7 @@ class BoardSettings {
   ~BoardSettings() = default;
 };
 
-/// Device that turns a plate. To add a kind of device, write a derived class in a file of its own, and add one line to
+/// Device that turns a plate. To add a kind of device, write a derived class in a file of its own, and add two lines to
 /// devices.cpp. If the device has failed, each function stops it, if it is still connected, and throws PlateFailure.
 /// The destructor stops it. All calls are made on one thread.
 class Device {

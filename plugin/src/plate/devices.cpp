@@ -5,15 +5,10 @@
 
 #include "plugin/include/plate_driver/device.h"
 
-// To add a kind of device, add X(kind) here, and a file that defines kind_device().
-#define HRT_DEVICES(X) \
-  X(serial)            \
-  X(dynamixel)
-
 namespace hrt::plate {
 
-#define HRT_DECLARE(kind) DeviceMaker kind##_device(const DeviceName& name);
-HRT_DEVICES(HRT_DECLARE)
+DeviceMaker serial_device(const DeviceName& name);
+DeviceMaker dynamixel_device(const DeviceName& name);
 
 namespace {
 
@@ -21,8 +16,7 @@ struct Kind {
   std::string_view name;
   DeviceMaker (*check)(const DeviceName& name);
 };
-#define HRT_ROW(kind) {#kind, kind##_device},
-constexpr Kind kinds[] = {HRT_DEVICES(HRT_ROW)};
+constexpr Kind kinds[] = {{"serial", serial_device}, {"dynamixel", dynamixel_device}};
 
 [[noreturn]] void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
+#include <utility>
 
 #include "plugin/include/plate_driver/plate_failure.h"
 
@@ -16,6 +18,19 @@ constexpr auto greeting_period = 200ms;  // time between two HELLOs
 constexpr auto silence_limit = 500ms;
 constexpr int probes = 11;  // heartbeats that measure the round trip
 constexpr auto probe_limit = 100ms;
+
+// The failures of a plate that has stopped, in the order of StopReason.
+constexpr auto first_failure = static_cast<std::size_t>(StopReason::limit);
+constexpr std::pair<Fault, const char*> stop_failures[] = {
+    {Fault::limits, "has refused an angle beyond its limits. Open it again, so that its limits are read again"},
+    {Fault::device, "reports that it is defective: its settings could not be stored. Run hrt-plate show"},
+    {Fault::emergency, "was stopped by its emergency stop. Release it, and open the plate again"},
+    {Fault::stuck, "reports that its servo is stuck. Switch the supply off and remove the obstacle"},
+    {Fault::device, "reports that its sensor turns against its servo. Exchange the settings adc_least and adc_most"},
+    {Fault::restarted, "has lost its orientation. Open it again, and home it"},
+    {Fault::device,
+     "has less than 4 V at its servo's supply. Check adapter, fuse, emergency stop and the wire to pin A1"}};
+static_assert(std::size(stop_failures) == static_cast<std::size_t>(StopReason::supply) - first_failure + 1);
 
 std::uint16_t random_token() {
   std::random_device device;
@@ -184,37 +199,15 @@ void PlateLink::handle_report(const PlateReport& report) {
 }
 
 void PlateLink::handle_stop(StopReason reason) {
-  switch (reason) {
-    case StopReason::host:
-      break;
-    case StopReason::heartbeat:
-      command_deg_.reset();  // so that the next command is sent even if it is equal
-      watch_->note_stop();
-      break;
-    case StopReason::limit:
-      throw PlateFailure(Fault::limits,
-                         "has refused an angle beyond its limits. Open it again, so that its limits are read again");
-    case StopReason::fault:
-      throw PlateFailure(Fault::device,
-                         "reports that it is defective: its settings could not be stored. Run hrt-plate show");
-    case StopReason::emergency:
-      if (start_ == Start::passive) break;
-      throw PlateFailure(Fault::emergency, "was stopped by its emergency stop. Release it, and open the plate again");
-    case StopReason::stuck:
-      throw PlateFailure(Fault::stuck,
-                         "reports that its servo is stuck. Switch the supply off and remove the obstacle");
-    case StopReason::sensor:
-      throw PlateFailure(
-          Fault::device,
-          "reports that its sensor turns against its servo. Exchange the settings adc_least and adc_most");
-    case StopReason::unhomed:
-      throw PlateFailure(Fault::restarted, "has lost its orientation. Open it again, and home it");
-    case StopReason::supply:
-      if (start_ == Start::passive) break;
-      throw PlateFailure(
-          Fault::device,
-          "has less than 4 V at its servo's supply. Check adapter, fuse, emergency stop and the wire to pin A1");
+  if (reason == StopReason::host) return;
+  if (reason == StopReason::heartbeat) {
+    command_deg_.reset();  // so that the next command is sent even if it is equal
+    watch_->note_stop();
+    return;
   }
+  if (start_ == Start::passive && (reason == StopReason::emergency || reason == StopReason::supply)) return;
+  const auto& [fault, text] = stop_failures[static_cast<std::size_t>(reason) - first_failure];
+  throw PlateFailure(fault, text);
 }
 
 // Counts refused lines, some of which were damaged in transmission. A plate that requests a greeting has restarted.
