@@ -23,12 +23,6 @@ struct Options {
   Writing writing;
 };
 
-void simulate(RobustnessStudy& study) {
-  Progress progress;
-  study.rows = simulate_robustness(study.people, study.options,
-                                   [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); });
-}
-
 // The person of the file; the repetitions differ in their random noise.
 SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
   const PersonFile file = read_person("--person", options.person);
@@ -50,13 +44,11 @@ RobustnessStudy simulated(const Options& options) {
   if (study.people.empty())
     for (const PeopleFamily& family : people_families()) study.people.push_back(people_of(family));
   const Output csv("--csv", options.csv);
-  simulate(study);
+  Progress progress;
+  study.rows = simulate_robustness(study.people, study.options,
+                                   [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); });
   if (!options.csv.empty()) csv.write(csv_of(robustness_results(study)));
   return study;
-}
-
-void run(const Options& options) {
-  options.writing.write([&] { return simulated(options); }, robustness_results, robustness_text);
 }
 
 std::string family_list() {
@@ -126,9 +118,9 @@ or plate; ~: paths and speeds of recorded reaches):
 
 void add_robustness(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command =
-      add_command(app, "robustness", "Test the controllers on simulated people who differ from their assumptions.",
-                  description(), [options] { run(*options); });
+  CLI::App& command = add_command(
+      app, "robustness", "Test the controllers on simulated people who differ from their assumptions.", description(),
+      [options] { options->writing.write([&] { return simulated(*options); }, robustness_results, robustness_text); });
   RobustnessOptions& robustness = options->robustness;
   add_integer(command, "--people", robustness.people, 1, 100'000,
               "Maximum number of people of each family at each duration.");

@@ -22,11 +22,23 @@ std::string shown(std::string_view text) {
   return std::string(text.substr(0, max)) + (text.size() > max ? "..." : "");
 }
 
-CsvReader::CsvReader(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {
+CsvReader::CsvReader(std::string name, std::string_view text, const char* columns)
+    : name_(std::move(name)), columns_(columns), rest_(text) {
   if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
 }
 
 bool CsvReader::next() {
+  if (places_.empty()) {
+    if (!next_line()) throw UsageError(fmt::format("{}: there is no header; it must name {}", name_, columns_));
+    take_header();
+  }
+  if (!next_line()) return false;
+  if (fields_.size() != width_)
+    throw wrong("columns", fmt::to_string(fields_.size()), fmt::format("as many as the header has, {}", width_));
+  return true;
+}
+
+bool CsvReader::next_line() {
   do {
     if (rest_.empty()) return false;
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
@@ -35,15 +47,16 @@ bool CsvReader::next() {
     line_ = trimmed(line_);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++number_;
-  } while (line_.empty());
+  } while (line_.empty() || line_.starts_with('#'));
   fields_ = csv_fields(line_);
   return true;
 }
 
 std::string CsvReader::where() const { return fmt::format("{}, line {}", name_, number_); }
 
-void CsvReader::take_header(std::string_view columns, const std::string& allowed) {
-  for (const std::string_view column : split(columns, ',')) {
+void CsvReader::take_header() {
+  const std::string allowed = fmt::format("a header that names {}", columns_);
+  for (const std::string_view column : split(columns_, ',')) {
     const auto found = std::find(fields_.begin(), fields_.end(), column);
     if (found == fields_.end())
       throw UsageError(where() + ", " + words_for(column) + ": it is missing; the line must be " + allowed);
@@ -52,11 +65,6 @@ void CsvReader::take_header(std::string_view columns, const std::string& allowed
     places_.emplace_back(column, found - fields_.begin());
   }
   width_ = fields_.size();
-}
-
-void CsvReader::take_row() const {
-  if (fields_.size() != width_)
-    throw wrong("columns", fmt::to_string(fields_.size()), fmt::format("as many as the header has, {}", width_));
 }
 
 std::string_view CsvReader::text(std::string_view column) const {

@@ -14,28 +14,14 @@ namespace hrt::study {
 /// Reads a text line by line. Accepts CRLF, quoted fields and a byte order mark.
 class CsvReader {
  public:
-  /// `name` is the file's name in errors.
-  CsvReader(std::string name, std::string_view text);
+  /// `name` is the file's name in errors. The first line is a header, which must name each of `columns` ("a,b,c") once.
+  CsvReader(std::string name, std::string_view text, const char* columns);
 
-  /// Advances to the next line that is not blank. Returns false after the last one.
+  /// Advances to the next row; skips blank lines and comments (#). Returns false after the last one. Throws UsageError
+  /// if the header is wrong, or the row has another number of fields.
   bool next();
 
-  /// Returns the current line, trimmed.
-  std::string_view line() const { return line_; }
-
-  /// Returns the position for messages: "FILE, line 3".
-  std::string where() const;
-
-  /// Parses the current line as the header, which must have each of `columns` ("a,b,c") once. `allowed`: description of
-  /// a valid header for the error.
-  void take_header(std::string_view columns, const std::string& allowed);
-  bool has_header() const { return !places_.empty(); }
-
-  /// Parses the current line as a row; it must have as many fields as the header.
-  void take_row() const;
-
-  /// Returns the field of the current row in a column given to take_header(). number() throws UsageError outside
-  /// `range`.
+  /// Returns the field of the current row in a column. number() throws UsageError outside `range`.
   std::string_view text(std::string_view column) const;
   double number(std::string_view column, const NumberRange& range) const;
 
@@ -45,7 +31,12 @@ class CsvReader {
   UsageError wrong(std::string_view column, const std::string& allowed) const;
 
  private:
+  bool next_line();
+  std::string where() const;  // "FILE, line 3"
+  void take_header();
+
   std::string name_;
+  const char* columns_;
   std::string_view rest_;
   std::size_t number_ = 0;
   std::string_view line_;

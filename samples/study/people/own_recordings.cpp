@@ -121,18 +121,11 @@ std::vector<std::string> csv_files(const std::string& argument, const std::strin
 }  // namespace
 
 std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_view text) {
-  constexpr const char* columns = "reach,time_s,right_mm,away_mm";
-  CsvReader csv(name, text);
+  CsvReader csv(name, text, "reach,time_s,right_mm,away_mm");
   std::vector<RecordedReach> reaches;
   Samples samples;
   double number = 0.0;
   while (csv.next()) {
-    if (csv.line().starts_with('#')) continue;
-    if (!csv.has_header()) {
-      csv.take_header(columns, std::string("the columns ") + columns);
-      continue;
-    }
-    csv.take_row();
     const double of = csv.number("reach", {.low = 0.0, .high = 1e9, .whole = true});
     const TimedPoint sample{csv.number("time_s", {-1e9, 1e9}),
                             {csv.number("right_mm", {-max_position_mm, max_position_mm}),
@@ -147,7 +140,7 @@ std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_vi
     samples.push_back(sample);
   }
   if (!samples.empty()) reaches.push_back(checked_reach(name, number, samples));
-  if (reaches.empty()) throw UsageError(name + " has no reach; allowed: a header " + columns + " and rows below it");
+  if (reaches.empty()) throw UsageError(name + " has no reach: there is no row under the header");
   return reaches;
 }
 

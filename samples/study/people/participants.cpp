@@ -37,17 +37,10 @@ constexpr double min_spacing_s = 0.5e-9;
 
 class SlidesReader {
  public:
-  SlidesReader(const std::string& name, std::string_view text) : name_(name), csv_(name, text) {}
+  SlidesReader(const std::string& name, std::string_view text) : name_(name), csv_(name, text, calibration_header) {}
 
   std::vector<CalibrationTrial> read() {
-    while (csv_.next()) {
-      if (csv_.line().starts_with('#')) continue;
-      csv_.has_header()
-          ? read_row()
-          : csv_.take_header(calibration_header, "a header that names " + std::string(calibration_header));
-    }
-    if (!csv_.has_header())
-      throw UsageError(name_ + ": there is no header; it must name " + std::string(calibration_header));
+    while (csv_.next()) read_row();
     if (trials_.empty()) throw UsageError(name_ + ": there is no row under the header");
     end_trial();
     return std::move(trials_);
@@ -56,7 +49,6 @@ class SlidesReader {
  private:
   void read_row() {
     constexpr NumberRange place_range{-10.0, 10.0};
-    csv_.take_row();
     const double trial = csv_.number("trial", {.low = 0.0, .high = 1e9, .whole = true});
     const double time_s = csv_.number("time_s", {-1e9, 1e9});
     const PlatePoint place{mm_per_m * csv_.number("right_m", place_range),

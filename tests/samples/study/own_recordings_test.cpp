@@ -60,8 +60,9 @@ TEST(StudyOwnRecordings, ErrorsNameTheReachAndTheRemedy) {
     }
     return std::string();
   };
-  EXPECT_TRUE(has(refusal(""), "own.csv has no reach")) << refusal("");
-  EXPECT_TRUE(has(refusal("reach,time_s,right_mm\n"), "line 1")) << refusal("reach,time_s,right_mm\n");
+  EXPECT_TRUE(has(refusal(""), "own.csv: there is no header; it must name reach,time_s,right_mm,away_mm"));
+  EXPECT_TRUE(has(refusal(header), "own.csv has no reach"));
+  EXPECT_TRUE(has(refusal("reach,time_s,right_mm\n"), "line 1"));
   EXPECT_TRUE(has(refusal(header + "1,0,0,0\n1,0,1,1\n"), "time_s"));
   EXPECT_TRUE(has(refusal(header + "1,0,0,nan\n"), "away_mm"));
   EXPECT_TRUE(has(refusal(header + "7,0,0,0\n7,0.1,1,1\n"), "own.csv, reach 7 has 2 samples in motion"));
