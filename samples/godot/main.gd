@@ -173,7 +173,6 @@ func _register_again() -> void:
 	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION)
 
 
-## Cancels the running set-up or reach.
 func _cancel() -> void:
 	if _plate.is_setting_up():
 		_plate.cancel_setup()

@@ -188,8 +188,6 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_target_list(self.handle, wanted, count, handles, byref(count)))
         return own_targets(self, handles)
 
-    # Gaps
-
     def gap(self, real: Target, virtual: Target) -> Gap:
         """Returns the gap between two targets, and the largest feasible gap, before a reach."""
         return output(Gap, library().hrt_gap_query, self.handle, real.handle, virtual.handle).belongs_to(self)
@@ -203,8 +201,6 @@ class Session(SessionKeywords, Closing):
             self.handle, _handles(virtuals), len(virtuals), _handles(reals), len(reals),
             AssignFlag.EXCLUSIVE if exclusive else 0, len(out), out))
         return [gap.belongs_to(self) for gap in out]
-
-    # Reaches
 
     @property
     def state(self) -> StateFlag:
