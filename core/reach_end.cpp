@@ -4,15 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "core/math/trigonometry.h"
-
 namespace hrt {
 namespace {
 
 constexpr double near_fraction = 0.25, min_near_mm = 15.0;
 constexpr double near_covered = 0.9, near_rest_s = 0.4;
 constexpr double missed_covered = 0.3, missed_rest_s = 2.0;
-constexpr double max_off_course_deg = 60.0;
+constexpr double min_square_cosine = 0.25;  // 60 degrees
 
 }  // namespace
 
@@ -44,14 +42,18 @@ void ReachEnd::observe(const FingerSample& sample, const FingerPhase& finger) {
   }
   const bool begun = was_at_start_ || finger.has_moved();
   const PlatePoint place = on_plate(finger.smoothed());
-  const bool off_course = begun && distance_mm(way_from_, place) > missed_covered * distance_mm(way_from_, target_) &&
-                          degrees_off_course(place) > max_off_course_deg;
+  const bool off_course =
+      begun && distance_mm(way_from_, place) > missed_covered * distance_mm(way_from_, target_) && !is_on_course(place);
   progress_.off_target = missed_ || off_course;
   progress_.not_at_start = !begun;
 }
 
-double ReachEnd::degrees_off_course(const PlatePoint& place) const {
-  return std::abs(wrap_deg(bearing_deg(way_from_, place) - bearing_deg(way_from_, target_), 360.0));
+// Compares the squared cosine of the angle between the path and the line to the target.
+bool ReachEnd::is_on_course(const PlatePoint& place) const {
+  const PlatePoint to_place = place - way_from_, to_target = target_ - way_from_;
+  const double product = to_place.right_mm * to_target.right_mm + to_place.away_mm * to_target.away_mm;
+  return product >= 0.0 && product * product >= min_square_cosine * square_distance_mm2(way_from_, place) *
+                                                    square_distance_mm2(way_from_, target_);
 }
 
 void ReachEnd::judge_rest(const FingerPhase& finger) {
@@ -63,8 +65,7 @@ void ReachEnd::judge_rest(const FingerPhase& finger) {
   const bool is_near =
       distance_mm(place, target_) <= std::max(near_fraction * distance_mm(start_, target_), min_near_mm);
   const bool is_there = is_near && (covered_mm >= near_covered * way_mm || way_mm <= min_near_mm);
-  const bool stays = rest_s >= missed_rest_s && covered_mm >= missed_covered * way_mm &&
-                     degrees_off_course(place) <= max_off_course_deg;
+  const bool stays = rest_s >= missed_rest_s && covered_mm >= missed_covered * way_mm && is_on_course(place);
   progress_.arrived = stays || (is_there && rest_s >= near_rest_s);
   missed_ = progress_.arrived && !is_near;
 }

@@ -43,7 +43,7 @@ class ReachEnd {
  private:
   PlatePoint on_plate(const PlatePoint& seen) const { return seen + felt_offset_; }
   bool is_at_start(const PlatePoint& place) const { return distance_mm(start_, place) <= at_start_mm; }
-  double degrees_off_course(const PlatePoint& place) const;
+  bool is_on_course(const PlatePoint& place) const;
   void judge_rest(const FingerPhase& finger);
 
   PlatePoint start_;

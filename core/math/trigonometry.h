@@ -9,19 +9,15 @@ namespace hrt {
 inline constexpr double rad_per_deg = 0.017453292519943295;
 inline constexpr double deg_per_rad = 57.29577951308232;
 
-/// Sine of an angle in degrees, |angle| <= 1e9; error below 2e-16.
-double sin_deg(double angle_deg);
-
-/// Cosine of an angle in degrees, |angle| <= 1e9; error below 2e-16.
-double cos_deg(double angle_deg);
-
 struct SinCos {
   double sine;
   double cosine;
 };
 
-/// Returns sine and cosine, with the same bits as the separate functions.
+/// Sine and cosine of an angle in degrees, |angle| <= 1e9; error below 2e-16.
 SinCos sin_cos_deg(double angle_deg);
+inline double sin_deg(double angle_deg) { return sin_cos_deg(angle_deg).sine; }
+inline double cos_deg(double angle_deg) { return sin_cos_deg(angle_deg).cosine; }
 
 /// Angle of the point (x, y) in (-180, 180] degrees, with a relative error below 4e-16; 0 at the origin. Requires
 /// finite arguments whose ratio does not overflow or underflow.

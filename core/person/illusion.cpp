@@ -11,27 +11,19 @@ namespace {
 constexpr double scale_deg = 75.0;
 
 constexpr double ridge_spacing_mm = 10.0;
-// Newton's method converges quadratically: after a change below this limit, the next value is exact to rounding.
-constexpr double max_newton_error_deg = 1e-6;
-
-// Fraction of f that is lost, A / (|cos t| + A), and its derivative by the offset t.
-struct LostFraction {
-  double fraction;
-  double by_offset;
-};
-
-LostFraction lost_fraction(double slowness, double offset_deg) {
-  const auto [sine, cosine] = sin_cos_deg(offset_deg);
-  const double fraction = slowness / (std::max(cosine, 1e-6) + slowness);
-  return {fraction, slowness > 0.0 ? rad_per_deg * sine * fraction * fraction / slowness : 0.0};
-}
+// Newton's method converges quadratically: a change below this limit leaves an error far below it.
+constexpr double max_newton_change_deg = 0.05;
 
 }  // namespace
 
-double ridge_slowness(double speed_mm_s, double travelled_mm, const Tuning& tuning) {
+Illusion illusion_at(double weight, double curve, double fading, double speed_mm_s, double travelled_mm,
+                     const Tuning& tuning) {
   const double ridges = std::max(travelled_mm, 1.0) / ridge_spacing_mm;
-  return ridge_spacing_mm / (2.0 * tuning.touch_memory_s * std::max(speed_mm_s, 1.0)) +
-         tuning.first_ridge / (ridges * ridges);
+  return {.weight = weight,
+          .curve = curve,
+          .fading = fading,
+          .slowness = ridge_spacing_mm / (2.0 * tuning.touch_memory_s * std::max(speed_mm_s, 1.0)) +
+                      tuning.first_ridge / (ridges * ridges)};
 }
 
 FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
@@ -39,13 +31,16 @@ FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
   const double square = (t / scale_deg) * (t / scale_deg);
   const double full_deg = (illusion.weight - illusion.curve * square) * t;
   const double full_by_offset = illusion.weight - 3.0 * illusion.curve * square;
-  const LostFraction lost = lost_fraction(illusion.slowness, t);
-  const double kept = 1.0 - illusion.fading * lost.fraction;
+  // Fraction of f that is lost, A / (|cos t| + A), and its derivative by t.
+  const auto [sine, cosine] = sin_cos_deg(t);
+  const double lost = illusion.slowness / (std::max(cosine, 1e-6) + illusion.slowness);
+  const double lost_by_offset = illusion.slowness > 0.0 ? rad_per_deg * sine * lost * lost / illusion.slowness : 0.0;
+  const double kept = 1.0 - illusion.fading * lost;
   return {.shift_deg = full_deg * kept,
-          .by_offset = full_by_offset * kept - full_deg * illusion.fading * lost.by_offset,
+          .by_offset = full_by_offset * kept - full_deg * illusion.fading * lost_by_offset,
           .by_weight = t * kept,
           .by_curve = -t * square * kept,
-          .by_fading = -full_deg * lost.fraction};
+          .by_fading = -full_deg * lost};
 }
 
 MaxShift max_shift(const Illusion& illusion, double bound_deg) {
@@ -57,7 +52,7 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg) {
   FeltShift felt = felt_shift(illusion, offset_deg);
   if (illusion.fading > 0.0 && illusion.slowness > 0.0 && felt.by_offset < 0.0) {
     double low_deg = 0.0;
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 6; ++i) {
       const double middle_deg = 0.5 * (low_deg + offset_deg);
       (felt_shift(illusion, middle_deg).by_offset > 0.0 ? low_deg : offset_deg) = middle_deg;
     }
@@ -79,7 +74,7 @@ double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShi
     const double next_deg = g.by_offset > 1e-6 ? offset_deg + (wanted_deg - g.shift_deg) / g.by_offset : -1.0;
     const double last_deg = offset_deg;
     offset_deg = next_deg >= low_deg && next_deg <= high_deg ? next_deg : 0.5 * (low_deg + high_deg);
-    if (std::abs(offset_deg - last_deg) < max_newton_error_deg) break;
+    if (std::abs(offset_deg - last_deg) < max_newton_change_deg) break;
   }
   return std::copysign(offset_deg, shift_deg);
 }

@@ -20,9 +20,10 @@ struct Illusion {
   double slowness = 0.0;  ///< A >= 0; 0 for a finger so fast that nothing decays
 };
 
-/// Returns A for a finger at `speed_mm_s` that has travelled `travelled_mm`; ridges are 10 mm apart. A is 1 at 17 mm/s,
-/// where half of f is lost in a motion across the ridges, and large before the first ridge is crossed.
-double ridge_slowness(double speed_mm_s, double travelled_mm, const Tuning& tuning = {});
+/// Returns the illusion of a finger at `speed_mm_s` that has travelled `travelled_mm`; ridges are 10 mm apart. A is 1
+/// at 17 mm/s, where half of f is lost in a motion across the ridges, and large before the first ridge is crossed.
+Illusion illusion_at(double weight, double curve, double fading, double speed_mm_s, double travelled_mm,
+                     const Tuning& tuning);
 
 /// Shift of the perceived direction, perceived minus true, and its derivatives.
 struct FeltShift {

@@ -11,7 +11,7 @@ namespace {
 
 using T = PersonState;
 
-constexpr int rates_to_a_side = 6;  // rates of the grid on each side of the middle one
+constexpr int rates_to_a_side = 3;  // rates of the grid on each side of the middle one
 
 }  // namespace
 

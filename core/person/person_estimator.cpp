@@ -61,7 +61,8 @@ bool PersonEstimator::observe(double time_s, const PlatePoint& position, const P
     if (finger_.phase() == Phase::moving && std::exchange(clock_stopped_, false))
       filter_.add_phase_sd(tuning().pause_clock_sd_s);
   }
-  const bool taken = catch_up(plate);
+  bool taken = true;
+  for (int i = 0; i < max_replayed && backlog_ > 0; ++i) taken = take(finger_.places()[--backlog_], plate);
   if (caught_up()) finger_.find_pause();
   return taken;
 }
@@ -124,12 +125,6 @@ void PersonEstimator::begin_motion() {
   while (backlog_ < places.count() - 1 && places[backlog_].time_s > onset_s_) ++backlog_;
 }
 
-bool PersonEstimator::catch_up(const PlateTrace& plate) {
-  bool taken = true;
-  for (int i = 0; i < max_replayed && backlog_ > 0; ++i) taken = take(finger_.places()[--backlog_], plate);
-  return taken;
-}
-
 void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
   if (retarget_ && retarget_->time_s <= time_s) {
     const Retarget answered = *std::exchange(retarget_, std::nullopt);
@@ -144,7 +139,8 @@ void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
     const int steps = static_cast<int>(std::ceil(left_s / PersonFilter::max_step_s));
     const double step_s = left_s / steps;
     for (int i = 0; i < steps; ++i) {
-      filter_.move(step_s, plate.at(time_s - left_s + (i + 0.5) * step_s - tuning().sensory_delay_s));
+      felt_plate_deg_ = plate.at(time_s - left_s + (i + 0.5) * step_s - tuning().sensory_delay_s);
+      filter_.move(step_s, felt_plate_deg_);
     }
   }
   filter_s_ = time_s;
@@ -153,8 +149,7 @@ void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
 bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
   carry_to(sample.time_s, plate);
   const PersonFilter::Innovation innovation = filter_.innovation(sample.position - origin_);
-  if (filter_.mean(PersonState::phase) < 1.0)
-    log_.add(sample.time_s, sample.position - origin_, plate.at(sample.time_s - tuning().sensory_delay_s));
+  if (filter_.mean(PersonState::phase) < 1.0) log_.add(sample.time_s, sample.position - origin_, felt_plate_deg_);
   if (!moving()) {
     if (innovation.nis <= tuning().max_accepted_nis) filter_.correct(innovation);
     return true;
@@ -191,7 +186,7 @@ PersonBelief PersonEstimator::learnt() const { return log_.belief(filter_.belief
 // A pause can only have begun if the filter did not predict the position.
 bool PersonEstimator::find_pause(double nis) {
   if (backlog_ > 0 || nis <= tuning().min_pausing_nis) return false;
-  const double speed_mm_s = filter_.now().speed_mm_s;
+  const double speed_mm_s = filter_.speed_mm_s();
   return speed_mm_s > tuning().min_pausing_speed_mm_s && (finger_.at_rest() || finger_.find_pause(speed_mm_s));
 }
 

@@ -107,7 +107,6 @@ class PersonEstimator {
  private:
   const Tuning& tuning() const { return filter_.tuning(); }
   void begin_motion();
-  bool catch_up(const PlateTrace& plate);
   bool take(const TimedPoint& sample, const PlateTrace& plate);
   void relocate(const PlatePoint& position);
   void carry_to(double time_s, const PlateTrace& plate);
@@ -135,6 +134,7 @@ class PersonEstimator {
   int backlog_ = 0;             // number of positions that the filter has not processed
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;
+  double felt_plate_deg_ = 0.0;  // ridge normal whose effect the person perceived in the last step of the filter
 };
 
 }  // namespace hrt

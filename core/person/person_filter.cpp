@@ -6,12 +6,16 @@
 #include "core/math/exponential.h"
 #include "core/math/linear_algebra.h"
 #include "core/math/trigonometry.h"
-#include "core/person/steering.h"
 
 namespace hrt {
 namespace {
 
 constexpr double min_path_mm = 1.0;
+
+// e^(-seconds / time_constant_s) to second order, for the short steps of a motion.
+double kept(double seconds, double time_constant_s) {
+  return (2.0 * time_constant_s - seconds) / (2.0 * time_constant_s + seconds);
+}
 
 }  // namespace
 
@@ -25,6 +29,14 @@ struct PersonFilter::Step {
   double displacement_by_travel;
   double turn_by_felt, turn_by_steered, turn_by_own, turn_by_gain;
 };
+
+SteeringStep steer(double gain_per_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
+                   double max_slope) {
+  const double error_deg = direction_deg + felt.shift_deg - goal_deg;
+  const double decay_per_s = gain_per_s * std::clamp(1.0 - felt.by_offset, -max_slope, max_slope);
+  return {error_deg, decay_per_s,
+          -gain_per_s * error_deg * seconds / (1.0 + 0.5 * seconds * std::max(0.0, decay_per_s))};
+}
 
 PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
                            const TrackerNoise& noise, const Tuning& tuning)
@@ -88,34 +100,19 @@ double PersonFilter::own_to_come_mm() const {
 
 double PersonFilter::direction_deg() const { return mean_(X::steered) + own_deg(pace(mean_(X::phase)).share, 1.0); }
 
-PersonNow PersonFilter::now() const {
-  const Progress p = pace(mean_(X::phase));
-  const double own = own_deg(p.share, 1.0);
-  const double speed_mm_s = mean_speed_mm_s() * p.rate;
-  return {.pace = p,
-          .speed_mm_s = speed_mm_s,
-          .direction_deg = mean_(X::steered) + own,
-          .goal_deg = goal_deg() + own,
-          .illusion = illusion(speed_mm_s, path_mm_ * p.share)};
-}
-
 Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
-  return {.weight = mean_(X::weight),
-          .curve = mean_(X::curve),
-          .fading = mean_(X::fading),
-          .slowness = ridge_slowness(speed_mm_s, travelled_mm, tuning_)};
+  return illusion_at(mean_(X::weight), mean_(X::curve), mean_(X::fading), speed_mm_s, travelled_mm, tuning_);
 }
 
 void PersonFilter::move(double seconds, double felt_plate_deg) {
   const bool arrived = mean_(X::phase) >= 1.0;
-  const Progress begun = pace(mean_(X::phase));
   const Progress middle = pace(mean_(X::phase) + 0.5 * rate_ * seconds);
   const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
   const double travel_mm = travel_scale * middle.rate;
 
   const double own = own_deg(middle.share, 1.0);
   const FeltShift g =
-      felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - mean_(X::steered) - own);
+      felt_shift(illusion(travel_mm / seconds, path_mm_ * middle.share), felt_plate_deg - mean_(X::steered) - own);
   const double k = mean_(X::gain);
   const SteeringStep steering = steer(k, mean_(X::steered), g, goal_deg(), seconds, tuning_.max_slope);
   const SinCos way = sin_cos_deg(mean_(X::steered) + own + 0.5 * steering.turn_deg);
@@ -128,12 +125,12 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
       .cosine = way.cosine,
       .turn_deg = steering.turn_deg,
       .phase = rate_ * seconds,
-      .wander_kept = exponential(-seconds / tuning_.wander_s),
-      .noise_kept = exponential(-seconds / noise_.correlation_s),
+      .wander_kept = kept(seconds, tuning_.wander_s),
+      .noise_kept = kept(seconds, noise_.correlation_s),
       .displacement_kept = std::max(0.0, 1.0 + rad_per_deg * travel_mm * by_displacement),
       .felt = g,
-      .travel_by_phase = travel_scale * begun.acceleration,
-      .travel_by_evenness = travel_scale * begun.by_evenness,
+      .travel_by_phase = travel_scale * middle.acceleration,
+      .travel_by_evenness = travel_scale * middle.by_evenness,
       .own_by_habit = 1.0 - 2.0 * middle.share,
       .own_by_phase = middle.rate *
                       (return_deg / std::max(1.0 - middle.share, tuning_.min_return_fraction) - 2.0 * mean_(X::habit)),
@@ -144,8 +141,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
       .turn_by_own = (k - steering.decay_per_s) * seconds,
       .turn_by_gain = -steering.felt_error_deg * seconds};
   carry(step);
-  move_state(step);
-  add_noise(step);
+  advance(step);
   unanswered_deg_ *= turn_kept(seconds);
 }
 
@@ -177,11 +173,14 @@ void PersonFilter::carry(Step f) {
   for (int i = 0; i < X::felt_traits; ++i) transform(covariance_.row(i));
   for (int i = X::traits; i < X::count; ++i) transform(covariance_.row(i));
   covariance_.bottomRightCorner<motion, motion>().transposeInPlace();
-  covariance_.bottomLeftCorner<motion, X::traits>() = covariance_.topRightCorner<X::traits, motion>().transpose();
+  covariance_.block<motion, X::felt_traits>(X::traits, 0) =
+      covariance_.block<X::felt_traits, motion>(0, X::traits).transpose();
   for (int i = X::traits; i < X::count; ++i) transform(covariance_.row(i));
 }
 
-void PersonFilter::move_state(const Step& step) {
+// Moves the state, and adds the process noise: that of the random walks, and that of the correlated quantities, whose
+// variance is stationary.
+void PersonFilter::advance(const Step& step) {
   mean_(X::right) -= step.travel_mm * step.sine;
   mean_(X::away) += step.travel_mm * step.cosine;
   mean_(X::steered) += step.turn_deg;
@@ -191,11 +190,7 @@ void PersonFilter::move_state(const Step& step) {
   mean_(X::wander) *= step.wander_kept;
   mean_(X::noise_right) *= step.noise_kept;
   mean_(X::noise_away) *= step.noise_kept;
-}
 
-// Adds the process noise of the random walks, and the noise that keeps the variance of correlated quantities
-// stationary.
-void PersonFilter::add_noise(const Step& step) {
   const auto add = [this](X::Index index, double variance) { covariance_(index, index) += variance; };
   add(X::steered, tuning_.direction_density_deg2_s * step.seconds);
   add(X::log_rate, tuning_.log_rate_density_s * step.seconds);
@@ -224,8 +219,10 @@ PersonFilter::Innovation PersonFilter::innovation(const PlatePoint& position) co
   Innovation result;
   result.off_mm = {position.right_mm - mean_(X::right) - mean_(X::noise_right),
                    position.away_mm - mean_(X::away) - mean_(X::noise_away)};
-  result.cross.col(0) = covariance_.col(X::right) + covariance_.col(X::noise_right);
-  result.cross.col(1) = covariance_.col(X::away) + covariance_.col(X::noise_away);
+  for (int i = 0; i < X::count; ++i) {
+    result.cross(i, 0) = covariance_(i, X::right) + covariance_(i, X::noise_right);
+    result.cross(i, 1) = covariance_(i, X::away) + covariance_(i, X::noise_away);
+  }
   const double white_mm2 = square(noise_.white_mm);
   const double right_mm2 = result.cross(X::right, 0) + result.cross(X::noise_right, 0) + white_mm2;
   const double away_mm2 = result.cross(X::away, 1) + result.cross(X::noise_away, 1) + white_mm2;
@@ -239,9 +236,13 @@ PersonFilter::Innovation PersonFilter::innovation(const PlatePoint& position) co
 
 void PersonFilter::correct(const Innovation& innovation) {
   const State right = innovation.cross.col(0), away = innovation.cross.col(1);
-  const State right_gain = right * innovation.information(0, 0) + away * innovation.information(1, 0);
-  const State away_gain = right * innovation.information(0, 1) + away * innovation.information(1, 1);
-  mean_ += right_gain * innovation.off_mm.right_mm + away_gain * innovation.off_mm.away_mm;
+  const Eigen::Matrix2d& information = innovation.information;
+  State right_gain, away_gain;
+  for (int i = 0; i < X::count; ++i) {
+    right_gain(i) = right(i) * information(0, 0) + away(i) * information(1, 0);
+    away_gain(i) = right(i) * information(0, 1) + away(i) * information(1, 1);
+    mean_(i) += right_gain(i) * innovation.off_mm.right_mm + away_gain(i) * innovation.off_mm.away_mm;
+  }
   const auto correct_column = [&](int j) {
     for (int i = 0; i < X::count; ++i) covariance_(i, j) -= right(i) * right_gain(j) + away(i) * away_gain(j);
   };
@@ -290,22 +291,12 @@ double PersonFilter::position_variance_mm2(double right, double away) const {
          2.0 * right * away * covariance_(X::right, X::away);
 }
 
-double PersonFilter::shift_variance_deg2(const FeltShift& slopes, double by_bias) const {
-  constexpr X::Index of[] = {X::weight, X::curve, X::fading, X::bias};
-  const double by[] = {slopes.by_weight, slopes.by_curve, slopes.by_fading, by_bias};
-  double variance_deg2 = 0.0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) variance_deg2 += by[i] * by[j] * covariance_(of[i], of[j]);
-  return variance_deg2;
-}
-
 PersonBelief PersonFilter::belief() const {
   return {.mean = mean_.head<X::traits>(), .covariance = covariance_.topLeftCorner<X::traits, X::traits>()};
 }
 
 void PersonFilter::keep_in_range() {
-  for (const StateVariable& row : person_state)
-    if (row.min < row.max) mean_(row.index) = std::clamp(mean_(row.index), row.min, row.max);
+  for (const StateVariable& row : person_state) mean_(row.index) = std::clamp(mean_(row.index), row.min, row.max);
   rate_ = exponential(mean_(X::log_rate));
 }
 

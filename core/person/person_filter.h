@@ -27,14 +27,18 @@
 
 namespace hrt {
 
-/// Quantities derived from the state at its time.
-struct PersonNow {
-  Progress pace;
-  double speed_mm_s;
-  double direction_deg;  ///< phi
-  double goal_deg;       ///< G + o: the direction in which the person intends to move
-  Illusion illusion;     ///< illusion at the present speed
+/// One step of the response dpsi/dt = -k e to the perceived-direction error e = psi + g - G.
+struct SteeringStep {
+  double felt_error_deg;  ///< e at the start of the step
+  double decay_per_s;     ///< rate at which e decays with the plate at rest, 1/s: -d(dpsi/dt) / dpsi
+  double turn_deg;        ///< change of psi within the step
 };
+
+/// Integrates the response over `seconds` >= 0 for a gain k. The method is implicit in the effect of psi on e: stable
+/// for any step and of second order. `max_slope` bounds |1 - dg/dtheta|, since the slope of g may be steep over less
+/// than a degree, for example where the cue from touch decays along the ridges.
+SteeringStep steer(double gain_per_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
+                   double max_slope = Tuning{}.max_slope);
 
 /// Filter for one motion. Positions are relative to the rest position before it. Uses no heap, lock or exception.
 class PersonFilter {
@@ -90,10 +94,7 @@ class PersonFilter {
   PlatePoint position() const { return {mean_(X::right), mean_(X::away)}; }
   /// Variance of the position in the direction of the unit vector (`right`, `away`).
   double position_variance_mm2(double right, double away) const;
-  /// Variance, to first order, of the sum of the shift with these slopes and of `by_bias` times the bias.
-  double shift_variance_deg2(const FeltShift& slopes, double by_bias) const;
 
-  PersonNow now() const;
   /// Illusion at a speed after a travelled distance.
   Illusion illusion(double speed_mm_s, double travelled_mm) const;
   /// Illusion at the mean speed of the reach, after ridges have been crossed.
@@ -101,6 +102,8 @@ class PersonFilter {
   /// r: one over the duration, 1/s.
   double rate() const { return rate_; }
   double mean_speed_mm_s() const { return path_mm_ * rate_; }
+  /// v, the present speed.
+  double speed_mm_s() const { return mean_speed_mm_s() * pace(mean_(X::phase)).rate; }
   double path_mm() const { return path_mm_; }
   /// phi, the direction of motion.
   double direction_deg() const;
@@ -123,8 +126,7 @@ class PersonFilter {
  private:
   struct Step;
   void carry(Step step);
-  void move_state(const Step& step);
-  void add_noise(const Step& step);
+  void advance(const Step& step);
   double displacement_deg_mm(double path_fraction) const;
   void keep_in_range();
 

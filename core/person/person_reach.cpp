@@ -13,6 +13,8 @@ namespace {
 
 using X = PersonState;
 
+constexpr double max_ns = 9e18;  // below the maximum of std::int64_t
+
 PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
   PersonBelief belief = steering_belief(config.person, config.tuning);
   if (reach.duration_s > 0.0)
@@ -43,6 +45,12 @@ PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, doubl
 
 }  // namespace
 
+double ReachGoal::near_deg() const {
+  constexpr double median_square = 0.455;  // median of the square of a standard normal variable
+  const double variance_deg2 = square(tracker_sd_deg) + square(frame_sd_deg);
+  return std::sqrt(std::max(0.0, square(hrt::near_deg) - median_square * variance_deg2));
+}
+
 PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
                          const std::optional<PlateHandover>& handover)
     : config_(config),
@@ -58,13 +66,14 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
     counts_.dropped_samples = handover->dropped_samples;
   }
   prepare_plate();
-  command_ = command_at({.finger = reach.start, .plate_deg = plate_.orientation_deg()}, estimator_.filter());
+  command_ = command_now(estimator_.filter(), false);
 }
 
 // Commands the orientation that the plan requires at the onset.
 void PersonReach::prepare_plate() {
   if (config_.plate_waits) return;
-  const double ready_deg = ready_orientation_deg(config_.control, estimator_.filter(), aim());
+  const double ready_deg =
+      ready_orientation_deg(config_.control, estimator_.filter(), goal_.target - on_plate(estimator_.origin()));
   decision_.plate =
       limits_.limit({ready_deg + limits_.centre_deg() - goal_.reach.virtual_direction_deg, ActiveBound::none},
                     plate_.orientation_deg());
@@ -106,38 +115,29 @@ double PersonReach::place_variance_mm2() const {
   return 0.5 * (filter().position_variance_mm2(1.0, 0.0) + filter().position_variance_mm2(0.0, 1.0));
 }
 
-double PersonReach::speed_mm_s() const { return estimator_.moving() ? filter().now().speed_mm_s : 0.0; }
+double PersonReach::speed_mm_s() const { return estimator_.moving() ? filter().speed_mm_s() : 0.0; }
 
 const PlateCommand& PersonReach::update(const FingerSample& sample) {
   ++counts_.samples;
   if (!origin_ns_) origin_ns_ = sample.time_ns;
   plate_.advance(sample.time_ns);
   if (sample.plate_orientation_deg) plate_.report(*sample.plate_orientation_deg);
-  const double now_s = elapsed_s(*origin_ns_, sample.time_ns);
-  seen_s_ = now_s;
-  trace_.add(now_s, plate_.orientation_deg());
+  seen_s_ = elapsed_s(*origin_ns_, sample.time_ns);
+  trace_.add(seen_s_, plate_.orientation_deg());
 
-  const bool observed = observe(sample, now_s - 1e-9 * static_cast<double>(config_.tracker_latency_ns));
+  const bool observed = observe(sample, seen_s_ - 1e-9 * static_cast<double>(config_.tracker_latency_ns));
   const std::optional<PersonFilter> answering = estimator_.after_retarget();
   const PersonFilter& answered = answering ? *answering : estimator_.filter();
   const bool decides =
       observed && estimator_.moving() && estimator_.caught_up() && filter().mean(X::phase) < config_.tuning.last_phase;
   if (decides) {
-    decision_ = decide(answered, sample.time_ns, now_s);
+    decision_ = decide(answered, sample.time_ns);
     plate_.command(decision_.plate.orientation_deg);
   }
-  command_ = command_at({.now_s = now_s,
-                         .finger = on_plate(estimator_.place()),
-                         .plate_deg = plate_.orientation_deg(),
-                         .decided = std::exchange(prepared_, false) || decides,
-                         .predicted = sample.observation == Observation::none},
-                        answered);
-  count(command_, observed);
+  command_ = command_now(answered, std::exchange(prepared_, false) || decides);
+  command_.predicted = estimator_.begun() && sample.observation == Observation::none;
+  count(observed);
   return command_;
-}
-
-PlateCommand PersonReach::command_at(const ReachMoment& moment, const PersonFilter& answered) const {
-  return reach_command(config_.control, config_.step_period_ns, goal_, estimator_, answered, decision_, moment);
 }
 
 bool PersonReach::observe(const FingerSample& sample, double time_s) {
@@ -160,40 +160,126 @@ bool PersonReach::observe(const FingerSample& sample, double time_s) {
   return false;
 }
 
-PlateDecision PersonReach::decide(const PersonFilter& filter, std::int64_t now_ns, double now_s) const {
+// `answered`: the estimator's filter; while a response to a moved target is pending, that of after_retarget().
+PersonReach::Decision PersonReach::decide(const PersonFilter& answered, std::int64_t now_ns) const {
   const Reach& reach = goal_.reach;
-  const double latency_s = 1e-9 * static_cast<double>(config_.plate.latency_ns);
-  const double later_deg = plate_.orientation_at_deg(later_ns(now_ns, config_.plate.latency_ns));
-  const ReachPlan plan =
-      plan_reach(config_.control, filter, estimator_.time_s(), aim(), {trace_, now_s, latency_s, later_deg});
-  const ActiveBound bound = !plan.at_bound               ? ActiveBound::none
-                            : plan.plate_deg < later_deg ? ActiveBound::lower
-                                                         : ActiveBound::upper;
+  const PlatePoint origin = on_plate(estimator_.origin());
+  const double effective_s =
+      seen_s_ + 1e-9 * static_cast<double>(config_.plate.latency_ns) + config_.tuning.sensory_delay_s;
+  // Time at which the plate has the orientation that the person perceives in the middle of the dead time.
+  const double felt_s = 0.5 * (estimator_.time_s() + effective_s) - config_.tuning.sensory_delay_s;
+  const double felt_plate_deg =
+      felt_s < seen_s_ ? trace_.at(felt_s)
+                       : plate_.orientation_at_deg(later_ns(now_ns, std::llround(1e9 * (felt_s - seen_s_))));
+  const ReachPlan plan = plan_reach(config_.control, answered,
+                                    {.target = goal_.target - origin,
+                                     .line_deg = bearing_deg(goal_.aimed_from.value_or(origin), goal_.target),
+                                     .dead_s = effective_s - estimator_.time_s(),
+                                     .felt_plate_deg = felt_plate_deg});
   // Converts a miss across the line from the position of the last retarget to one across the line from the start.
   const double miss_fraction = cos_deg(goal_.aimed_direction_deg - reach.real_direction_deg);
-  return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach.virtual_direction_deg, bound},
+  return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach.virtual_direction_deg, plan.active},
                                  plate_.orientation_deg()),
-          .predicted_miss_deg = atan2_deg(miss_fraction * plan.miss_mm, reach.real_distance_mm)};
+          .predicted_miss_deg = atan2_deg(miss_fraction * plan.miss_mm, reach.real_distance_mm),
+          .unreachable = !gap_is_feasible(answered)};
 }
 
-ReachAim PersonReach::aim() const {
-  const PlatePoint origin = on_plate(estimator_.origin());
-  return {.target = goal_.target - origin, .from = goal_.aimed_from ? *goal_.aimed_from - origin : PlatePoint{}};
+// Returns false if the gap is clearly infeasible: if the largest shift minus the gap is below a margin. The margin is
+// reduced by some SDs of that difference, to first order in w, b, f, B and the error of the frame, so that few feasible
+// gaps are reported as infeasible (hrt-study robustness counts both errors).
+bool PersonReach::gap_is_feasible(const PersonFilter& answered) const {
+  const FeltShift largest = max_shift(answered.mean_illusion(), config_.control.bound_deg).felt;
+  const double gap_deg = goal_.reach.virtual_direction_deg + answered.mean(X::bias) - goal_.aimed_direction_deg;
+  constexpr X::Index of[] = {X::weight, X::curve, X::fading, X::bias};
+  const double by[] = {largest.by_weight, largest.by_curve, largest.by_fading, gap_deg > 0.0 ? -1.0 : 1.0};
+  double variance_deg2 = square(goal_.frame_sd_deg);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) variance_deg2 += by[i] * by[j] * answered.covariance()(of[i], of[j]);
+  const Tuning& tuning = config_.tuning;
+  return largest.shift_deg - std::abs(gap_deg) >
+         tuning.min_margin_deg - tuning.margin_deviations * std::sqrt(std::max(0.0, variance_deg2));
 }
 
-void PersonReach::count(const PlateCommand& command, bool observed) {
-  counts_.misfit = counts_.misfit || command.misfit;
-  if (command.step < 0) return;
-  counts_.nis = std::max(counts_.nis, command.nis);
+// The command and its flags, as a function of the state. `decided`: the plan was made with the last sample.
+PlateCommand PersonReach::command_now(const PersonFilter& answered, bool decided) const {
+  const auto& p = filter().covariance();
+  const LinearIllusion linear = linear_illusion(filter().mean(X::weight), filter().mean(X::curve),
+                                                p(X::weight, X::weight), p(X::weight, X::curve), p(X::curve, X::curve));
+  const Progress pace = filter().pace(filter().mean(X::phase));
+  const Illusion illusion = filter().illusion(filter().speed_mm_s(), filter().path_mm() * pace.share);
+  const double direction_deg = filter().direction_deg();
+  const PlatePoint finger = on_plate(estimator_.place());
+  const double to_go_mm = distance_mm(finger, goal_.target);
+  PlateCommand command{
+      .plate_orientation_deg = decision_.plate.orientation_deg,
+      .finger_direction_deg = direction_deg,
+      .perceived_direction_deg =
+          direction_deg + felt_shift(illusion, plate_.orientation_deg() - direction_deg).shift_deg,
+      // Close to the target, its direction from the finger is undefined.
+      .aimed_direction_deg = to_go_mm > config_.tuning.min_aim_fraction * goal_.reach.real_distance_mm
+                                 ? bearing_deg(finger, goal_.target)
+                                 : goal_.aimed_direction_deg,
+      .tactile_weight = linear.weight,
+      .tactile_weight_sd = linear.weight_sd,
+      .distance_to_go_mm = to_go_mm,
+      .time_to_go_s = -1.0,
+      .predicted_miss_deg = decision_.predicted_miss_deg,
+      .nis = estimator_.fit().nis(),
+      .active = decision_.plate.active,
+      .for_people = true,
+      .held = !decided,
+  };
+  if (estimator_.begun()) {
+    command.bearing_deg = bearing_deg(goal_.reach.start, finger);
+    add_progress(answered, command);
+  }
+  return command;
+}
+
+// Adds what is known once the finger has moved.
+void PersonReach::add_progress(const PersonFilter& answered, PlateCommand& command) const {
+  const Tuning& tuning = config_.tuning;
+  const double phase = filter().mean(X::phase);
+  const bool moving = estimator_.moving();
+  if (phase >= tuning.last_phase) {
+    command.time_to_go_s = 0.0;
+  } else if (moving) {  // the filter's state may be older than the sample
+    const double time_left_s = (1.0 - answered.mean(X::phase)) / answered.rate();
+    command.time_to_go_s = std::max(0.0, time_left_s - (seen_s_ - estimator_.time_s()));
+  }
+  if (!moving || phase >= tuning.last_phase)
+    command.predicted_miss_deg = wrap_deg(command.bearing_deg - goal_.reach.real_direction_deg, 360.0);
+  const double intended_deg = filter().goal_deg() + command.finger_direction_deg - filter().mean(X::steered);
+  command.felt_error_deg = command.perceived_direction_deg - intended_deg;
+  // SD across the line to the target: position of the finger as an angle, frame and tracked bearing.
+  const PlatePoint to_target = goal_.target - goal_.reach.start;
+  const double per_mm = 1.0 / goal_.reach.real_distance_mm;
+  const double place_mm2 = filter().position_variance_mm2(-per_mm * to_target.away_mm, per_mm * to_target.right_mm);
+  const double place_sd_deg = deg_per_rad * per_mm * std::sqrt(std::max(0.0, place_mm2));
+  command.bearing_error_sd_deg = std::min(
+      unknown_miss_sd_deg, std::sqrt(square(goal_.frame_sd_deg) + square(goal_.tracker_sd_deg) + square(place_sd_deg)));
+  command.miss_unknown = false;
+  command.step =
+      static_cast<std::int64_t>(std::min(1e9 * (seen_s_ - estimator_.onset_s()), max_ns)) / config_.step_period_ns;
+  command.unreachable = decision_.unreachable;
+  command.misfit = !estimator_.model_fits();
+  command.off_target = phase > tuning.first_judged_phase && std::abs(command.predicted_miss_deg) > goal_.near_deg();
+  command.resting = !moving;
+}
+
+void PersonReach::count(bool observed) {
+  counts_.misfit = counts_.misfit || command_.misfit;
+  if (command_.step < 0) return;
+  counts_.nis = std::max(counts_.nis, command_.nis);
   if (estimator_.moving()) {
-    counts_.peak_felt_error_deg = std::max(counts_.peak_felt_error_deg, std::abs(command.felt_error_deg));
-    square_felt_sum_deg2_ += square(command.felt_error_deg);
+    counts_.peak_felt_error_deg = std::max(counts_.peak_felt_error_deg, std::abs(command_.felt_error_deg));
+    square_felt_sum_deg2_ += square(command_.felt_error_deg);
     ++felt_samples_;
   }
-  if (!observed || command.step == counted_step_) return;
-  counted_step_ = command.step;
+  if (!observed || command_.step == counted_step_) return;
+  counted_step_ = command_.step;
   ++counts_.steps;
-  counts_.saturated_steps += command.active != ActiveBound::none;
+  counts_.saturated_steps += command_.active != ActiveBound::none;
 }
 
 ReachSummary PersonReach::summary() const {

@@ -1,12 +1,11 @@
 // A reach under the controller for people. Each sample passes through
-//   estimate (person_estimator), plan (reach_control), limit (plate_limits), command (reach_command).
+//   estimate (person_estimator), plan (reach_control), limit (plate_limits), command.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "core/person/person_estimator.h"
-#include "core/person/reach_command.h"
 #include "core/person/reach_control.h"
 #include "core/plate/frame_error.h"
 #include "core/plate/plate_limits.h"
@@ -30,6 +29,22 @@ struct PersonReachConfig {
   FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; is_frame_covariance()
   TouchedFrame touched;                             ///< correction of the tracker's frame by contacts
   Tuning tuning;
+};
+
+/// Present targets of a reach.
+struct ReachGoal {
+  Reach reach;        ///< reach as seen from the start
+  PlatePoint target;  ///< position of the real target
+  /// Position of the finger when the targets last moved; nullopt if they have not moved. aimed_direction_deg: direction
+  /// of the real target from there, or from the start.
+  std::optional<PlatePoint> aimed_from;
+  double aimed_direction_deg;
+  double tracker_sd_deg;  ///< SD of the tracked bearing from reach to reach
+  double frame_sd_deg;    ///< SD of the target's bearing from the start due to the uncertain pose of the plate
+
+  /// Returns the largest observed miss for which the true miss is more likely than not within hrt::near_deg. With the
+  /// observed miss x and an SD sigma of all errors, the median of the squared true miss is about x^2 + 0.455 sigma^2.
+  double near_deg() const;
 };
 
 /// Controller of one reach. Uses no heap, lock or exception. One thread at a time.
@@ -64,12 +79,20 @@ class PersonReach {
   std::optional<PersonBelief> learnt() const;
 
  private:
+  // Result of the last plan.
+  struct Decision {
+    PlateOrientation plate;
+    double predicted_miss_deg = 0.0;
+    bool unreachable = false;  // the gap is not feasible
+  };
+
   void prepare_plate();
   bool observe(const FingerSample& sample, double time_s);
-  PlateDecision decide(const PersonFilter& filter, std::int64_t now_ns, double now_s) const;
-  PlateCommand command_at(const ReachMoment& moment, const PersonFilter& answered) const;
-  void count(const PlateCommand& command, bool observed);
-  ReachAim aim() const;
+  Decision decide(const PersonFilter& answered, std::int64_t now_ns) const;
+  bool gap_is_feasible(const PersonFilter& answered) const;
+  PlateCommand command_now(const PersonFilter& answered, bool decided) const;
+  void add_progress(const PersonFilter& answered, PlateCommand& command) const;
+  void count(bool observed);
   PlatePoint on_plate(const PlatePoint& seen) const;
 
   PersonReachConfig config_;
@@ -78,7 +101,7 @@ class PersonReach {
   PlateModel plate_;
   PlateTrace trace_;
   PlateLimits limits_;
-  PlateDecision decision_;
+  Decision decision_;
   PlateCommand command_;
   ReachSummary counts_;
   bool prepared_ = false;  // the plate was prepared since the last sample

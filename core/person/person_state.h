@@ -2,6 +2,8 @@
 // every reach; their indices in the C interface are HRT_PERSON_ and the name.
 #pragma once
 
+#include <limits>
+
 namespace hrt {
 
 struct PersonState {
@@ -35,8 +37,10 @@ struct StateVariable {
   PersonState::Index index;
   const char* name;
   const char* unit;
-  double min, max;  ///< range of the estimate; equal: unlimited
+  double min, max;  ///< range of the estimate
 };
+
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 inline constexpr StateVariable person_state[PersonState::count] = {
     {PersonState::weight, "weight", "", 0.01, 0.6},
@@ -49,14 +53,14 @@ inline constexpr StateVariable person_state[PersonState::count] = {
     {PersonState::fading, "fading", "", -0.2, 1.0},
     {PersonState::scatter, "scatter", "deg", 0.0, 10.0},
     {PersonState::log_wander, "log_wander", "", -1.5, 3.0},
-    {PersonState::right, "right", "mm", 0.0, 0.0},
-    {PersonState::away, "away", "mm", 0.0, 0.0},
+    {PersonState::right, "right", "mm", -unlimited, unlimited},
+    {PersonState::away, "away", "mm", -unlimited, unlimited},
     {PersonState::steered, "steered", "deg", -3600.0, 3600.0},
     {PersonState::phase, "phase", "", 0.0, 1.0},
     {PersonState::wander, "wander", "deg", -360.0, 360.0},
     {PersonState::displacement, "displacement", "mm", -10000.0, 10000.0},
-    {PersonState::noise_right, "noise_right", "mm", 0.0, 0.0},
-    {PersonState::noise_away, "noise_away", "mm", 0.0, 0.0},
+    {PersonState::noise_right, "noise_right", "mm", -unlimited, unlimited},
+    {PersonState::noise_away, "noise_away", "mm", -unlimited, unlimited},
 };
 
 constexpr bool rows_are_in_order() {

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "core/person/person_filter.h"
-#include "core/plate/plate_model.h"
+#include "core/plate/plate_limits.h"
 
 namespace hrt {
 
@@ -23,34 +23,25 @@ struct ReachControlConfig {
   double max_felt_error_deg = 5.0;
 };
 
-/// The real target, relative to the rest position of the finger.
-struct ReachAim {
-  PlatePoint target;
-  /// Start of the line to the target; the miss is measured across this line. The start of the reach, or the position of
-  /// the finger at the last retarget.
-  PlatePoint from;
-};
-
-/// Motion of the plate before a new command takes effect.
-struct PlateOutlook {
-  const PlateTrace& past;
-  double now_s;              ///< time of the command and of the trace's last entry
-  double latency_s;          ///< time until a command moves the plate
-  double after_latency_deg;  ///< plate orientation after latency_s, under the commands already given
+/// Situation at the time of a plan, in addition to the filter's state. Positions are relative to the finger's rest.
+struct ReachOutlook {
+  PlatePoint target;      ///< the real target
+  double line_deg;        ///< direction of the line to the target; the miss is measured across this line
+  double dead_s;          ///< dead time: time from the state of the filter until a command given now affects the motion
+  double felt_plate_deg;  ///< ridge normal whose effect the person perceives in the middle of the dead time
 };
 
 struct ReachPlan {
   double plate_deg;       ///< direction of the ridge normal to command
   double felt_error_deg;  ///< predicted perceived minus intended direction when the plate has that orientation
   double miss_mm;         ///< predicted lateral miss at arrival, left positive
-  bool at_bound;          ///< the plan requires a larger shift than the plate can cause
+  ActiveBound active;     ///< the bound that the plan reaches, if it requires a larger shift than the plate can cause
 };
 
-/// Computes a plan from the state of `filter` at `filter_s` <= outlook.now_s. Uses no heap, lock or exception.
-ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s, const ReachAim& aim,
-                     const PlateOutlook& outlook);
+/// Computes a plan. Uses no heap, lock or exception.
+ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, const ReachOutlook& outlook);
 
-/// Returns the plate orientation that the plan requires at the onset.
-double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const ReachAim& aim);
+/// Returns the plate orientation that the plan for `target` requires at the onset.
+double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const PlatePoint& target);
 
 }  // namespace hrt

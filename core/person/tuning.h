@@ -53,7 +53,7 @@ struct Tuning {
   // Illusion.
   double touch_memory_s = 0.3;  ///< s: [model] time constant of the decay of the cue from touch
   double first_ridge = 1.2;     ///< A of a finger that has just travelled one ridge spacing
-  double max_slope = 3.0;       ///< [model] bound of |1 - dg/dtheta| in steering.h
+  double max_slope = 3.0;       ///< [model] bound of |1 - dg/dtheta| in person_filter.h
 
   // Filter. A density is the variance that a state gains per second as process noise.
   double first_direction = 0.2;            ///< h: initial direction as a fraction of the virtual direction
@@ -81,7 +81,7 @@ struct Tuning {
 
   // Onset.
   double fit_spacing_s = 0.02;   ///< s: [time] spacing of the positions in the fit of the onset
-  double rate_deviations = 0.4;  ///< step of the grid of rates, in SDs
+  double rate_deviations = 0.8;  ///< step of the grid of rates, in SDs
   double onset_sd_s = 0.02;      ///< s: SD of the onset
 
   // Gate and fit statistics.

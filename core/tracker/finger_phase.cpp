@@ -118,9 +118,18 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   const double noise_mm = std::sqrt(noise().variance_mm2());
   const double allowed_mm = tuning_.still_deviations * noise_mm;
   const double min_window_s = tuning_.still_s + (expected_mm_s ? 0.0 : allowed_mm / tuning_.slow_mm_s);
+  // The smallest number of positions that span the window, by bisection.
   int count = static_cast<int>(tuning_.still_places);
-  while (count < places_.count() && places_[0].time_s - places_[count - 1].time_s < min_window_s) ++count;
-  if (places_.count() < count) return false;
+  int most = places_.count();
+  if (most < count) return false;
+  while (count < most) {
+    const int middle = (count + most) / 2;
+    if (places_[0].time_s - places_[middle - 1].time_s < min_window_s) {
+      count = middle + 1;
+    } else {
+      most = middle;
+    }
+  }
   if (places_[count - 1].time_s < moving_since_s_) return false;
   const double window_s = places_[0].time_s - places_[count - 1].time_s;
   const double limit_mm = expected_mm_s ? std::min(allowed_mm, *expected_mm_s * window_s - noise_mm)

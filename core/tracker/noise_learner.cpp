@@ -13,9 +13,8 @@ constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
 // If the noise is below the assumed one, the assumed correlated part is reduced, at least to this fraction.
 constexpr double min_assumed_share = 0.6;
-// Number of differences before the first estimate; later, every fourth difference updates it.
-constexpr int min_steps = 8;
-constexpr int steps_per_estimate = 4;
+// The first eight differences give the first estimate, and every eighth one later updates it.
+constexpr int steps_per_estimate = 8;
 // Upper limit of noise: more is a motion. During a motion, one departure counts as at most three SDs.
 constexpr double max_noise_mm = 4.0;
 constexpr double max_departure_deviations = 3.0;
@@ -23,6 +22,13 @@ constexpr double max_departure_deviations = 3.0;
 constexpr double min_part_mm = 0.02;
 
 }  // namespace
+
+void StructureFunction::add(int lag, double half_square_mm2, double seconds) {
+  Sum& sum = sums[static_cast<std::size_t>(lag)];
+  sum.square_mm2 += half_square_mm2;
+  sum.time_s += seconds;
+  sum.count += 1.0;
+}
 
 void StructureFunction::add(const StructureFunction& other, double sign) {
   for (std::size_t lag = 0; lag < sums.size(); ++lag) {
@@ -95,7 +101,7 @@ void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
 
 template <class Point>
 void NoiseLearner<Point>::update() {
-  if (steps() < min_steps || steps() % steps_per_estimate != 0) return;
+  if (steps() % steps_per_estimate != 0) return;
   const NoiseParts seen = separate(differences_, noise_.correlation_s);
   const auto blended_mm = [this](double assumed_mm, double seen_mm2, double assumed_differences) {
     const double share = steps() / (steps() + assumed_differences);

@@ -47,12 +47,7 @@ struct StructureFunction {
   };
   std::array<Sum, lags> sums{};
 
-  void add(int lag, double half_square_mm2, double seconds) {
-    Sum& sum = sums[static_cast<std::size_t>(lag)];
-    sum.square_mm2 += half_square_mm2;
-    sum.time_s += seconds;
-    sum.count += 1.0;
-  }
+  void add(int lag, double half_square_mm2, double seconds);
   /// Adds `sign` times the sums of `other`.
   void add(const StructureFunction& other, double sign);
 };

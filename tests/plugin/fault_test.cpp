@@ -14,12 +14,12 @@ bool plans_fail = false;
 
 }  // namespace
 
-ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, double, const ReachAim&, const PlateOutlook&) {
+ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, const ReachOutlook&) {
   const double value = plans_fail ? std::numeric_limits<double>::quiet_NaN() : 20.0;
-  return {.plate_deg = value, .felt_error_deg = value, .miss_mm = value, .at_bound = false};
+  return {.plate_deg = value, .felt_error_deg = value, .miss_mm = value, .active = ActiveBound::none};
 }
 
-double ready_orientation_deg(const ReachControlConfig&, const PersonFilter&, const ReachAim&) { return 10.0; }
+double ready_orientation_deg(const ReachControlConfig&, const PersonFilter&, const PlatePoint&) { return 10.0; }
 
 namespace test {
 namespace {

@@ -24,7 +24,7 @@ constexpr double ended_fraction = 0.85;
 // Without steering, the finger ends near the virtual target. An end this far beyond it cannot be due to a bias.
 constexpr double min_gap_deg = 5.0, min_turned_deg = 4.0, min_turned_fraction = 0.75;
 
-double from_centre_mm(const PlatePoint& place) { return std::hypot(place.right_mm, place.away_mm); }
+double from_centre_mm(const PlatePoint& place) { return distance_mm({}, place); }
 
 }  // namespace
 

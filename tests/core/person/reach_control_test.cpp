@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/person/illusion.h"
-#include "core/person/steering.h"
 
 namespace hrt {
 namespace {
@@ -30,16 +29,17 @@ PersonFilter under_way(double sign) {
   return filter;
 }
 
+// A plan for a plate that has had `plate_deg` for long.
 ReachPlan plan(const ReachControlConfig& config, const PersonFilter& filter, double plate_deg,
-               ReachAim aim = {{0.0, 100.0}}) {
-  PlateTrace trace;
-  trace.add(0.0, plate_deg);
-  return plan_reach(config, filter, 0.5, aim, {trace, 0.5, 0.03, plate_deg});
+               const PlatePoint& target = {0.0, 100.0}, double dead_s = 0.09) {
+  return plan_reach(
+      config, filter,
+      {.target = target, .line_deg = bearing_deg({}, target), .dead_s = dead_s, .felt_plate_deg = plate_deg});
 }
 
 TEST(ReachControl, MirroredInput_GivesAMirroredPlan) {
-  const ReachPlan left = plan({}, under_way(1.0), 35.0, {{3.0, 100.0}});
-  const ReachPlan right = plan({}, under_way(-1.0), -35.0, {{-3.0, 100.0}});
+  const ReachPlan left = plan({}, under_way(1.0), 35.0, {3.0, 100.0});
+  const ReachPlan right = plan({}, under_way(-1.0), -35.0, {-3.0, 100.0});
   EXPECT_NEAR(left.plate_deg, -right.plate_deg, 1e-9);
   EXPECT_NEAR(left.miss_mm, -right.miss_mm, 1e-9);
   EXPECT_NEAR(left.felt_error_deg, -right.felt_error_deg, 1e-9);
@@ -54,7 +54,7 @@ TEST(ReachControl, FarTargets_KeepTheErrorWithinItsLimit) {
       belief.mean(PersonState::curve) = 0.0;
       PersonFilter filter(belief, 0.0, 100.0, {});
       filter.begin(-std::log(2.0), 0.02, 0.3);
-      const ReachPlan planned = plan({.max_felt_error_deg = limit_deg}, filter, 0.0, {{right_mm, 100.0}});
+      const ReachPlan planned = plan({.max_felt_error_deg = limit_deg}, filter, 0.0, {right_mm, 100.0});
       EXPECT_LE(std::abs(planned.felt_error_deg), limit_deg + 1e-9);
     }
   }
@@ -64,13 +64,12 @@ TEST(ReachControl, FarTargets_KeepThePlateWithinTheBound) {
   for (const double bound_deg : {1.0, 40.0, 75.0, 89.0}) {
     for (const double right_mm : {-200.0, 0.0, 200.0}) {
       const PersonFilter filter = under_way(1.0);
-      PlateTrace trace;
-      trace.add(0.0, 35.0);
-      // Without latency, so that the plan is relative to the present direction.
-      const ReachPlan planned = plan_reach({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 0.5,
-                                           {{right_mm, 100.0}, {}}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0});
+      // Without dead time, so that the plan is relative to the present direction.
+      const ReachPlan planned =
+          plan({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 35.0, {right_mm, 100.0}, 0.0);
       EXPECT_LE(std::abs(planned.plate_deg - filter.direction_deg()), bound_deg + 1e-9);
-      EXPECT_EQ(planned.at_bound, right_mm != 0.0 || bound_deg < 40.0) << bound_deg << ' ' << right_mm;
+      EXPECT_EQ(planned.active != ActiveBound::none, right_mm != 0.0 || bound_deg < 40.0)
+          << bound_deg << ' ' << right_mm;
     }
   }
 }
@@ -83,15 +82,13 @@ TEST(ReachControl, PeopleOfTheModel_ArriveAtTheTarget) {
       belief.mean(PersonState::log_rate) = -std::log(duration_s);
       PersonFilter person(belief, virtual_deg, 100.0, {});
       person.begin(-std::log(duration_s), 0.0, 0.0);
-      const ReachAim aim{{0.0, 100.0}};
       constexpr double step_s = 0.01;
       PlateTrace trace;
-      double plate_deg = ready_orientation_deg({}, person, aim);
+      double plate_deg = ready_orientation_deg({}, person, {0.0, 100.0});
       trace.add(0.0, plate_deg);
       double time_s = 0.0;
       while (person.mean(X::phase) < 1.0) {
-        const ReachPlan planned = plan_reach({}, person, time_s, aim, {trace, time_s, 0.0, plate_deg});
-        plate_deg = planned.plate_deg;
+        plate_deg = plan({}, person, trace.at(time_s - 0.5 * sensory_delay_s), {0.0, 100.0}, sensory_delay_s).plate_deg;
         trace.add(time_s, plate_deg);
         person.move(step_s, trace.at(time_s + 0.5 * step_s - sensory_delay_s));
         time_s += step_s;
@@ -104,10 +101,8 @@ TEST(ReachControl, PeopleOfTheModel_ArriveAtTheTarget) {
 // The first plan of the motion requires the orientation that the plate already has.
 TEST(ReachControl, TheReadyOrientation_IsThatOfTheFirstPlan) {
   const PersonFilter filter(unknown_person(), 10.0, 100.0, {});
-  const double ready_deg = ready_orientation_deg({}, filter, {{0.0, 100.0}});
-  PlateTrace trace;
-  trace.add(0.0, ready_deg);
-  const ReachPlan first = plan_reach({}, filter, 0.0, {{0.0, 100.0}, {}}, {trace, -sensory_delay_s, 0.0, ready_deg});
+  const double ready_deg = ready_orientation_deg({}, filter, {0.0, 100.0});
+  const ReachPlan first = plan({}, filter, ready_deg, {0.0, 100.0}, 0.0);
   EXPECT_NEAR(first.plate_deg, ready_deg, 2.0);
   EXPECT_GT(ready_deg, 20.0);
 }
@@ -115,7 +110,7 @@ TEST(ReachControl, TheReadyOrientation_IsThatOfTheFirstPlan) {
 // Without a gap, for an unbiased person who starts straight, the ridges stay across the motion.
 TEST(ReachControl, NoGap_KeepsTheRidgesAcrossTheMotion) {
   const PersonFilter filter(unknown_person(), 0.0, 100.0, {});
-  EXPECT_NEAR(ready_orientation_deg({}, filter, {{0.0, 100.0}}), 0.0, 1e-9);
+  EXPECT_NEAR(ready_orientation_deg({}, filter, {0.0, 100.0}), 0.0, 1e-9);
 }
 
 // k = 10 /s for 10 ms at 10 degrees from the goal, without a shift: 10 x 10 x 0.01 / 1.05.
@@ -130,7 +125,7 @@ TEST(Steering, SmallSteps_FollowTheClosedForm) {
   const FeltShift held{.shift_deg = 4.0};
   double direction_deg = 0.0;
   for (int i = 0; i < 30; ++i) direction_deg += steer(17.0, direction_deg, held, 10.0, 0.01).turn_deg;
-  EXPECT_NEAR(direction_deg, 6.0 * (1.0 - kept_error(17.0, 0.3)), 0.01);
+  EXPECT_NEAR(direction_deg, 6.0 * (1.0 - std::exp(-17.0 * 0.3)), 0.01);
 }
 
 TEST(Steering, ALongStep_IsStable) {
