@@ -231,8 +231,8 @@ TEST(PlateCommission, WritesTheFileOfAPlate) {
   EXPECT_TRUE(has(file.at("details").dump(), "setting span -2") &&
               has(file.at("details").dump(), "test emergency closed"));
   EXPECT_NEAR(file.at("session").at("plate_max_speed_deg_s").get<double>(), 144.0, 8.0);
-  const auto& latency_ms = file.at("measured").at("latency_ms");  // dead time, half a pulse period, a pulse
-  EXPECT_NEAR(latency_ms.at(0).get<double>(), 21.5, 3.0 * latency_ms.at(1).get<double>());
+  // Dead time, half a pulse period, a pulse; the largest error of simulated plates is 11 ms.
+  EXPECT_NEAR(file.at("measured").at("latency_ms").at(0).get<double>(), 21.5, 11.0);
   EXPECT_NEAR(file.at("measured").at("backlash_deg").at(0).get<double>(), 2.2, 0.3);
   const PlateFile read = read_plate_file(folder / "plate.json");
   EXPECT_TRUE(has(read.description, "protocol 2, firmware 1.1.0, serial number "));
