@@ -6,11 +6,11 @@
 // it. With dots for time derivatives and s_u = ds/du:
 //
 //   progress    v = L r s_u(u),   du/dt = r = exp(rho)
-//   own path    o = dr + c (1 - 2 s(u)) - y / (L (1 - s)),   dy/dt = v (dr - y / (L (1 - s)))
+//   own path    o = omega + c (1 - 2 s(u)) - y / (L (1 - s)),   dy/dt = v (omega - y / (L (1 - s)))
 //   motion      phi = psi + o,   dpsi/dt = -k (psi + g(T(time - sensory delay) - phi) - G),   G = V + B
 //               dx/dt = -v sin phi,   dz/dt = v cos phi
 //   measured    x + nx and z + nz, each with white noise. nx and nz are correlated noise with a time constant of 0.1 s
-//               unless another one is known. The time constant of dr is 0.3 s.
+//               unless another one is known. The time constant of omega is 0.3 s.
 //
 // person_state.h lists the states. core/person/README.md has symbols and derivatives.
 #pragma once

@@ -25,7 +25,7 @@ struct PersonState {
     away,
     steered,       ///< psi: direction that the person steers, without the own path
     phase,         ///< u: fraction of the duration
-    wander,        ///< dr: random part of the own path's direction
+    wander,        ///< omega: random part of the own path's direction
     displacement,  ///< y: lateral displacement that the wander has caused, left positive
     noise_right,   ///< correlated noise of the tracker
     noise_away,

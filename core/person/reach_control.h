@@ -1,14 +1,15 @@
 // The controller for people. It computes the plate orientation that steers the finger to a position at arrival, within
 // a limit of the perceived-direction error.
 //
-// If the perceived shift Gamma is constant relative to the motion, the steered direction psi relaxes to G - Gamma at
-// the rate k, for any illusion curve. The position at arrival is therefore an affine function of Gamma:
+// While the plate turns with the motion, so that the shift Gamma of the perceived direction stays constant, the steered
+// direction psi (the motion without the own path) relaxes to G - Gamma at the rate k (G: goal, k: gain of the person),
+// for any illusion curve. The position at arrival is therefore an affine function of Gamma:
 //
 //   1. predict the motion over the dead time, in which a command given now has no effect yet;
 //   2. integrate the lateral path from there to arrival: miss(Gamma) = m + M Gamma;
 //   3. minimise the sum of the squared miss and the weighted squared change of Gamma;
 //   4. limit the predicted perceived-direction error psi + Gamma - G;
-//   5. invert the illusion on its rising branch, within the bound about the motion.
+//   5. invert the illusion on its rising branch, within bound_deg of the motion.
 #pragma once
 
 #include "core/person/person_filter.h"

@@ -3,7 +3,7 @@
 //   s(u) = (1 - a) (10 eta^3 - 15 eta^4 + 6 eta^5) + a u,   eta = u + kappa u (1 - u)
 //
 // where a is the evenness (0: the bell-shaped speed of a minimum-jerk motion, 1: constant speed) and kappa the skew (0:
-// symmetric; 0.5: the speed peaks at 0.38 of the time).
+// symmetric; 0.4: for a = 0, the speed peaks at 0.37 of the time).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "samples/reach/files.h"
 
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -13,11 +14,13 @@ namespace hrt::reach {
 
 void load_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw Failure(ExitCode::plugin, "--profile: " + file.string() + " cannot be read: " + std::strerror(errno) +
+                                        "; check the path and its permissions");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream || plugin.hrt_profile_load(session, text.data(), text.size()) != HRT_OK)
-    throw Failure(ExitCode::plugin, file.string() + " is not a profile (" +
-                                        (stream ? plugin.hrt_last_error() : "it cannot be read") +
-                                        "); select a file that --calibrate wrote (--profile)");
+  if (plugin.hrt_profile_load(session, text.data(), text.size()) != HRT_OK)
+    throw Failure(ExitCode::plugin, "--profile: " + file.string() + " is not a profile: " + plugin.hrt_last_error() +
+                                        "; give a file that --calibrate wrote");
 }
 
 void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file) {

@@ -28,7 +28,7 @@ void require(bool holds, int line = __builtin_LINE()) {
   std::abort();
 }
 
-// Checks a struct whose fields from an offset are all doubles.
+// Requires that all fields from `offset` on, which must be doubles, are finite.
 template <class Struct>
 void require_finite(const Struct& value, size_t offset) {
   for (; offset < sizeof value; offset += sizeof(double)) {

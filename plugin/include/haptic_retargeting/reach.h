@@ -196,7 +196,7 @@ typedef struct hrt_command {
   /** Direction that the user perceives under this command, predicted by the model. @ccw */
   double perceived_direction_deg;
   /** Estimated present perceived-direction error (perceived minus intended direction), which the user could notice.
-   *  Users notice about 4.5 degrees of visual redirection; no threshold is published for touch. 0 under
+   *  Users notice about 4.5 degrees of visual redirection; no threshold of redirection by touch is published. 0 under
    *  FIXED_DIRECTION. @ccw */
   double felt_error_deg;
   /** Predicted bearing of the position of arrival minus that of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN.

@@ -36,8 +36,9 @@ speed_t speed_of(int baud) {
       return B1000000;
 #endif
     default:
-      throw PlateFailure(Fault::line,
-                         "has no rate of " + std::to_string(baud) + " baud on this system; use another baud");
+      throw PlateFailure(
+          Fault::line, "cannot run at " + std::to_string(baud) +
+                           " baud on this system; set the servo to 57600 or 115200 baud, and give that as option baud");
   }
 }
 

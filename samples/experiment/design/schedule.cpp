@@ -33,9 +33,10 @@ Block made(BlockKind kind, std::vector<PlannedTrial> trials, const Design& desig
   do {
     if (++tries > max_tries)
       throw Refusal(
-          format("/max_run: no order of block %u has at most %u trials of a pair in a row and separates its catch "
-                 "trials; increase max_run or reduce catch_share",
-                 number, design.max_run));
+          format("max_run of the design: in %u random orders of block %u, none had at most %u trials of a pair in a "
+                 "row and catch trials apart from each other and from the start; increase max_run or reduce "
+                 "catch_share",
+                 max_tries, number, design.max_run));
     stream.shuffle(trials);
   } while (!is_legal(trials, design.max_run, has_pairs));
   for (std::size_t i = 0; i < trials.size(); ++i) trials[i].number = static_cast<unsigned>(i) + 1;

@@ -18,7 +18,8 @@ void load_script() {
   shared.script_error.clear();
   shared.log.open();
   try {
-    // A loader negotiates for every instance. An unchanged script keeps its counts: its faults occur once per process.
+    // A loader negotiates for every instance. An unchanged script is not applied again, so the counts of calls continue
+    // and each of its faults occurs once per process.
     const std::string text = script_from_environment();
     if (text != shared.script_text) shared.apply(text);
   } catch (const Error& error) {

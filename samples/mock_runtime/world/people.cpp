@@ -5,7 +5,7 @@
 namespace hrt::mock {
 namespace {
 
-// Numbers of independent sequences of random numbers.
+// Identifiers of the independent random sequences, one per purpose.
 enum Stream : std::uint32_t { people, reaches };
 
 Range usual_scale_deg(IllusionFamily family) {

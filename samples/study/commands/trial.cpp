@@ -119,7 +119,7 @@ Examples:
       add_number(command, "--motor-variance", participant.motor_variance_deg2, variance_range,
                  "Variance of the motor command in a step (sigma_u^2), deg^2."),
       add_number(command, "--sensory-variance", participant.sensory_variance_deg2, positive_variance_range,
-                 "Sensory variance of touch and proprioception (sigma_h^2), deg^2."),
+                 "Variance of the combined measurement of touch and proprioception in a step (sigma_h^2), deg^2."),
       add_number(command, "--initial-variance", participant.initial_variance_deg2, variance_range,
                  "Variance of the perceived direction before the first step, deg^2."),
       add_integer(command, "--horizon", mpc.horizon, 1, max_horizon, "Prediction horizon of the controller, steps."),

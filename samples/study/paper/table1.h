@@ -67,10 +67,9 @@ struct Table1 {
 
 /// Limitations of the chi-squared test, for reports.
 inline constexpr const char* in_sample_words =
-    "p is too high: the default bound on the plate (84.5 deg; section III has 90) and the default sensory variance "
-    "(0.1 "
-    "deg^2; the paper does not give it) were fitted to these cells. --plate-bound 90 uses the paper's bound; "
-    "samples/study/paper/README.md compares the readings of the paper.";
+    "The p value is biased upwards, because the default bound on the plate (84.5 deg; section III has 90) and the "
+    "default sensory variance (0.1 deg^2; the paper gives none) were fitted to these same cells. --plate-bound 90 uses "
+    "the paper's bound; samples/study/paper/README.md compares the possible interpretations of the paper.";
 
 /// The gap with the highest percentage in a condition, compared with the paper's 10 degrees.
 struct BestAmplitude {

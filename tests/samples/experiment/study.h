@@ -15,8 +15,8 @@
 
 namespace hrt::experiment {
 
-/// Returns a design with two conditions, `repeats` trials of two pairs in each block, and no set-up, altered by
-/// `change`.
+/// Returns a design with two conditions, `repeats` trials of each of two pairs in a block, and no set-up. `change`
+/// alters it.
 inline Design small_design(unsigned repeats, const std::function<void(nlohmann::json&)>& change = {}) {
   nlohmann::json study = {
       {"title", "small"},

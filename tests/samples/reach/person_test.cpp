@@ -159,7 +159,7 @@ TEST(ReachPerson, AnUnfinishedReachDoesNotStopTheRun) {
   expect_said(untracked, "3 reaches in a row did not begin or end in time");
 }
 
-// The same holds for a simulated user's reach.
+// A simulated user's reach that does not end in time is reported, with exit code 8.
 TEST(ReachPerson, AnUnfinishedSimulatedReachDoesNotStopTheRun) {
   expect_said(expect_exit(8, run_program({desk, "--time-limit", "1"})), "The reach to \"pawn\" did not end within 1 s");
 }
