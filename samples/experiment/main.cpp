@@ -166,7 +166,7 @@ void add_commands(CLI::App& app, Options& options) {
          "Speak requests to the participant with espeak-ng")
       ->needs("--scene");
   run->add_option("--speak-with", options.reach.speak_with,
-                  "Speak with a program that reads sentences from its standard input")
+                  "Speak with this program and its arguments; each text is a line on its standard input")
       ->needs("--scene")
       ->excludes("--speak");
   all->add_option("--seed", options.reach.seed, "Seed of the simulated participants [1]");

@@ -20,7 +20,7 @@ struct Condition {
   std::string name;
   Controller controller;
   double plate_deg = 0.0;                                   ///< orientation under `fixed`
-  double gap_share = 1.0;                                   ///< fraction of the pair's gap
+  double gap_share = 1.0;                                   ///< gap, as a fraction of the pair's gap
   std::vector<std::pair<std::string, double>> config = {};  ///< fields of hrt_session_config
 };
 
@@ -40,7 +40,7 @@ struct Validity {
   double min_s;
   double max_s;
   double max_dropped_share;
-  unsigned max_attempts;  ///< the trial is missing after this number of failed attempts
+  unsigned max_attempts;  ///< the trial is missing after this number of invalid attempts
 };
 
 /// Two-interval forced choice: which of two reaches was bent? QUEST+ selects the gap.

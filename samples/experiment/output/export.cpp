@@ -74,7 +74,7 @@ const std::vector<Column> trial_columns{
     {"trial", "integer", "", "planned position in the block, from 1"},
     {"condition", "text", "",
      "blinded: a letter, at random for each participant; unblinded: the name; `practice` in practice"},
-    {"is_catch", "integer", "", "1: no gap; the plate is at rest, but in noticeability it moves"},
+    {"is_catch", "integer", "", "1: no gap. The plate rests in reaches; in noticeability, it turns as in other trials"},
     {"pair", "text", "", "name of the pair of targets; empty for noticeability"},
     {"reason", "text", "", "reason for which the attempt is invalid; empty: valid"},
     {"attempt", "integer", "", "number of the attempt, interrupted ones included"},

@@ -19,8 +19,8 @@ struct TrialRecord {
   unsigned refused = 0;    ///< attempts that ended and were invalid, without interrupted ones
   unsigned presented = 0;  ///< order in which the trials of the session ended, from 1
   std::int64_t began_utc_ms = 0;
-  nlohmann::json attempt;  ///< events of the last attempt and its reach
-  nlohmann::json reach;
+  nlohmann::json attempt;          ///< data of the last event "attempt"
+  nlohmann::json reach;            ///< data of the last event "reach"
   std::optional<unsigned> answer;  ///< index of the answer
 };
 

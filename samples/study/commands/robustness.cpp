@@ -69,7 +69,8 @@ The text has the percentage of reaches that end within 1.5 deg of the real targe
 family it has all numbers. CSV and JSON have a row for each family, duration and controller, each number
 with its 95 % interval (percentages: Wilson's score interval; quantiles: order statistics, for any
 distribution). People for whom the gap is infeasible are counted separately, in columns that begin with
-infeasible_. A missing value is empty (CSV) or null (JSON). Columns:
+infeasible_. A missing value is empty (CSV) or null (JSON). Columns, whose names continue with _low or
+_high for the ends of the interval, and with the unit (_percent, _mm, _deg):
   near                    reaches that end within 1.5 deg of the real target
   miss_median, miss_95    miss across the real direction: median and 95 % quantile
   peak_felt_error_...     largest perceived-direction error: median and 95 % quantile

@@ -32,7 +32,7 @@ Examples:
   add_integer(command, "--horizon", options->table.horizon, 1, max_horizon,
               "Prediction horizon of the controller, steps.");
   add_number(command, "--sensory-variance", options->table.sensory_variance_deg2, positive_variance_range,
-             "Sensory variance of touch and proprioception, deg^2; the paper does not give it.");
+             "Variance of the combined measurement of touch and proprioception, deg^2; the paper does not give it.");
   add_number(command, "--plate-bound", options->table.plate_bound_deg, plate_bound_range,
              "Largest angle between plate and virtual direction, deg; the paper has 90.");
   add_integer(command, "--steps", options->table.steps, 1, max_trial_steps, "Model steps of a reach.");

@@ -133,10 +133,10 @@ Examples:
                       "No controller: the plate stays at this orientation, deg.")
           ->check(must_be(direction_range)),
       add_integer(command, "--condition", options->condition_number, 0, UINT32_MAX,
-                  "Number of the condition, for the random numbers."),
+                  "Number of the condition; selects the random numbers."),
       add_out(command, options->out)};
   add_seed(command, options->seed);
-  add_integer(command, "--trial", options->trial, 0, UINT32_MAX, "Number of the trial, for the random numbers.");
+  add_integer(command, "--trial", options->trial, 0, UINT32_MAX, "Number of the trial; selects the random numbers.");
   CLI::Option* trace =
       add_path(command, "--trace", options->trace, "Folder for the trace of a reach by a simulated person.");
   add_families(command, options->families, "linear", "Family of the person.")->needs(trace);

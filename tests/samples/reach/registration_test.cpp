@@ -74,7 +74,7 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.5);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
-  // The file keeps it for the next run.
+  // The file keeps the skin offset for the next run.
   auto joint = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(joint["hand"], "right");
   const Path next = Path().hold_hand({-10, 0, 25}, skin_m).hold(marks[0]).reach();
