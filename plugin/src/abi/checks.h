@@ -12,7 +12,7 @@
 
 namespace hrt::plugin {
 
-/// Limit of struct_size: a larger number is not the size of any version of a struct.
+/// Limit of struct_size, in bytes: a larger number is not the size of any version of a struct.
 inline constexpr std::uint32_t max_struct_size = 4096;
 
 inline hrt_result fail_of_null(const char* name) {
@@ -94,7 +94,7 @@ inline hrt_result check_zero(const char* field, std::uint32_t value) {
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; it must be 0");
 }
 
-/// Writes a text into a caller's buffer. The error text of a buffer that is too small names `what`.
+/// Writes a text into a caller's buffer. `what` names the text in the error for a buffer that is too small.
 inline hrt_result write_text(const char* what, std::string_view text, std::uint64_t capacity, char* out_text,
                              std::uint64_t* out_length) {
   if (!out_length) return fail_of_null("out_length");
@@ -102,7 +102,7 @@ inline hrt_result write_text(const char* what, std::string_view text, std::uint6
     if (!out_text) return fail_of_null("out_text");
     if (capacity <= text.size())
       return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: 0, or at least ", text.size() + 1,
-                  ", for ", what, " with its zero");
+                  ", for ", what, " with its terminating zero");
     std::memcpy(out_text, text.data(), text.size());
     out_text[text.size()] = '\0';
   }

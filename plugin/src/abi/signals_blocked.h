@@ -20,7 +20,7 @@ std::thread start_thread_with_signals_blocked(Run run) {
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
   const auto restore = [](const sigset_t* mask) { pthread_sigmask(SIG_SETMASK, mask, nullptr); };
-  const std::unique_ptr<const sigset_t, decltype(restore)> restored(&before, restore);  // also if it throws
+  const std::unique_ptr<const sigset_t, decltype(restore)> restored(&before, restore);  // even if std::thread throws
   return std::thread(run);
 #endif
 }

@@ -64,8 +64,8 @@ hrt_result hrt_gap_assign(hrt_session session, const hrt_target* virtual_targets
     HRT_RETURN_IF_FAILED(find_targets(targets, "real_targets", real_targets, real_count, TargetRole::real, &reals));
     HRT_RETURN_IF_FAILED(check_output("out_gaps", out_gaps));
     if (capacity < virtual_count)
-      return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", virtual_count,
-                  " virtual targets");
+      return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: at least ", virtual_count,
+                  ", the number of virtual targets");
     const std::vector<Assigned> served =
         assign(s.session().model(), virtuals, reals, (flags & HRT_ASSIGN_EXCLUSIVE) != 0);
     const std::uint32_t element_size = out_gaps->struct_size;

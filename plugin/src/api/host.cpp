@@ -63,7 +63,7 @@ hrt_result check_allocator(const hrt_host& next) {
   const bool same_functions = next.allocate == host_callbacks.allocate && next.release == host_callbacks.release;
   const bool reads_context = next.allocate != c_allocate;
   if (held == 0 || (same_functions && (!reads_context || next.context == host_callbacks.context))) return HRT_OK;
-  return fail(HRT_ERROR_WRONG_STATE, "the library holds ", held,
+  return fail(HRT_ERROR_WRONG_STATE, "the allocator cannot be changed while the library holds ", held,
               " blocks of memory; destroy its sessions, people and scenes first");
 }
 
@@ -121,7 +121,8 @@ hrt_result hrt_host_set(const hrt_host* given) noexcept {
     hrt_host next;
     HRT_RETURN_IF_FAILED(read_host(given, &next));
     if (!next.allocate != !next.release)
-      return fail(HRT_ERROR_NULL_ARGUMENT, "host: ", next.allocate ? "release" : "allocate", " is null");
+      return fail(HRT_ERROR_NULL_ARGUMENT, "host: ", next.allocate ? "release" : "allocate",
+                  " is null; set allocate and release, or neither");
     if (!next.allocate) {
       next.allocate = c_allocate;
       next.release = c_release;
@@ -139,7 +140,7 @@ hrt_result hrt_host_set_log(hrt_session session, const hrt_host* given) noexcept
     HRT_RETURN_IF_FAILED(read_host(given, &host));
     if (host.allocate || host.release)
       return fail(HRT_ERROR_OUT_OF_RANGE,
-                  "host has an allocator, which is that of the whole process; allowed: a log and its context");
+                  "host has an allocator, which only hrt_host_set() can set; allowed: a log and its context");
     s.set_log(host);
     s.log_findings(session.value);
     return HRT_OK;

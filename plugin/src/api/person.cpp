@@ -21,8 +21,7 @@ using People = HandleTable<SimulatedUser, HRT_PEOPLE_MAX, 0x9e>;
 constinit People people("person");
 
 constexpr double default_duration_s = 1.5;
-// Position of the plate in a set-up, which is rotated by 20 degrees about y, and offset of the skin from the tracked
-// joint.
+// In a set-up: position of the plate, its rotation about y, and offset of the skin from the tracked joint.
 constexpr double user_plate_m[] = {0.3, 0.75, -0.4};
 constexpr double user_turn_deg = 20.0;
 constexpr double user_skin_m[] = {0.002, -0.008, -0.012};

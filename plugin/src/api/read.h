@@ -7,7 +7,7 @@
 
 namespace hrt::plugin {
 
-/// Fails, naming `field`, unless it is a unit quaternion.
+/// Fails, naming `field`, unless `rotation` is a unit quaternion.
 hrt_result check_rotation(const char* field, const double (&rotation)[4]);
 
 /// Fails unless a target at `position_m`, in plate coordinates, is near enough to the plate.

@@ -232,7 +232,7 @@ void RecordedSession::log_conditions(std::uint64_t handle) const {
   if (measured.differing & HRT_CONDITION_PLATE) text << " plate, \"" << measured.plate << "\"";
   if (measured.differing == (HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER)) text << ", and";
   if (measured.differing & HRT_CONDITION_TRACKER) text << " tracker, \"" << measured.tracker << "\"";
-  text << "; calibrate again, or expect first reaches to be less accurate";
+  text << "; calibrate again, or expect the first reaches to be less accurate";
   write_log(HRT_LOG_WARNING, text.c_str(), log_);
 }
 

@@ -51,7 +51,7 @@ bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {
   return true;
 }
 
-// Calls a session as a recording says, and compares each row that this writes with the recorded one.
+// Repeats the calls of a recording, and compares the row that each call would now write with the recorded row.
 class Replay {
  public:
   hrt_result run(std::string_view text, hrt_replay_report* out) {
@@ -89,7 +89,7 @@ class Replay {
     if (starts_with_and_drops(text, "# haptic retargeting recording, version ") &&
         read_number(text.substr(0, text.find('\n')), &version) && version != 4)
       return fail(HRT_ERROR_BAD_FORMAT, "version ", version, " is not supported; allowed: version 4");
-    return fail(HRT_ERROR_BAD_FORMAT, "the text is not a recording: it does not begin with the header of version 4");
+    return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin with the header of version 4; pass a recording");
   }
 
   hrt_result take(std::string_view line) {
@@ -212,7 +212,7 @@ class Replay {
   void call_again(SetupUpdated& call, hrt_result* result) { *result = session_->update_setup(call.sample, &call.step); }
   void call_again(SetupFinished& call, hrt_result* result) { *result = session_->finish_setup(&call.result); }
   void call_again(SetupCancelled&, hrt_result* result) { *result = session_->cancel_setup(); }
-  // These are comments, and not read from rows.
+  // Comment lines of the file hold these records; read_row() returns none of them.
   static void call_again(const ConfigSet&, hrt_result*) {}
   static void call_again(const TargetChanged&, hrt_result*) {}
   static void call_again(const InitialPlateOrientation&, hrt_result*) {}
@@ -271,7 +271,7 @@ hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_sta
 hrt_result hrt_recording_replay(const char* path, const char* text, uint64_t length,
                                 hrt_replay_report* out_report) noexcept {
   return guarded("hrt_recording_replay", [&]() -> hrt_result {
-    if (!path && !text) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null, and so is text");
+    if (!path && !text) return fail(HRT_ERROR_NULL_ARGUMENT, "path and text are null; pass one of them");
     HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
     hrt_replay_report report{};
     std::string read;

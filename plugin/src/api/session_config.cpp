@@ -86,7 +86,7 @@ void visit_pairs(Config& config, Model& model, Visit&& visit) {
   visit(config.person.bias_deg, control.participant.bias_deg);
 }
 
-// No limit is represented by 0 in the struct, and by infinity in the core.
+// If there is no limit, the struct has 0, and the core has infinity.
 double limit_or_none(double limit) { return limit > 0.0 ? limit : std::numeric_limits<double>::infinity(); }
 double limit_or_zero(double limit) { return std::isinf(limit) ? 0.0 : limit; }
 
@@ -121,7 +121,7 @@ hrt_result read_plate(const hrt_session_plate& given, RetargeterConfig* control)
   if (given.lower_stop_deg != 0.0 || given.upper_stop_deg != 0.0) {
     if (given.upper_stop_deg - given.lower_stop_deg < 180.0)
       return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", given.upper_stop_deg,
-                  "; allowed: at least 180 above plate_lower_stop_deg, ", given.lower_stop_deg);
+                  "; allowed: at least 180 above plate_lower_stop_deg, ", given.lower_stop_deg, ", or both 0");
     control->plate.stops = {.lower_deg = given.lower_stop_deg, .upper_deg = given.upper_stop_deg};
   }
   control->plate.max_speed_deg_s = limit_or_none(given.max_speed_deg_s);
@@ -146,7 +146,7 @@ hrt_result read_person(const hrt_session_person& given, SessionModel* model) {
   return is_valid(person) ? HRT_OK : is_no_covariance("person_covariance", "definite");
 }
 
-// Contacts correct a registration, and are only read with one.
+// Contacts correct a registration. Without a registration, they are checked but not used.
 hrt_result read_contacts(const hrt_session_registration& given, bool is_registered, TouchedFrame* out) {
   if (!is_not_zero(given.contact_covariance)) return HRT_OK;
   TouchedFrame touched{.home = out->home};

@@ -74,7 +74,6 @@ constexpr std::pair<std::uint32_t, const char*> part_texts[] = {
     {setup_guides, "guides: "},       {setup_calibration, "calibration: "},   {setup_retest, "retest: "}};
 
 const char* attitude_text(int number) {
-  // The finger is rotated about two axes, each to both sides.
   constexpr const char* attitudes[finger_attitudes] = {"flat",
                                                        "steeply",
                                                        "tilted onto its left side",

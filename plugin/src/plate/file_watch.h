@@ -21,7 +21,7 @@ class FileWatch {
   /// plate has no command.
   void update(Time now, const Device& device, std::optional<double> command_deg);
   /// True if the plate has less than 80 % of the speed in the file, rests farther from its command than the error in
-  /// the file, or is late. It is late if it follows its commands 40 ms later than the latency in the file.
+  /// the file, or is late. It is late if it follows its commands more than 40 ms later than the latency in the file.
   bool deviates() const { return deviates_; }
 
  private:
@@ -35,7 +35,7 @@ class FileWatch {
   std::optional<double> command_deg_;
   Time command_changed_, near_command_at_;  // time of the last change of the command, and of the last position near it
   bool deviates_ = false;
-  // Model of a plate that follows its commands as in the file; lateness of the reported plate against it.
+  // Model of a plate that behaves as in the file, and sums from which the plate's lateness relative to it is estimated.
   std::deque<Command> pending_;
   std::optional<double> goal_deg_;
   double model_deg_ = 0.0;

@@ -68,7 +68,7 @@ class SerialLine : public Line {
     replace(0, line_ + 1);
   }
 
-  // Waits shortly for unsent bytes, then drops them: close() on Linux would wait for up to half a minute.
+  // Waits up to 0.1 s for unsent bytes, then drops them: close() on Linux would wait for up to half a minute.
   ~SerialLine() override {
     int unsent = 0;
     for (int i = 0; i < 10 && ioctl(line_, TIOCOUTQ, &unsent) == 0 && unsent > 0; ++i) poll(nullptr, 0, 10);

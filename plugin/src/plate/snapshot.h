@@ -9,9 +9,9 @@
 
 namespace hrt::plate {
 
-/// Value that one thread writes and any threads read. A reader always gets a complete value: if the number of a slot
-/// shows that the slot was overwritten during the copy, the reader copies the next slot. This happens only if the
-/// writer wrote `slots` - 1 values during one copy.
+/// Value that one thread writes and any number of threads read. A reader always gets a complete value: if the number
+/// of a slot shows that the slot was overwritten during the copy, the reader copies the latest slot. This happens only
+/// if the writer wrote `slots` - 1 values during one copy.
 template <class Value>
 class Snapshot {
   static_assert(std::is_trivially_copyable_v<Value>);

@@ -311,8 +311,8 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
     }
   }
   if (!has_format)
-    return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"; pass a text of hrt_profile_save()");
-  if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1; pass a text of hrt_profile_save()");
+    return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"; pass the output of hrt_profile_save()");
+  if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1; pass the output of hrt_profile_save()");
   *config = known;
   *conditions = measured;
   return HRT_OK;

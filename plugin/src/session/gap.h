@@ -14,7 +14,7 @@ struct Gap {
   double bearing_sd_deg;     ///< SD of the bearing at which reaches end, due to registration and tracker alone
 };
 
-/// Gaps of the targets of one session. Properties of a single target are computed once.
+/// Gaps of the targets of one session. real() computes what all gaps of one real target share.
 class Gaps {
  public:
   struct Real {

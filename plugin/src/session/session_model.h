@@ -29,7 +29,7 @@ enum class Adaptation : std::uint8_t {
 /// Size of the plate, and the height above it that counts as a lift.
 struct PlateSurface {
   double radius_m = 0.0;         ///< > 0
-  double lift_height_m = 0.015;  ///< the finger is lifted if its tracked position is higher above the plate, > 0
+  double lift_height_m = 0.015;  ///< the finger is lifted if its tracked position is higher than this, > 0
 };
 
 /// Pose of the plate, and the values that convert tracked positions to plate coordinates. Lengths are in metres, as in
@@ -53,7 +53,7 @@ struct SessionModel {
   /// Configuration of each reach. Unless `knows_person`, control.person is the prior of an unknown person.
   /// control.touched.home is the start.
   RetargeterConfig control;
-  bool guides_to_arrival = true;  ///< true: GUIDANCE_ARRIVAL; false: FIXED_DIRECTION. Read if the plate turns
+  bool guides_to_arrival = true;  ///< true: GUIDANCE_ARRIVAL; false: FIXED_DIRECTION. Unused if the plate is fixed
   Adaptation adaptation = Adaptation::carried;
   bool knows_person = false;  ///< true if control.person is from reaches or a calibration
   PlateMount mount;

@@ -35,7 +35,7 @@ double room_ahead_mm(const SessionModel& model) {
   return half_chord_mm - rim_margin_mm - start.away_mm;
 }
 
-// Sets the default marks: the start, and five points on the rim, of which none is opposite the start.
+// Sets the default marks: the start, and the corners of a hexagon on the rim without the one farthest from the user.
 void set_usual_marks(const SessionModel& model, SetupConfig* config) {
   using Mark = Eigen::Vector3d;
   const double r = mm_per_m * model.mount.surface.radius_m;

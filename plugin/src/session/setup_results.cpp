@@ -71,7 +71,7 @@ void apply_calibration(const Calibration& calibration, SessionModel* model) {
                                  .bias_deg = calibration.bias_deg,
                                  .habit_deg = calibration.habit_deg}),
               model);
-  apply_weight();  // at 60 degrees, for any curve
+  apply_weight();  // replaces the weight that know_person() has derived
   model->control.reach.bound_deg = calibration.peak_offset_deg;
 }
 
