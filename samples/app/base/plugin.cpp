@@ -18,7 +18,7 @@ void load(void* library, const char* name, Function& function) {
 
 }  // namespace
 
-// The library is never closed: the plugin has its own C++ runtime, which would leak memory on dlclose().
+// RTLD_NODELETE: dlclose() does not unload the plugin, which has its own C++ runtime that would leak memory.
 Plugin::Plugin(const std::filesystem::path& library)
     : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE), dlclose) {
   if (library_ == nullptr) throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror());
@@ -31,7 +31,7 @@ Plugin::Plugin(const std::filesystem::path& library)
   if (major != HRT_VERSION_MAJOR || (major == 0 ? minor != HRT_VERSION_MINOR : minor < HRT_VERSION_MINOR))
     throw Failure(ExitCode::plugin, "the plugin has version " + std::to_string(major) + "." + std::to_string(minor) +
                                         ", and hrt-reach needs " + std::to_string(HRT_VERSION_MAJOR) + "." +
-                                        std::to_string(HRT_VERSION_MINOR));
+                                        std::to_string(HRT_VERSION_MINOR) + ": select another plugin (--plugin)");
 }
 
 void Plugin::check(hrt_result result) const {

@@ -59,7 +59,7 @@ void HobbyPlate::receive(std::string_view bytes, Time now) {
     plate_receive(&plate_, byte);
     LineError error = LINE_OK;
     if (!line_receive(&reader_, byte, &error) || error != LINE_OK) continue;
-    // Removes the numbers at the end: the sequence number and the token. A HELLO keeps them.
+    // Removes the numbers of five digits at the end: the sequence number and the token.
     std::string_view body = reader_.text;
     while (body.size() > 9 && body[body.size() - number_size] == ' ') body.remove_suffix(number_size);
     received_.emplace_back(body);

@@ -69,7 +69,7 @@ class HobbyPlate {
   void restart();
   void press_emergency_stop(bool pressed) { inputs_.emergency_open = pressed; }
 
-  /// Bodies of the valid lines that the host has sent so far, without sequence numbers.
+  /// Bodies of the valid lines that the host has sent so far, without sequence numbers and tokens.
   const std::vector<std::string>& received_lines() const { return received_; }
   bool is_following() const { return plate_.state == PLATE_FOLLOWING; }
   bool has_pulses() const { return plate_.pulses; }

@@ -17,10 +17,10 @@
 namespace hrt::app {
 namespace {
 
-constexpr std::int64_t resampling_ns = 12'000'000;  // a period of 100 Hz, and how much later a report may come
-constexpr double object_m = 0.012;                  // an object that is lost comes back within this
-constexpr double noise_m = 0.0005;                  // assumed of infrared frames
-constexpr int max_events = 4096;                    // of one call, however many a device sends
+constexpr std::int64_t resampling_ns = 12'000'000;  // the period of a touch frame of 100 Hz, and 2 ms for a late report
+constexpr double object_m = 0.012;                  // a contact nearer than this to a known object is this object
+constexpr double noise_m = 0.0005;                  // assumed SD of infrared frames
+constexpr int max_events = 4096;                    // limit of events in one call, for a device that sends endlessly
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   throw Failure(ExitCode::tracker, "the touch frame " + path + " " + what);
@@ -50,8 +50,8 @@ TouchFrame::TouchFrame(const std::string& text)
     const std::optional<double> value = number_in(word.substr(word.find('=') + 1), -5000.0, 5000.0);
     if (known == settings_.end() || !value)
       throw Failure(ExitCode::usage, "--finger: \"" + word +
-                                         "\" is not NAME=NUMBER within 5000: width_mm, height_mm, right_mm, "
-                                         "towards_mm, turn_deg, latency_ms or bearing_sd_deg");
+                                         "\" is not NAME=NUMBER; allowed: width_mm, height_mm, right_mm, towards_mm, "
+                                         "turn_deg, latency_ms, bearing_sd_deg, from -5000 to 5000");
     known->second = *value;
   }
 
@@ -120,7 +120,7 @@ Fingertip TouchFrame::locate(std::int64_t now_ns) {
                          std::lerp(from.place_m[2], to.place_m[2], fraction)}};
 }
 
-// The finger is the first contact that lands where no object was, until it lifts.
+// The finger is the first new contact away from known objects, until it lifts.
 void TouchFrame::take_report(std::int64_t time_ns) {
   const int former = history_.empty() ? -1 : history_.back().id;
   Contact finger{.time_ns = time_ns};
@@ -136,7 +136,7 @@ void TouchFrame::take_report(std::int64_t time_ns) {
   history_.push_back(finger);
 }
 
-// The touch area's down is towards the user.
+// On the touch area, y points towards the user.
 std::array<double, 3> TouchFrame::place_m(unsigned slot) const {
   const auto from_centre_mm = [&](unsigned code, const char* size) {
     const input_absinfo& info = *libevdev_get_abs_info(device_.get(), code);

@@ -24,14 +24,14 @@ class TouchFrame {
   std::string description() const;  ///< name, size and positions of objects, in one line
   /// Sets noise, latency and bearing SD where the configuration has 0.
   void configure(hrt_session_tracker& tracker) const;
-  /// The fingertip 12 ms before `now_ns` of CLOCK_MONOTONIC, in plate coordinates: after a period of 100 Hz the
-  /// device's next report has arrived. Throws Failure (ExitCode::tracker) if the device is gone.
+  /// The fingertip 12 ms before `now_ns` (CLOCK_MONOTONIC), in plate coordinates, interpolated between two reports: a
+  /// device of 100 Hz has sent the later one by then. Throws Failure (ExitCode::tracker) if the device is gone.
   Fingertip locate(std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch() /
                                          std::chrono::nanoseconds(1));
 
  private:
   struct Contact {
-    int id = -1;                      // the kernel's; negative: no contact
+    int id = -1;                      // tracking id of the kernel; negative: no contact
     std::array<double, 3> place_m{};  // in plate coordinates
     std::int64_t time_ns = 0;
   };
@@ -43,9 +43,10 @@ class TouchFrame {
                                           {"bearing_sd_deg", 0.2}};
   std::string path_;
   std::unique_ptr<libevdev, void (*)(libevdev*)> device_;
-  std::vector<Contact> contacts_, objects_;  // by slot; those that were there at first
-  std::deque<Contact> history_;              // of the finger; the last one is the present one
-  bool is_in_sync_ = true;                   // else events were dropped, and the device's state is read
+  std::vector<Contact> contacts_;  // present contacts, by slot
+  std::vector<Contact> objects_;   // contacts that existed when the device was opened: objects on the plate
+  std::deque<Contact> history_;    // contacts of the finger, oldest first
+  bool is_in_sync_ = true;         // false: events were dropped, and the device's state is being read
 };
 
 }  // namespace hrt::app

@@ -58,7 +58,7 @@ static void keep_within_limits(Plate* plate) {
 
 static bool is_settled(const Plate* plate) { return plate->pulses && plate->settle_ms == 0; }
 
-/* Sets the pulse to the measured position if it is ahead of it, so that the servo stops. */
+/* Moves a pulse that is ahead of the servo back to the measured position, so that the servo stops. */
 static void hold(Plate* plate) {
   const bool may_turn = is_settled(plate) && plate->at_rest_ms < AT_REST_MS;
   if (may_turn && is_measured(plate) &&
@@ -111,8 +111,8 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
 }
 
 /* Processes a millisecond of the first pulses. They hold a servo with a sensor at its measured position. If the
- * settings adc_least and adc_most are exchanged, they turn it slowly to the opposite side, until this function detects
- * it. */
+ * settings adc_least and adc_most are exchanged, the pulses turn the servo slowly to the opposite side, until this
+ * function detects the motion. */
 static void settle(Plate* plate) {
   --plate->settle_ms;
   if (is_measured(plate) && !is_homing(plate)) {
@@ -204,7 +204,8 @@ static void start_session(Plate* plate, uint16_t session) {
   plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
 }
 
-/* Changes a setting. Refuses a change that would move the pulse of a servo that has pulses by more than TRIM_TICKS. */
+/* Changes a setting. While the servo gets pulses, refuses a change that would move the pulse by more than TRIM_TICKS,
+ * or the orientation beyond the limits. */
 static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
   const Settings before = plate->settings;
   const uint16_t pulse = plate_pulse_ticks(plate);

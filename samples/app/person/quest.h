@@ -8,8 +8,8 @@
 
 namespace hrt::app {
 
-/// Probability of a correct answer between two intervals, or (with the probability of a false alarm as `guess`) of a
-/// yes: 1 - l - (1 - g - l) exp(-(x / t)^s).
+/// Probability of a correct answer in a task with two intervals, or (with the probability of a false alarm as `guess`)
+/// of the answer yes: 1 - lapse - (1 - guess - lapse) exp(-(gap / threshold)^slope).
 double right_share(double gap, double threshold, double slope, double lapse, double guess = 0.5);
 
 class QuestPlus {

@@ -9,7 +9,7 @@
 namespace hrt::app {
 namespace {
 
-constexpr double far_m = 0.3;      // farther than this, the plate is probably not where it is assumed
+constexpr double far_m = 0.3;      // if the finger is never nearer to the start, the plate is probably misplaced
 constexpr double named_m = 0.005;  // smaller distances are not reported
 
 const char* name_of(Hand hand) { return hand == Hand::left ? "left" : "right"; }

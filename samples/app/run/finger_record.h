@@ -22,7 +22,7 @@ class FingerRecord {
   /// Message: why no finger came to rest on a mark, and what to do.
   std::string why_no_touch(const RunContext& context) const;
   /// Message: present position of the first tracked finger of the hands in use. If the plate is not placed yet, only
-  /// whether it is tracked.
+  /// whether a finger is tracked.
   std::string where(const RunContext& context, bool plate_is_placed = true) const;
 
  private:

@@ -23,8 +23,8 @@ struct PlateChoice {
 /// nullopt for any other text.
 std::optional<PlateChoice> parse_plate(const std::string& text);
 
-/// Path of the plugin: libhaptic_retargeting.so in ../lib beside the program's folder, if it exists there, else the
-/// name of the installed library.
+/// Path of the plugin: ../lib/libhaptic_retargeting.so relative to the program's folder if it exists, else the name of
+/// the installed library.
 std::filesystem::path default_plugin();
 
 struct Options {
@@ -39,7 +39,7 @@ struct Options {
   double time_limit_s = 30.0;
   std::chrono::milliseconds runtime_limit{10'000};  ///< limit of every wait for the runtime
   bool for_people = true;                           ///< false: the paper's controller
-  std::optional<double> tactile_weight;             ///< unset: the plugin's default, or the paper's 0.15
+  std::optional<double> tactile_weight;             ///< unset: 0.15 if !for_people, else the plugin's default
   double motor_variance_deg2 = 0.5;
   std::filesystem::path register_to;   ///< registers the plate and writes this file; empty: no registration
   std::filesystem::path registered;    ///< reads the plate's pose from this file; empty: from the scene
@@ -51,7 +51,7 @@ struct Options {
   std::filesystem::path profile;       ///< profile of the user; empty: an unknown user
   std::filesystem::path calibrate;     ///< calibrates into this profile instead of reaching; empty: reaches
   std::uint32_t max_slides = 40;       ///< limit of a calibration
-  std::optional<double> eye_height_m;  ///< height above the floor, for a runtime without a floor space
+  std::optional<double> eye_height_m;  ///< eyes above the floor, for a runtime without a floor space
   std::string speak_with;              ///< program and arguments; empty: no speech
   bool person = false;                 ///< the user is a person, even if the runtime simulates one
   bool verbose = false;

@@ -7,7 +7,7 @@
 namespace hrt::app {
 
 struct ReachResult {
-  double final_direction_deg;  ///< bearing of the fingertip's end; paper's controller: P of its last step
+  double final_direction_deg;  ///< bearing of the fingertip's end; paper's controller: last direction of motion
   double peak_felt_error_deg;  ///< ground truth of the simulation, else the estimate; 0 if unknown
   double miss_deg;             ///< bearing of the fingertip's end, from the start, minus the real target's
   double miss_m;               ///< distance along the plate from the fingertip's end to the real target

@@ -26,9 +26,9 @@ hrt_setup_config config_of(std::span<const Mark> marks);
 /// Locates fingertips relative to this plate from now on, with the skin offset that was found.
 void place_plate(RunContext& context, const RegisteredPlate& plate);
 
-/// Asks for touches of all marks until they fit, and places the session's plate space accordingly, in its steady space.
-/// With `fingertip`, first asks for touches of the first mark with different attitudes of the finger, and locates the
-/// skin from then on. Throws as SetUp::run().
+/// Asks for touches of all marks until they fit, and places the session's plate space at the fitted pose in
+/// steady_space(). With `fingertip`, first asks for touches of the first mark with different attitudes of the finger,
+/// and locates the skin from then on. Throws as SetUp::run().
 RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks, bool fingertip);
 
 /// Places the session's plate space where the plate was registered, locates the skin of its hand, and asks for a touch

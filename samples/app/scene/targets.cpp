@@ -82,7 +82,7 @@ std::vector<std::string> names_of(std::span<const Mark> marks) {
 }
 
 std::vector<Mark> marks_of(const TargetSet& targets) {
-  // Side marks 30 degrees off the left-right axis: far apart, and none opposite the start.
+  // The start, and the corners of a hexagon on the rim without the one farthest from the user.
   const double r = targets.plate_radius_m;
   const double right_m = r * std::sqrt(0.75);
   return {{"start", targets.start_m},
@@ -95,20 +95,22 @@ std::vector<Mark> marks_of(const TargetSet& targets) {
 
 std::vector<Mark> read_marks(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) throw Failure(ExitCode::registration, file.string() + " cannot be read");
+  if (!stream)
+    throw Failure(ExitCode::registration, file.string() + " cannot be read; select a CSV file of marks (--marks)");
   const std::array<std::string, 4> columns{"name", "x_m", "y_m", "z_m"};
   std::vector<Mark> marks;
   std::size_t number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.size() > max_line || !is_printable(line)) refuse(file, number, "this is not a line of marks");
+    if (line.size() > max_line || !is_printable(line))
+      refuse(file, number, "a line of marks has at most 200 bytes and no control characters");
     if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     std::vector<std::string> cells = csv_fields(line);
     cells.resize(std::max<std::size_t>(cells.size(), 4));
     if (number == 1) {
       if (!std::equal(columns.begin(), columns.end(), cells.begin()))
-        refuse(file, number, "the columns are to begin with name,x_m,y_m,z_m");
+        refuse(file, number, "the first columns must be name,x_m,y_m,z_m");
       continue;
     }
     if (line.empty()) continue;
@@ -116,13 +118,13 @@ std::vector<Mark> read_marks(const std::filesystem::path& file) {
     if (mark.name.empty()) refuse(file, number, "the mark has no name");
     for (std::size_t i = 0; i < mark.position_m.size(); ++i) {
       const std::optional<double> value_m = number_in(cells[1 + i], -farthest_m, farthest_m);
-      if (!value_m) refuse(file, number, "\"" + cells[1 + i] + "\" is not a number of metres within 1");
+      if (!value_m) refuse(file, number, "\"" + cells[1 + i] + "\" is not a number of metres from -1 to 1");
       mark.position_m[i] = *value_m;
     }
     marks.push_back(mark);
-    if (marks.size() > max_marks) refuse(file, number, "there are more than 8 marks");
+    if (marks.size() > max_marks) refuse(file, number, "there are more than 8 marks; allowed: 3 to 8");
   }
-  if (marks.size() < min_marks) refuse(file, number, "there are fewer than 3 marks");
+  if (marks.size() < min_marks) refuse(file, number, "there are fewer than 3 marks; allowed: 3 to 8");
   return marks;
 }
 

@@ -17,7 +17,7 @@ namespace hrt::app {
 /// - with ExitCode::interrupted, if the program is in a call 0.5 s after a signal, or has not ended 5 s after it.
 void watch_runtime(std::chrono::milliseconds limit);
 
-/// Marks a call into the runtime for the watchdog while it exists. One at a time; `name` must outlive it.
+/// While this object exists, the watchdog limits the duration of a call. One at a time; `name` must outlive it.
 class RuntimeCall {
  public:
   explicit RuntimeCall(std::string_view name);

@@ -86,7 +86,7 @@ typedef XrResult(XRAPI_PTR* PFN_xrSetPlateOrientationHRTX)(XrSession session, do
 ** time counts as now. XR_ERROR_TIME_INVALID if `time` is not positive. */
 typedef XrResult(XRAPI_PTR* PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time, double* orientation);
 
-/* Instructs the participant to put the fingertip to the start, react after 0.3 to 0.7 s and slide for 1 to 2 s,
+/* Instructs the participant to put the fingertip on the start, react after 0.3 to 0.7 s and slide for 1 to 2 s,
 ** unless a script sets other values. Every millisecond the participant feels the plate's present orientation and
 ** steers. An instruction replaces the previous one of the same hand.
 ** XR_ERROR_CALL_ORDER_INVALID before the plate is placed. */

@@ -40,7 +40,7 @@ class XrRuntime {
   }
 
  private:
-  XrRuntime() = default;  // a delegated constructor: after it, failures run the destructor
+  XrRuntime() = default;  // after this constructor, an exception in the public one runs the destructor
   void create_instance(const std::vector<std::string>& optional_extensions);
   void find_system();
 

@@ -98,7 +98,7 @@ class XrHeadlessSession {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Delegated constructor: after it, failures run the destructor.
+  // After this constructor, an exception in the public one runs the destructor.
   XrHeadlessSession(XrRuntime* runtime, SpaceMotion* motion, std::chrono::milliseconds limit)
       : runtime_(*runtime), limit_(limit), motion_(*motion) {}
   void find_spaces();

@@ -148,12 +148,12 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
     expect_said(expect_exit(12, run(Path(), arguments)), part);
   };
   const std::string header = "name,x_m,y_m,z_m\n";
-  refused("a,b\n", "line 1: the columns are to begin with name,x_m,y_m,z_m", "--marks");
-  refused(header + "a,0,0,0\nb,nan,0,0\n", "line 3: \"nan\" is not a number of metres within 1", "--marks");
+  refused("a,b\n", "line 1: the first columns must be name,x_m,y_m,z_m", "--marks");
+  refused(header + "a,0,0,0\nb,nan,0,0\n", "line 3: \"nan\" is not a number of metres from -1 to 1", "--marks");
   refused(header + "a,0,0\n", "line 2: \"\" is not a number", "--marks");
-  refused(header + "a,0,0,2\n", "line 2: \"2\" is not a number of metres within 1", "--marks");
+  refused(header + "a,0,0,2\n", "line 2: \"2\" is not a number of metres from -1 to 1", "--marks");
   refused(header + ",0,0,0\n", "line 2: the mark has no name", "--marks");
-  refused(header + "a\x1b[2J,0,0,0\n", "line 2: this is not a line of marks", "--marks");
+  refused(header + "a\x1b[2J,0,0,0\n", "line 2: a line of marks has at most 200 bytes", "--marks");
   refused(header + "a,0,0,0\nb,0,0,0.1\n", "line 3: there are fewer than 3 marks", "--marks");
 
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
