@@ -10,7 +10,7 @@
 namespace hrt {
 
 struct Outcome {
-  int exit_code = 0;  ///< minus the signal's number if one ended the program
+  int exit_code = 0;  ///< minus the signal's number if a signal ended the program
   std::string out;
   std::string err;
 };
@@ -35,8 +35,8 @@ class TemporaryFolder {
 /// A child process. The caller must wait for its end.
 class Process {
  public:
-  /// Starts the program words[0] with `environment`, "NAME=value" each; its error output goes to `err` and
-  /// its input comes from `in`, if these are files' descriptors; else it has no input.
+  /// Starts the program words[0] with `environment`, "NAME=value" each. `err`: descriptor for its error output;
+  /// negative: a file that err() reads. `in`: descriptor of its input; negative: no input.
   Process(std::vector<std::string> words, std::vector<std::string> environment, int err = -1, int in = -1);
 
   void send_signal(int signal) const;

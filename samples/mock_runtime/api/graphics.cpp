@@ -30,7 +30,7 @@ template <typename Function, typename Info>
 Function fetch_creator(const Info& info, VkInstance vulkan, const char* name) {
   require_system(info.systemId);
   require_valid(info.createFlags == 0, "createFlags is {:#x}; must be 0", info.createFlags);
-  require_valid(info.pfnGetInstanceProcAddr != nullptr, "pfnGetInstanceProcAddr is null");
+  require_valid(info.pfnGetInstanceProcAddr != nullptr, "pfnGetInstanceProcAddr is null; pass vkGetInstanceProcAddr");
   require_pointer(info.vulkanCreateInfo, "vulkanCreateInfo");
   const auto create = reinterpret_cast<Function>(info.pfnGetInstanceProcAddr(vulkan, name));
   require(create != nullptr, XR_ERROR_RUNTIME_FAILURE,

@@ -58,10 +58,11 @@ void require_quad(const XrCompositionLayerQuad& layer, const Session& session) {
 void require_layers(const XrFrameEndInfo& info, const Session& session) {
   require(info.layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED,
           "layerCount is {}; at most {}", info.layerCount, XR_MIN_COMPOSITION_LAYERS_SUPPORTED);
-  require(info.layerCount == 0 || info.layers != nullptr, XR_ERROR_LAYER_INVALID, "layers is null");
+  require(info.layerCount == 0 || info.layers != nullptr, XR_ERROR_LAYER_INVALID,
+          "layers is null, but layerCount is {}", info.layerCount);
   for (std::uint32_t i = 0; i < info.layerCount; ++i) {
     const XrCompositionLayerBaseHeader* layer = info.layers[i];
-    require(layer != nullptr, XR_ERROR_LAYER_INVALID, "layers[{}] is null", i);
+    require(layer != nullptr, XR_ERROR_LAYER_INVALID, "layers[{}] is null; it must point to a layer", i);
     const bool projects = layer->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION;
     require(projects || layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD, XR_ERROR_LAYER_INVALID,
             "layers[{}] is {}; this runtime supports projections and quads", i, name_of(layer->type));

@@ -30,7 +30,7 @@ plate::HobbyPlate::Traits board_of(const PlateDynamics& servo) {
 
 bool has_board(const WorldSettings& world) { return world.plate && !world.plate->terminal.empty(); }
 
-// A board simulates the servo, so that the plate of the world follows its orientation immediately.
+// If a board simulates the servo, the plate of the world follows the orientation of the board immediately.
 WorldSettings world_of(WorldSettings world) {
   if (has_board(world)) world.servo = {};
   return world;

@@ -115,7 +115,8 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
     }
     throw Error{
         XR_ERROR_RUNTIME_FAILURE,
-        fmt::format("the device has no memory type of {:#x} with the properties {:#x}", needed.memoryTypeBits, wanted)};
+        fmt::format("the device has no memory type of {:#x} with the properties {:#x}; use another Vulkan driver",
+                    needed.memoryTypeBits, wanted)};
   }
 
   // Records and submits commands, and waits until they have finished.
@@ -261,8 +262,9 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
       physical_, image.format, image.imageType, image.tiling, image.usage, image.flags, &limits);
   require(possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels && info.arraySize <= limits.maxArrayLayers,
           XR_ERROR_FEATURE_UNSUPPORTED,
-          "the Vulkan device has no images of format {} with usageFlags {:#x}, {} mips and {} layers", info.format,
-          info.usageFlags, info.mipCount, info.arraySize);
+          "the Vulkan device has no images of format {} with usageFlags {:#x}, {} mips and {} layers; request other "
+          "images",
+          info.format, info.usageFlags, info.mipCount, info.arraySize);
   return std::make_unique<VulkanImages>(shared_from_this(), image, count);
 }
 

@@ -27,7 +27,7 @@ Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std:
       path_{instruction.start_m} {}
 
 double Reach::outermost_direction_deg(double sign) const {
-  // The plate orientation is at the bound on the other side, and the perceived direction equals the intended one.
+  // In this direction, the plate is at its bound on the opposite side, and the user feels the intended direction.
   const double shift_deg = max_shift_deg(simulated_.illusion, plate_bound_deg, -sign);
   return goal_direction_deg_ + simulated_.bias_deg - simulated_.own_bias_deg + std::copysign(shift_deg, sign);
 }

@@ -126,7 +126,7 @@ class MockRuntime : public Application {
   XrReachTruthHRTX truth();
 
   std::vector<const char*> extensions;
-  TemporaryFolder folder;  ///< of the script and the call log
+  TemporaryFolder folder;  ///< folder of the script and the call log
 
  private:
   bool creates_instance_;

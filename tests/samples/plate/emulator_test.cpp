@@ -250,7 +250,7 @@ TEST_F(Firmware, KeepsItsSettingsInEeprom) {
   EXPECT_EQ(greeting_with(memory), kept);
   memory[20] ^= 1;  // one copy is damaged, as by a power failure while it is written
   EXPECT_EQ(greeting_with(memory), kept);
-  memory[128 + 20] ^= 1;  // both copies are
+  memory[128 + 20] ^= 1;  // both copies are damaged
   EXPECT_EQ(greeting_with(memory), "PLATE 2 -45.00 45.00 60.00 30.00 assumed;INFO 1.1.0 000000;");
 }
 

@@ -167,9 +167,9 @@ TEST(Firmware, WithExchangedReadingsThePlateTurnsByLessThan15Degrees) {
   }
 }
 
-// A sensor with an offset of 4 degrees, as of a potentiometer; and a plate that starts beyond its limits.
+// A sensor with an offset of 4 degrees, as a potentiometer may have, and a plate that starts beyond its limits.
 TEST_F(FirmwareLogic, AcceptsASensorOffsetAndAStartBeyondTheLimits) {
-  plate_.settings.value[SETTING_ZERO_US] += 4400;  // hundredths: 4 degrees
+  plate_.settings.value[SETTING_ZERO_US] += 4400;  // 44 us, which are 4 degrees
   for (const double orientation_deg : {0.0, 50.0, -50.0}) {
     board_.receive_line("HELLO 2");
     board_.servo.turn_by_hand(orientation_deg);

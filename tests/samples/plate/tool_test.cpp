@@ -160,8 +160,8 @@ TEST(PlateTool, TurnsAndHolds) {
   EXPECT_NEAR(after_deg, -30.0, 0.5);
 }
 
-// The notch is 3 degrees too far counter-clockwise: 33.3 us less. The trim is kept across power-off, and after a second
-// trim whose input ended early.
+// The notch is 3 degrees too far counter-clockwise: the pulse at 0 becomes 33.3 us shorter. The trim is kept across
+// power-off, and after a second trim whose input ended early.
 TEST(PlateTool, TrimsAndSaves) {
   BoardWithServo board;
   const Outcome outcome = expect_exit(0, run_with(board, {"trim", "board"}, entered({"", "x", "31", "3", ""})));
@@ -334,8 +334,8 @@ struct Accuracy {
   std::map<std::string, std::vector<double>> errors;  // in stated standard errors
   double mean_ms = 0.0, max_ms = 0.0;                 // errors of the latency
 
-  // Returns the errors that exceed the tolerance: 5 % of the speed, 3 ms of latency, half a count of the sensor for
-  // the backlash, or three stated standard errors.
+  // Returns the errors that exceed the tolerance: 5 % of the speed, 3 ms of latency, a third of the acceleration, half
+  // a count of the sensor for the backlash, or three stated standard errors if these are more.
   std::string compare(const Measurements& found, const EmulatedServo& servo, double exchange_ms) {
     std::string wrong;
     const auto check = [&](const char* name, const Measured& measured, double truth, double least) {
@@ -383,7 +383,7 @@ TYPED_TEST(PlateCommissionOf, MeasuresTwoHundredPlatesWithinTheirStatedErrors) {
     }
   }
   EXPECT_LE(refused, (std::is_same_v<TypeParam, Hobby>) ? 50 : 0);  // plates whose sensor is too nonlinear
-  EXPECT_LE(wrong, 6);                                              // of 800 numbers, beyond three standard errors
+  EXPECT_LE(wrong, 6);                                              // plates with a number beyond its tolerance
   EXPECT_NEAR(accuracy.mean_ms, 0.0, (std::is_same_v<TypeParam, Hobby>) ? 1.5 : 0.5);
   EXPECT_LT(longest_s, 180.0);
   double covered = 0.0, numbers = 0.0;
