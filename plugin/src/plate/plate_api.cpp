@@ -63,8 +63,8 @@ hrt_result check_homed(const PlateDriver& driver) {
 
 hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options, hrt_plate* out_plate) noexcept {
   return guarded("hrt_plate_open", [&]() -> hrt_result {
-    if (!device) return fail(HRT_ERROR_NULL_ARGUMENT, "device is null");
-    if (!out_plate) return fail(HRT_ERROR_NULL_ARGUMENT, "out_plate is null");
+    if (!device) return fail_of_null("device");
+    if (!out_plate) return fail_of_null("out_plate");
     const std::string_view name(device);
     if (name.size() > max_name)
       return fail(HRT_ERROR_OUT_OF_RANGE, "device has ", name.size(), " bytes; allowed: at most ", max_name);

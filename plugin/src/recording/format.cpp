@@ -238,7 +238,8 @@ hrt_result check_column_names(std::string_view line) {
 
 hrt_result read_row(std::string_view line, Record* out) {
   const auto n = static_cast<std::size_t>(1 + std::count(line.begin(), line.end(), ','));
-  if (n != columns) return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; allowed: ", columns);
+  if (n != columns)
+    return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; allowed: ", columns, ". Record again");
   Cells cells;
   for (std::string_view& cell : cells) cell = take_cell(&line);
   HRT_RETURN_IF_FAILED(read_cell(cells, column("result"), &out->result));

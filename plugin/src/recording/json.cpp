@@ -136,7 +136,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   }
 
  private:
-  // Sets the error of a value that a JsonField cannot hold. Returns false.
+  // Sets the error for a value that a JsonField cannot hold. Returns false.
   bool refuse(const char* kind) {
     if (fields.empty())
       set_error("the text is not a JSON object; save it again and do not edit it");
@@ -173,13 +173,14 @@ hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
 }
 
 hrt_result read(const JsonField& field, double& out) {
-  if (field.is_array || field.is_text) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a number");
+  if (field.is_array || field.is_text)
+    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a number; save the text again");
   out = field.numbers[0];
   return HRT_OK;
 }
 
 hrt_result read(const JsonField& field, std::int64_t& out) {
-  if (!field.is_whole) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not an integer");
+  if (!field.is_whole) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not an integer; save the text again");
   out = field.whole;
   return HRT_OK;
 }
@@ -204,14 +205,15 @@ hrt_result read(const JsonField& field, hrt_target& out) {
 template <std::size_t size>
 hrt_result read(const JsonField& field, double (&out)[size]) {
   if (!field.is_array || field.numbers.size() != size)
-    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not an array of ", size, " numbers");
+    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not an array of ", size, " numbers; save the text again");
   std::copy(field.numbers.begin(), field.numbers.end(), out);
   return HRT_OK;
 }
 
 hrt_result read(const JsonField& field, char (&out)[HRT_NAME_SIZE]) {
   if (!field.is_text || field.text.size() >= sizeof out)
-    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a string of up to ", sizeof out - 1, " bytes");
+    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a string of up to ", sizeof out - 1,
+                " bytes; save the text again");
   std::memcpy(out, field.text.data(), field.text.size());
   return HRT_OK;
 }

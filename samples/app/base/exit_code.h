@@ -10,7 +10,7 @@ namespace hrt::app {
 // clang-format off
 #define HRT_EXIT_CODES(X)                                                                             \
   X(success,         0, "every reach with a feasible gap ended at its target")                        \
-  X(target_missed,   1, "a reach missed; or a calibration reached its limit of slides, and was written") \
+  X(target_missed,   1, "a reach missed; or a calibration reached its limit of slides (its profile was written)") \
   X(usage,           2, "the command line is wrong")                                                  \
   X(plugin,          3, "the plugin cannot be opened, or refused a call")                             \
   X(scene,           4, "the scene cannot be loaded, or has no such target")                          \

@@ -64,7 +64,7 @@ std::string DevicePlate::description() const {
   text += format(", %g to %g deg", report_.lower_stop_deg, report_.upper_stop_deg) +
           format(", %g deg/s", report_.max_speed_deg_s);
   if ((report_.flags & HRT_PLATE_REPORT_ROUND_TRIP) != 0)
-    text += format(", line there and back %.1f ms", static_cast<double>(report_.round_trip_ns) * 1e-6) +
+    text += format(", round trip of the line %.1f ms", static_cast<double>(report_.round_trip_ns) * 1e-6) +
             format(", latency %.1f ms", static_cast<double>(report_.latency_ns) * 1e-6) +
             ((report_.flags & HRT_PLATE_REPORT_MEASURED) != 0 ? ", orientation measured" : ", orientation assumed");
   return text + ".";

@@ -281,7 +281,7 @@ void XrHeadlessSession::poll_events() {
   for (const auto give_up = Clock::now() + limit_;;) {
     throw_if_interrupted();
     if (Clock::now() > give_up)
-      fail("the OpenXR runtime sends events without end " + within(limit_) + ": restart the runtime");
+      fail("the OpenXR runtime did not stop sending events " + within(limit_) + ": restart the runtime");
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
     if (CHECK_XR(xrPollEvent(runtime_.instance(), &event)) == XR_EVENT_UNAVAILABLE) return;
     if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)

@@ -165,7 +165,8 @@ void require_running(const Session& session) {
 }
 
 void xrBeginSession(Session& session, const XrSessionBeginInfo* info) {
-  require(!session.running, XR_ERROR_SESSION_RUNNING, "the session is running already");
+  require(!session.running, XR_ERROR_SESSION_RUNNING,
+          "the session is running already; call xrEndSession before the next xrBeginSession");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY,
           "the session is {}; wait for XR_SESSION_STATE_READY", name_of(session.state()));
   // XR_MND_headless also allows type 0 in a headless session.
