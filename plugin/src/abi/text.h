@@ -22,8 +22,7 @@ std::size_t write_number(double number, char (&out)[max_number]);
 /// does not change `*out` if `text` has any other character, or if the number is too large for a double.
 bool read_number(std::string_view text, double* out);
 
-/// Reads `text` as a decimal integer. Returns false and does not change `*out` if `text` has any other character, or if
-/// the number is out of the range of Integer.
+/// Reads a decimal integer. Returns false and does not change `*out` if `text` is not one in the range of Integer.
 template <class Integer>
 bool read_number(std::string_view text, Integer* out) {
   Integer number{};

@@ -17,7 +17,6 @@ struct PlateGreeting {
   double latency_ms;  ///< time from a line to the servo's motion
   bool is_measured;   ///< true: a sensor measures the orientation; false: it is assumed from the commands
 };
-/// Report of the orientation.
 struct PlateReport {
   std::optional<double> orientation_deg;  ///< nullopt if the orientation is unknown
   std::uint16_t sequence;                 ///< sequence number of the last line that the plate accepted
@@ -32,7 +31,6 @@ struct PlateInfo {
   std::string firmware;
   std::string serial;
 };
-/// The plate has refused a line of the host.
 struct PlateRefusal {
   std::string why;
 };

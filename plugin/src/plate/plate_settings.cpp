@@ -52,9 +52,8 @@ void PlateLink::begin_measurement() {
 }
 
 std::chrono::nanoseconds PlateLink::sensor_filter() const {
-  return greeting_->is_measured
-             ? 7489us
-             : 0us;  // the firmware adds an eighth of the difference every millisecond: 1 ms / ln(8/7)
+  // The firmware adds an eighth of the difference every millisecond: 1 ms / ln(8/7).
+  return greeting_->is_measured ? 7489us : 0us;
 }
 
 double PlateLink::sensor_reading() {
@@ -89,13 +88,12 @@ void PlateLink::change_setting(const std::string& name, double value) {
   });
   if (why == "step")
     why =
-        "it would change the pulse by more than 20 us while the servo holds its position, or move that position beyond "
-        "the "
-        "limits; change it after power-on, before the first command";
+        "it would change the pulse by more than 20 us while the servo holds its position, or move that position "
+        "beyond the limits; change it after power-on, before the first command";
   if (why == "range")
     why =
-        "the value is out of range or inconsistent with other settings; samples/plate/firmware/README.md has the "
-        "ranges";
+        "the value is out of range or inconsistent with other settings; samples/plate/firmware/README.md has "
+        "the ranges";
   if (why == "word") why = "the firmware has no setting of this name; hrt-plate show lists the names";
   if (why == "busy") why = "the plate is in motion; try again when it is at rest";
   if (!why.empty()) throw PlateFailure(Fault::protocol, "refuses " + body + ": " + why);

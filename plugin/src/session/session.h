@@ -72,8 +72,7 @@ class Session {
   hrt_result begin_setup(std::uint32_t parts, const SetupConfig& asked);
   /// Requires that check_setting_up() succeeds.
   hrt_result update_setup(const SetupSample& sample, SetupStep* out);
-  /// Continues the fit of the current part, and ends the set-up if no part remains. Not real-time, like begin_setup()
-  /// and cancel_setup().
+  /// Continues the current fit; after the last one, ends the set-up. Not real-time, like begin_setup().
   hrt_result finish_setup();
   hrt_result cancel_setup();
   /// The part in progress. Requires is_setting_up().

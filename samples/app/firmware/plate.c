@@ -204,8 +204,7 @@ static void start_session(Plate* plate, uint16_t session) {
   plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
 }
 
-/* Changes a setting. While the servo gets pulses, refuses a change that would move the pulse by more than TRIM_TICKS,
- * or the orientation beyond the limits. */
+/* Changes a setting. Refuses one that would move present pulses by more than TRIM_TICKS or beyond the limits. */
 static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
   const Settings before = plate->settings;
   const uint16_t pulse = plate_pulse_ticks(plate);

@@ -82,7 +82,6 @@ std::vector<std::string> names_of(std::span<const Mark> marks) {
 }
 
 std::vector<Mark> marks_of(const TargetSet& targets) {
-  // The start, and the corners of a hexagon on the rim without the one farthest from the user.
   const double r = targets.plate_radius_m;
   const double right_m = r * std::sqrt(0.75);
   return {{"start", targets.start_m},

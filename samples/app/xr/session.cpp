@@ -186,8 +186,7 @@ XrHeadlessSession::~XrHeadlessSession() {
   if (left_out_.untimed + left_out_.stepped + left_out_.refused + left_out_.impossible > 0)
     say(
         format("Skipped faults of the OpenXR runtime: %d frames without a time, %d frames whose time steps by more "
-               "than 5 s, %d "
-               "times at which it refused to locate a hand, %d impossible poses of a fingertip.\n",
+               "than 5 s, %d times at which it refused to locate a hand, %d impossible poses of a fingertip.\n",
                left_out_.untimed, left_out_.stepped, left_out_.refused, left_out_.impossible));
   for (const XrHandTrackerEXT tracker : trackers_)
     if (tracker != XR_NULL_HANDLE) CALL_XR_NAMED("xrDestroyHandTrackerEXT", destroy_hand_tracker_(tracker));

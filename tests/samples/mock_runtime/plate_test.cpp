@@ -86,9 +86,8 @@ TEST_F(MockPlate, ReachEqualsThatOfAPersonWithTheValuesOfTheScript) {
   EXPECT_GT(peak_deg, 1.0);
 }
 
-// Derived by hand: direction of motion = goal direction + bias - own bias - shift. A plate at 75 degrees, with a
-// tactile weight w, shifts the perceived direction by 75 w to the left; the unequal illusion shifts it to the right by
-// half.
+// Derived by hand: motion = goal + bias - own bias - shift. A plate at 75 degrees shifts the perceived direction by 75
+// times the tactile weight to the left, and with the unequal illusion by half of that to the right.
 TEST_F(MockPlate, TruthHasTheOutermostFeasibleDirections) {
   begin_on_plate(R"({"participants": [{"illusion": "unequal",
       "tactile_weight": 0.2, "bias_deg": 3, "own_bias_deg": 1}]})");

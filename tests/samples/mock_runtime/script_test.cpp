@@ -219,8 +219,7 @@ TEST_F(MockScript, TrackerNoiseHasTheScriptedSdAndDependsOnTheTimeOnly) {
   EXPECT_EQ(noise_m(5), noise_m(5));
 }
 
-// Without noise, the perceived direction finally equals the goal direction G. With the plate at 0, the direction of
-// motion is then G / (1 - w_T).
+// Without noise, the motion finally feels like the goal direction G: its direction is G / (1 - w_T) for a plate at 0.
 TEST_F(MockScript, ParticipantsAlternate) {
   begin_with(R"({"participants": [
       {"illusion": "linear", "tactile_weight": 0.2, "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 4000},
