@@ -201,7 +201,7 @@ void PlateLink::handle_report(const PlateReport& report) {
 void PlateLink::handle_stop(StopReason reason) {
   if (reason == StopReason::host) return;
   if (reason == StopReason::heartbeat) {
-    command_deg_.reset();  // so that the next command is sent even if it is equal
+    command_deg_.reset();  // so that the next command is sent even if it equals the last one
     watch_->note_stop();
     return;
   }

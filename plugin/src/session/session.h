@@ -96,7 +96,7 @@ class Session {
   /// Quality of the registration for a reach.
   struct RegistrationAssessment {
     bool is_poor = false;            // missing although required, or less accurate than required
-    bool contacts_disagree = false;  // contacts contradict it
+    bool contacts_disagree = false;  // contacts contradict the registration
   };
   /// A reach that has ended, and whose contact may still be reported.
   struct EndedReach {
@@ -122,7 +122,7 @@ class Session {
     RegistrationAssessment assessment;
     std::optional<std::int64_t> last_time_ns;
     std::optional<Contact> contact;
-    bool registration_doubtful = false;  // true if it was missing, too old or too inaccurate at any sample
+    bool registration_doubtful = false;  // true if the registration was missing or poor at any sample
     bool faulty = false;                 // see mark_faulty()
   };
   using SettingUp = std::unique_ptr<SessionSetup>;

@@ -71,7 +71,7 @@ class Targets {
   const std::map<std::uint64_t, Target>& all() const { return by_id_; }
   /// True if there is a real and a virtual target, as a reach requires.
   bool has_both_roles() const { return real_count_ > 0 && by_id_.size() > real_count_; }
-  /// True if there are both roles, all targets are given by directions below 1.6, and at least two are not 0. In
+  /// True if there are both roles, all targets are given by directions of at most 1.6, and at least two are not 0. In
   /// degrees, all these targets would be within 3 mm of each other at 100 mm, which no application needs.
   bool may_be_in_radians() const;
 

@@ -41,7 +41,7 @@ struct Options {
   bool for_people = true;                           ///< false: the paper's controller
   std::optional<double> tactile_weight;             ///< unset: 0.15 if !for_people, else the plugin's default
   double motor_variance_deg2 = 0.5;
-  std::filesystem::path register_to;   ///< registers the plate and writes this file; empty: no registration
+  std::filesystem::path register_to;   ///< file that a registration writes; empty: no registration
   std::filesystem::path registered;    ///< reads the plate's pose from this file; empty: from the scene
   bool fingertip = false;              ///< the registration also measures the offset from joint to skin
   bool measure_tracker = false;        ///< measure the tracker by touches of two dimples, instead of reaches
@@ -49,7 +49,7 @@ struct Options {
   std::filesystem::path marks;         ///< marks of the registration; empty: the scene's start and rim
   std::filesystem::path record;        ///< file of the recording; empty: no recording
   std::filesystem::path profile;       ///< profile of the user; empty: an unknown user
-  std::filesystem::path calibrate;     ///< calibrates into this profile instead of reaching; empty: reaches
+  std::filesystem::path calibrate;     ///< profile that a calibration writes; empty: reaches, no calibration
   std::uint32_t max_slides = 40;       ///< limit of a calibration
   std::optional<double> eye_height_m;  ///< eyes above the floor, for a runtime without a floor space
   std::string speak_with;              ///< program and arguments; empty: no speech

@@ -13,7 +13,7 @@
 namespace hrt::app {
 namespace {
 
-constexpr XrDuration lift_ns = 500'000'000;  // longer than the other hand needs to take over
+constexpr XrDuration lift_ns = 500'000'000;  // longer than settle_ns, after which the other hand may take over
 
 double bearing_deg(const Point& from, const Point& to) {
   return std::atan2(from[0] - to[0], from[2] - to[2]) * 180.0 / std::numbers::pi;

@@ -14,7 +14,7 @@ std::size_t length_of(std::string_view text);
 /// The first `length` characters, or all of a shorter text.
 std::string cut_to(std::string_view text, std::size_t length);
 
-/// `text` padded with spaces, before or after it, to at least `width` characters.
+/// `text` padded with spaces to at least `width` characters: right() pads before it, left() after it.
 std::string right(std::string_view text, std::size_t width);
 std::string left(std::string_view text, std::size_t width);
 

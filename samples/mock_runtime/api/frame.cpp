@@ -13,7 +13,7 @@ Session& running_session(XrSession handle) {
   return session;
 }
 
-// Waits until `time` on the real-time clock; advances a manual clock to `time`. The session may end, be lost or be
+// With the real-time clock, waits until `time`; advances a manual clock to `time`. The session may end, be lost or be
 // destroyed during the wait, so it is looked up again.
 void wait_until(XrSession handle, XrTime time) {
   Clock& clock = running_session(handle).instance().clock;

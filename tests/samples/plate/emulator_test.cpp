@@ -150,7 +150,7 @@ TEST_F(Firmware, DamagedLinesMoveNothing) {
     })) << i;
   }
   for (std::size_t i = before; i < board_.pulses().size(); ++i)
-    EXPECT_NEAR(board_.pulses()[i].width_us(), held_us, 0.45);  // the timer counts 0.5 us
+    EXPECT_NEAR(board_.pulses()[i].width_us(), held_us, 0.45);  // a count of the timer is 0.5 us
   board_.receive_line("TEST");
   board_.run_for(30ms);
   const auto lines = board_.take_lines();

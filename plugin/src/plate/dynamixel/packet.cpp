@@ -11,7 +11,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view header = "\xFF\xFF\xFD\x00"sv;
-constexpr std::string_view pattern = "\xFF\xFF\xFD"sv;  // in a packet, another FD follows it
+constexpr std::string_view pattern = "\xFF\xFF\xFD"sv;  // within a packet, encode() inserts another FD after it
 constexpr std::size_t before_instruction = 7;           // header, id, length
 constexpr std::size_t crc_size = 2;
 constexpr std::size_t min_length = 3;  // instruction and CRC
