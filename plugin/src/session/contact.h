@@ -7,7 +7,6 @@
 
 namespace hrt::plugin {
 
-/// Report of a contact by the host.
 struct ContactReport {
   std::optional<TargetPlace> place;  ///< none: the near side of the reach's real target
   double sd_mm = 0.0;                ///< SD of the position; 0: the target's radius, or 10 mm if that is unknown

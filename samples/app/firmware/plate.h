@@ -101,7 +101,6 @@ typedef struct Plate {
 /** Initializes the plate after a reset, without pulses. `saved`: settings of the EEPROM; null if they are not valid. */
 void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved);
 
-/** Processes a byte from the host. */
 void plate_receive(Plate* plate, char byte);
 
 /** Processes the inputs, moves the pulse and sends lines. Call it every millisecond. */

@@ -37,7 +37,6 @@ class RuntimeCall {
 /// Name of a result, such as "XR_ERROR_RUNTIME_FAILURE"; its number if the name is unknown.
 std::string to_string(XrResult result);
 
-/// Thrown when an OpenXR call failed.
 class XrFailure : public std::runtime_error {
  public:
   XrFailure(XrResult result, const std::string& what) : std::runtime_error(what), result_(result) {}

@@ -11,7 +11,6 @@
 
 namespace hrt::mock {
 
-/// Images of one swapchain.
 class SwapchainImages {
  public:
   virtual ~SwapchainImages() = default;

@@ -43,7 +43,6 @@ class EmulatedBoard {
   /// EmulatedLine adds no delays, because simavr simulates the speed of the serial line.
   static std::chrono::nanoseconds byte_time() { return {}; }
   static std::chrono::nanoseconds answer_delay() { return {}; }
-  /// Sends a line with this body to the board.
   void receive_line(std::string_view body);
   /// True while bytes are on the way to the board.
   bool is_sending() const { return !to_board_.empty(); }
