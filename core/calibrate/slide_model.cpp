@@ -41,7 +41,7 @@ class SteeringDelay {
 
   struct Answer {
     double felt_deg;
-    double share;  // fraction of the step with a response: may be below 1 in the first step with one
+    double share;  // fraction of the step during which the person responds; below 1 only after the delay
   };
   // Stores `felt_deg`, and returns the response of this step; nullopt before the first.
   std::optional<Answer> feel(double felt_deg) {

@@ -59,9 +59,10 @@ void ActiveSet::fix_runs() {
   }
 }
 
-// Sets the target path to the optimum under the held constraints alone, by dynamic programming. Backwards, the least
-// cost of the steps from i on is pp p_i^2 + 2 pt p_i t_i-1 + tt t_i-1^2 + 2 p1 p_i + 2 t1 t_i-1 plus a constant; t_i-1
-// matters only if step i is linked to it. Its minimum by t_i is a linear law t_i(p_i).
+// Sets the target path to the optimum under the held constraints alone, by dynamic programming from the last step to
+// the first. The least cost of the steps from i on is pp p_i^2 + 2 pt p_i t_i-1 + tt t_i-1^2 + 2 p1 p_i + 2 t1 t_i-1
+// plus a constant; it depends on t_i-1 only if step i is linked to it. The t_i that minimises the cost is a linear law
+// of p_i.
 void ActiveSet::optimise() {
   fix_runs();
   const double q = window_.perceived_weight;

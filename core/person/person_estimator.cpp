@@ -87,7 +87,8 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
     return;
   }
   log_.close();
-  // If the target moves again before the person has responded, the response is to both moves, at the time of the first.
+  // If the target moves again before the person has responded, both moves are answered together, a reaction time after
+  // the first.
   if (!retarget_)
     retarget_ = {.time_s = time_s + tuning().reaction_time_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
   retarget_->virtual_direction_deg = virtual_direction_deg;

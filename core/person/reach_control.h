@@ -27,7 +27,7 @@ struct ReachControlConfig {
 /// Situation at the time of a plan, in addition to the filter's state. Positions are relative to the finger's rest.
 struct ReachOutlook {
   PlatePoint target;      ///< the real target
-  double line_deg;        ///< direction of the line to the target; the miss is measured across this line
+  double line_deg;        ///< direction of the target, seen from the start of the path; the miss is measured across it
   double dead_s;          ///< dead time: time from the state of the filter until a command given now affects the motion
   double felt_plate_deg;  ///< ridge normal whose effect the person perceives in the middle of the dead time
 };

@@ -14,7 +14,8 @@ namespace hrt {
 
 /// A move of both targets during a reach.
 struct TargetMove {
-  double at_share = 1.0;  ///< fraction of the distance to the real target at which the targets move
+  double at_share =
+      1.0;  ///< the targets move when the finger has covered this fraction of the distance to the real target
   PlatePoint by;
 };
 

@@ -20,7 +20,7 @@ constexpr double min_periods = 0.7;
 constexpr double min_separate_periods = 1.5;
 // Upper limit of an informative interval from 0, as a fraction of the total SD.
 constexpr double little = 0.7;
-// Outliers are further from the median of their rest than this many SDs.
+// A position is an outlier if it is more than this many SDs from the median position of the rest that it belongs to.
 constexpr double grossly_outlying = 6.0;
 // Median distance from the mean of normal noise in two coordinates, in SDs.
 constexpr double median_distance = 1.1774;

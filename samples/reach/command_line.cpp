@@ -40,8 +40,8 @@ struct Words {
 void add_reaches(CLI::App& app, Options& options, Words& words) {
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
   app.add_option("--plugin", options.plugin,
-                 "Plugin library [../lib/libhaptic_retargeting.so beside the folder of this program, if it exists\n"
-                 "there, else the installed library]");
+                 "Plugin library [../lib/libhaptic_retargeting.so, seen from the folder of this program, if it\n"
+                 "exists; else the installed library]");
   app.add_option("--target", options.targets, "Name of a virtual target to reach for; can be repeated [all targets]");
   app.add_option("--repeat", options.repeat, "Number of reaches for each target [1]")->check(CLI::Range(1, 1'000'000));
   app.add_option("--seed", options.seed, "Seed of a simulated user and of the noise [1]")
@@ -81,7 +81,8 @@ void add_controller(CLI::App& app, Options& options, Words& words) {
          "a known tactile weight, and steers in a fixed direction) [people]")
       ->check(CLI::IsMember({"people", "paper"}));
   app.add_option("--tactile-weight", options.tactile_weight,
-                 "Tactile weight w_T: initial estimate for people [0.2], constant for paper [0.15]")
+                 "Tactile weight w_T: initial estimate with --controller people [0.2], constant with\n--controller "
+                 "paper [0.15]")
       ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
   app.add_option("--motor-variance", options.motor_variance_deg2,
                  "Variance of motor noise that the paper's controller assumes, degrees squared per step [0.5]")

@@ -65,7 +65,8 @@ std::string measure_tracker(RunContext& context) {
   Point last{};
   while (bearings_deg.size() < reaches) {
     const bool is_first = bearings_deg.empty();
-    context.tell_user(format("Rest the finger in the first dimple (%zu of %zu).", bearings_deg.size() + 1, reaches));
+    context.tell_user(
+        format("Slide %zu of %zu: rest the finger in the first dimple.", bearings_deg.size() + 1, reaches));
     const Point from = next_rest(context, is_first ? nullptr : &last);
     context.tell_user("Slide the finger to the second dimple, and rest it there.");
     last = next_rest(context, &from);

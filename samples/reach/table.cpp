@@ -159,7 +159,7 @@ std::string calibration_text(const hrt_setup_result& result, const hrt_session_c
   return format("%u slides, of which %u were used\n", result.slides, result.slides_used) +
          line("tactile weight at 60 deg", result.tactile_weight, "") +
          line("largest feasible gap", result.max_gap_deg, "deg") + line("bias, left positive", result.bias_deg, "deg") +
-         format("%-34s %8.0f deg\n", "largest angle of plate and motion", config.person.motion_bound_deg) +
+         format("%-34s %8.0f deg\n", "largest allowed angle to the motion", config.person.motion_bound_deg) +
          format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker.noise_m) +
          format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker.correlated_noise_m) +
          lack_of_fit_text(result.lack_of_fit) +

@@ -356,11 +356,12 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_tar
 /** Reports that the finger has touched the real object. Call it at most once for each reach, before the next one
  *  begins. The contact reveals the error of the tracker's frame: from the next reach on,
  *  hrt_session_config::registration.contact_correction corrects the finger's positions, and the estimated bias of the
- *  user changes by the angle by which they rotate.
+ *  user changes by the angle of this correction.
  *
  *  @param contact  Position of contact. Null: the default.
  *  @return OUT_OF_RANGE naming the field, or the position if it is within 10 mm of the start or too far from the
- *          tracked position; WRONG_STATE without a reach, without HRT_SESSION_REGISTERED, or after a contact;
+ *          tracked position; WRONG_STATE without a present or ended reach, without HRT_SESSION_REGISTERED, or after a
+ *          contact of the same reach;
  *          INSUFFICIENT_DATA if the finger did not move.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) HRT_NOEXCEPT;

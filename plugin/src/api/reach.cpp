@@ -12,7 +12,7 @@ hrt_result hrt_flags_text(hrt_command_flags flags, uint64_t capacity, char* out_
     Text<400> words;
     for (const auto& [bit, word] : command_flag_words)
       if (flags & bit) words << (words.view().empty() ? "" : ", ") << word;
-    return write_text("the words", words.view(), capacity, out_text, out_length);
+    return write_text("the text of the flags", words.view(), capacity, out_text, out_length);
   });
 }
 

@@ -144,7 +144,7 @@ hrt_result read(const SessionModel& model, SetupPart part, const hrt_sample& giv
       read(mount, part == setup_guides ? TouchedFrame{} : model.control.touched, given, &out->on_plate));
   if (given.flags & HRT_SAMPLE_DIRECTION)
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", given.flags,
-                "; allowed: PLATE_POSITION or WORLD_POSITION, or none");
+                " and contains DIRECTION; a set-up needs positions: use PLATE_POSITION or WORLD_POSITION instead");
   out->time_ns = given.time_ns;
   out->in_plate = (given.flags & HRT_SAMPLE_PLATE_POSITION) != 0;
   out->off_plate = out->on_plate.off_plate;

@@ -42,8 +42,8 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
   HRT_RETURN_IF_FAILED(session.session().check_idle());
   if (capacity > 0 && !out_targets) return fail_of_null("out_targets");
   if (out_targets && capacity < scene.targets.size())
-    return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: 0, or at least ",
-                scene.targets.size(), ", the number of targets in the scene");
+    return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: at least ", scene.targets.size(),
+                ", the number of targets in the scene, or 0 with out_targets null");
   HRT_RETURN_IF_FAILED(check_value("plate_radius_m", Fields<hrt_session_config>::plate_radius_m, scene.plate.radius_m));
   SessionModel model = session.session().model();
   model.start_m = scene.start_m;

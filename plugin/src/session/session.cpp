@@ -118,7 +118,7 @@ hrt_result Session::start_at(const PlatePoint& finger, Reaching* reaching) const
 hrt_result Session::update(const FingerSample& sample, PlateCommand* out) {
   auto& reaching = std::get<Reaching>(state_);
   if (reaching.last_time_ns && sample.time_ns < *reaching.last_time_ns)
-    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: from the last sample's, ",
+    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: at least that of the last sample, ",
                 *reaching.last_time_ns);
   if (reaching.awaits_finger && sample.observation == Observation::position)
     HRT_RETURN_IF_FAILED(start_at(sample.position, &reaching));

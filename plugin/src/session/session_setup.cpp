@@ -128,7 +128,7 @@ hrt_result SessionSetup::check_shown(const SetupSample& sample) const {
 
 hrt_result SessionSetup::update(const SessionModel& model, const SetupSample& sample, SetupStep* out) {
   if (last_time_ns_ && sample.time_ns < *last_time_ns_)
-    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: from the last sample's, ",
+    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: at least that of the last sample, ",
                 *last_time_ns_);
   HRT_RETURN_IF_FAILED(check_shown(sample));
   if (!sample.tracked_mm || !repeated_.is_copy(sample.time_ns, *sample.tracked_mm)) setup_.update(sample);

@@ -17,7 +17,7 @@ namespace hrt::app {
   X(no_runtime,      5, "no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or one that does not start") \
   X(runtime_lacks,   6, "the runtime has no headless sessions or no hand tracking")                   \
   X(runtime_failed,  7, "the runtime failed, was lost too often, ended the session, or kept it from running") \
-  X(no_hand,         8, "a reach did not begin or end in time (the others count), or a set-up was not done") \
+  X(no_hand,         8, "a reach did not begin or end in time (the other reaches are in the summary), or a set-up was not done") \
   X(plate,           9, "the plate's device failed")                                                  \
   X(output,         10, "a file, or the standard output, cannot be written")                          \
   X(runtime_blocked, 11, "the runtime did not return from a call in time")                            \

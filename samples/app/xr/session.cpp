@@ -223,8 +223,8 @@ bool XrHeadlessSession::steps(XrTime time) {
   return is_step;
 }
 
-// Waits for a frame of the runtime. If its frames have no time (a headless session needs no frame loop), paces a frame
-// itself, at the runtime's present time.
+// Waits for a frame of the runtime, and returns its time. If the frames have no time (a headless session needs no frame
+// loop), waits for the next period of 90 Hz instead, and returns the runtime's present time.
 std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (!frames_have_times_) {
     own_frame_ = std::max(own_frame_ + own_frame_period, Clock::now());  // 90 Hz independently of the work in a frame

@@ -189,7 +189,8 @@ void Live::moment(const app::RunContext& context, const app::TargetPair& pair, c
     facts["path"] = facts["felt"] = "";
     finger_m_ = felt_m_ = moment.position_m;
   }
-  // The perceived path has the length of the smoothed true path, in the perceived directions.
+  // For each step of the finger of at least 2 mm, the perceived path has a step of this length in the perceived
+  // direction.
   constexpr double min_step_m = 0.002;
   const double step_m = app::distance_along_plate_m(moment.position_m, finger_m_);
   if (step_m >= min_step_m) {

@@ -29,7 +29,7 @@ struct Column {
 const Column session_columns[] = {
     {"participant", "integer", "", "number, from 1"},
     {"session", "integer", "", "number, from 1"},
-    {"subject", "text", "", "a person or a simulated participant (then it begins with `simulated`), and the tracker"},
+    {"subject", "text", "", "`a person` or `simulated` with its seed, then the tracker, if there is one"},
     {"level", "text", "", "level of the between-participants factor"},
 };
 

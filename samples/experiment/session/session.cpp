@@ -61,7 +61,7 @@ std::string invalid_reason(const Validity& rules, const ReachOutcome& outcome) {
   if (!outcome.has_ended) return "the reach did not end";
   const auto samples = static_cast<double>(std::max<std::int64_t>(1, outcome.summary.counts.samples));
   if (static_cast<double>(outcome.summary.counts.dropped_samples) > rules.max_dropped_share * samples)
-    return "the finger was not tracked";
+    return "too many samples were dropouts or outliers";
   if (outcome.duration_s < rules.min_s) return "the reach was too fast";
   return outcome.duration_s > rules.max_s ? "the reach was too slow" : "";
 }

@@ -81,8 +81,9 @@ class Subject {
   virtual std::optional<double> verify(const std::string&) { return 0.0; }
 
   virtual bool consents() = 0;
-  /// Runs one slide or touch of a set-up. Passes each sample to `use`, which returns the request of the next step, or
-  /// nullopt at the end of the slide. `number`: from 0. `from_ns`: time of the first sample, later than all before.
+  /// Runs one slide or touch of a set-up. Passes each sample to `use`, which returns the next step, or nullopt at the
+  /// end of the slide or touch. `number`: that of the slide or touch in the set-up, from 0. `from_ns`: time of the last
+  /// sample before; all samples must be later.
   virtual void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
                      const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) = 0;
   /// Asks a questionnaire. Returns whole numbers or texts.

@@ -207,9 +207,10 @@ Measurements commission(const Opener& open, const Dialogue& dialogue) {
     ask(*device, dialogue, "Keep your hands off the plate: it turns through its whole range. Press Enter to start.");
   Measurements found = measure(*device, dialogue.print);
   if (found.speed_deg_s.value > 1.1 * found.limits.speed_deg_s && !has_settings)
-    throw PlateFailure(Fault::device,
-                       format("turns at %.0f deg/s, but its profile allows only %.0f. Do not use this servo",
-                              found.speed_deg_s.value, found.limits.speed_deg_s));
+    throw PlateFailure(
+        Fault::device,
+        format("turns at %.0f deg/s, but its profile velocity is set to %.0f deg/s. Do not use this servo",
+               found.speed_deg_s.value, found.limits.speed_deg_s));
   const double ramp_ms = 500.0 * found.speed_deg_s.value / found.acceleration_deg_s2.value;  // part of the latency
   if (!has_settings) {
     widen(found.acceleration_deg_s2, acceleration_error * found.acceleration_deg_s2.value);

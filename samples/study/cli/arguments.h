@@ -78,11 +78,12 @@ CLI::Option* add_threads(CLI::App& app, std::uint64_t& threads);
 CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed);
 CLI::Option* add_trials(CLI::App& app, std::uint64_t& trials, const std::string& help);
 
-/// Adds --family, a list of different names of people_families(). `standard`: description of the default in the help.
+/// Adds --family, a list of names of people_families() without repetition. `standard`: description of the default in
+/// the help.
 CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>& families, const std::string& standard,
                           const std::string& help);
 
-/// Adds an option for a list of different traits of the controller's model.
+/// Adds an option for a list of traits of the controller's model, without repetition.
 CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonState::Index>& traits,
                         const std::string& standard, const std::string& help);
 

@@ -89,7 +89,7 @@ std::string calibration_text(const CalibrationReport& report) {
     text += trait.interval.known
                 ? value_row(trait.words, trait.interval, trait.decimals)
                 : row(trait.words, "not determined", "best fit " + cell(trait.interval.value, trait.decimals));
-  return text + row("its angle between plate and motion, °", cell(calibration.peak_offset_deg, 0), "") +
+  return text + row("plate to motion at the largest gap, °", cell(calibration.peak_offset_deg, 0), "") +
          fit_text(calibration) + "\nThe method has been tested with simulated people only; there was no human trial.\n";
 }
 

@@ -178,10 +178,10 @@ std::string condition_words(const RobustnessStudy& study) {
   return fmt::format(
       "At most {} people of each family at each duration, seed {}. {} Our controller does not know the duration.",
       study.options.people, study.options.seed,
-      has_families
-          ? "Unless the description of a family states otherwise: 100 mm, a gap of 10°, w_T from 0.12 to 0.30, "
-            "tracker noise of 1.2 mm at 90 Hz, a servo with 400°/s and a latency of 30 ms."
-          : "The file of --person defines the person.");
+      has_families ? "Unless the description of a family states otherwise: reaches of 100 mm, a gap of 10°, w_T from "
+                     "0.12 to 0.30, "
+                     "tracker noise of 1.2 mm at 90 Hz, a servo with 400°/s and a latency of 30 ms."
+                   : "The file of --person defines the person.");
 }
 
 std::string informed_of(const RobustnessStudy& study) {

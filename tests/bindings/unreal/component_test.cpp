@@ -228,7 +228,7 @@ TEST_F(Component, TakesTheEstimatesOfAReach) {
   ASSERT_TRUE(component_.EndReach(summary));
   EXPECT_EQ(component_.Settings.PlateMaxSpeed, 123);
   EXPECT_EQ(component_.Settings.PlateRadius, 7.5);
-  EXPECT_NEAR(component_.Settings.TactileWeight, summary.TactileWeight, 0.01);  // filtered again after the reach
+  EXPECT_NEAR(component_.Settings.TactileWeight, summary.TactileWeight, 0.01);  // a second pass of the filter estimates it
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }
 

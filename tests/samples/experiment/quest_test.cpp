@@ -16,7 +16,7 @@ namespace {
 using app::QuestPlus;
 using app::right_share;
 
-// By hand: 1 - l - (1/2 - l) / e at the threshold; 1/2 far below it; 1 - l far above it.
+// By hand, for a lapse rate of 0.02: 0.98 - 0.48 / e at the threshold; 0.5 far below it; 0.98 far above it.
 TEST(ExperimentQuest, ProbabilityOfACorrectAnswer) {
   EXPECT_NEAR(right_share(10, 10, 3, 0.02), 0.98 - 0.48 * 0.36787944117144233, 1e-15);
   EXPECT_NEAR(right_share(1e-9, 10, 2, 0.02), 0.5, 1e-12);

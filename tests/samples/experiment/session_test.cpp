@@ -274,7 +274,7 @@ TEST(ExperimentSession, InvalidReaches) {
   run_simulated(twice, some.path);
   const std::string rows = lasting_columns(twice, some.path);
   EXPECT_TRUE(has(rows, ",missing,"));
-  EXPECT_TRUE(has(rows, ",the finger was not tracked,"));
+  EXPECT_TRUE(has(rows, ",too many samples were dropouts or outliers,"));
   const Design never = small_design(2, [](json& s) {
     s["simulated"]["invalid_share"] = 0.5;
     s["stop"] = {{"max_invalid_in_a_row", 1}};
