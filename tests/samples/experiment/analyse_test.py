@@ -1,7 +1,7 @@
 """Tests the registered tests by hand and on simulated studies with and without an effect (HRT_EXPERIMENT_STUDIES sets their number), then complete
 studies of simulated people, from the design to the report.
 
-    analyse_test.py samples/experiment PROGRAM
+    analyse_test.py samples/experiment PROGRAM [statistics] [studies]    default: both
 """
 import hashlib
 import importlib.machinery
@@ -421,16 +421,9 @@ def test_bids(data, conditions):
     print("BIDS checked by bids-validator" if validator else "BIDS checked without bids-validator, which npm could not install")
 
 
-test_by_hand()
-test_participants()
-test_threshold()
-test_psychometric()
-test_outcomes()
-test_level_and_coverage()
-test_mixed_model()
-test_own_data()
-test_population()
-test_whole_studies()
-test_power()
-test_a_whole_study()
-test_report()
+TESTS = {"statistics": (test_by_hand, test_participants, test_threshold, test_psychometric, test_outcomes, test_level_and_coverage, test_mixed_model,
+                        test_own_data, test_population),
+         "studies": (test_whole_studies, test_power, test_a_whole_study, test_report)}
+for group in sys.argv[3:] or TESTS:
+    for test in TESTS[group]:
+        test()
