@@ -53,7 +53,7 @@ class StepClock {
   /// Advances to the next step without a time.
   void count() { ++step_; }
 
-  /// Limit of the steps that advance() ends one by one: after so many steps without a sample, the model has settled.
+  /// Maximum number of steps that advance() ends one by one; without samples, the model has settled after them.
   static constexpr std::uint64_t max_catch_up_steps = 64;
 
  private:

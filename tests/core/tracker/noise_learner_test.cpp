@@ -53,7 +53,8 @@ TEST(NoiseLearner, TwoPositions_GiveTheHandCalculatedVariance) {
   EXPECT_EQ(learner.noise().white_mm, TrackerNoise{}.white_mm) << "one difference does not change the estimate";
 }
 
-// A position 3 mm off the line between its neighbours: 9 / 1.5 mm^2 in one coordinate and 0 in the other, mean 3.
+// The middle position is 3 mm from the line through its neighbours. The variance is 9 / 1.5 mm^2 across this line and 0
+// along it, with a mean of 3 mm^2.
 TEST(NoiseLearner, ABentMotion_GivesTheHandCalculatedVariance) {
   RecentPlaces<PlatePoint> places;
   NoiseLearner<PlatePoint> learner;
