@@ -1,4 +1,4 @@
-// Sets the floating-point mode in which the library is tested, and restores that of the host's thread. With another
+// Sets the floating-point mode in which the library is tested, and restores the mode of the host's thread. With another
 // rounding mode, results would differ in their last bits; a trap would terminate the host at an intermediate infinity.
 #pragma once
 
@@ -10,8 +10,7 @@
 
 namespace hrt::plugin {
 
-/// During its lifetime, arithmetic rounds to nearest and, with SSE, exceptions are masked. Takes a few nanoseconds if
-/// the host's mode is the same.
+/// During its lifetime, arithmetic rounds to nearest and, with SSE, floating-point exceptions are masked.
 class FloatingPointModeGuard {
  public:
   FloatingPointModeGuard() {

@@ -26,10 +26,10 @@ hrt_result check_struct_size(const char* name, std::uint32_t size) {
   if (size >= sizeof(Struct) && size <= max_struct_size && size % alignment == 0) return HRT_OK;
   return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; allowed: multiples of ", alignment, " from ",
               sizeof(Struct), ", the size in this library, to ", max_struct_size,
-              ". Build with the headers of this library, and set it by the _init() function of the struct");
+              ". Build with the headers of this library, and set struct_size by the _init() function of the struct");
 }
 
-/// Reads a struct of this version, or of a later one whose further bytes are 0, into `*known`.
+/// Copies a struct of this version, or of a later version whose additional bytes are 0, into `*known`.
 template <class Struct>
 hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
   if (!given) return fail_of_null(name);
@@ -63,7 +63,7 @@ hrt_result check_output(const char* name, const Struct* out) {
   return check_struct_size<Struct>(name, size);
 }
 
-/// Completes a struct of `size` bytes whose known fields are written: sets struct_size, and the unknown bytes to 0.
+/// Completes a struct of `size` bytes whose known fields are written: sets struct_size to `size`, unknown bytes to 0.
 template <class Struct>
 void end_struct(std::uint32_t size, Struct* out) {
   std::memset(reinterpret_cast<char*>(out) + sizeof(Struct), 0, size - sizeof(Struct));
@@ -91,7 +91,7 @@ hrt_result check_range(const char* field, Number value, Number low, Number high,
 
 inline hrt_result check_zero(const char* field, std::uint32_t value) {
   if (value == 0) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; it must be 0");
+  return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; allowed: 0");
 }
 
 /// Writes a text into a caller's buffer. `what` names the text in the error for a buffer that is too small.
@@ -101,8 +101,8 @@ inline hrt_result write_text(const char* what, std::string_view text, std::uint6
   if (capacity > 0) {
     if (!out_text) return fail_of_null("out_text");
     if (capacity <= text.size())
-      return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: 0, or at least ", text.size() + 1,
-                  ", for ", what, " with its terminating zero");
+      return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: at least ", text.size() + 1,
+                  " for ", what, " with its terminating zero, or 0 for its length only");
     std::memcpy(out_text, text.data(), text.size());
     out_text[text.size()] = '\0';
   }
@@ -112,10 +112,10 @@ inline hrt_result write_text(const char* what, std::string_view text, std::uint6
 
 inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
   if ((flags & ~known) == 0) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the bits of ", known);
+  return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the known flags, which are the bits of ", known);
 }
 
-/// Fails unless the value is within the field's range. `name` is its name in the error text.
+/// Fails unless the value is within the field's range. `name` is the name of the field in the error text.
 template <class S, class T>
 hrt_result check_value(const char* name, const Field<S, T>& field, const T& value) {
   if constexpr (std::is_array_v<T>) {
@@ -152,7 +152,7 @@ hrt_result check_fields(const S& values) {
   return result;
 }
 
-/// Checks a name in a struct of the host: UTF-8 without control characters. Sets the bytes after its end to 0.
+/// Checks a name in a struct of the host: UTF-8 without control characters. Sets the bytes after the name to 0.
 inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
   const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
   if (!end)

@@ -1,5 +1,5 @@
-// Errors: a code for the caller, and a text for hrt_last_error(). Uses no heap, lock or locale, because real-time calls
-// report errors too.
+// Errors: a code for the caller, and a text for hrt_last_error(), set without heap, lock or locale, because real-time
+// calls report errors too.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,7 @@ hrt_result guarded(const char* call, Body&& body) noexcept {
   try {
     return body();
   } catch (const std::bad_alloc&) {
-    return fail(HRT_ERROR_OUT_OF_MEMORY, "memory is exhausted; release some and call again");
+    return fail(HRT_ERROR_OUT_OF_MEMORY, "memory is exhausted; release memory and call again");
   } catch (const std::system_error& error) {
     return fail(HRT_ERROR_SYSTEM, error.what());
   } catch (const std::exception& error) {

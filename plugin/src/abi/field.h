@@ -1,6 +1,5 @@
-// Properties of the fields of the C interface: name, range, whether profiles contain it. plugin/bindings/generate
-// writes generated/fields.h from api.json, which specialises Fields for every struct, and `defaults` for
-// configurations.
+// Properties of the fields of C structs: name, range, use in profiles. plugin/bindings/generate writes
+// generated/fields.h from api.json: it specialises Fields for every struct, and `defaults` for configurations.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +21,7 @@ struct Field {
   const char* name;
   std::size_t offset;
   FieldKind kind = FieldKind::free;
-  Number low = 0, high = 0;  ///< range of a number, or of each element of an array; for flags, `high` has all bits
+  Number low = 0, high = 0;  ///< range of a number, or of each element of an array; of flags, `high` has all known bits
   bool zero = false;         ///< 0 is allowed in addition to the range
   bool (*in_profile)(const S&) = nullptr;
   bool optional = false;  ///< true if the field may be missing in a profile
@@ -31,7 +30,7 @@ struct Field {
   const T& of(const S& values) const { return of(const_cast<S&>(values)); }
 };
 
-/// The range of one element of an array.
+/// Name and range of one element of an array.
 struct Element {
   const char* name;
   double low, high;
@@ -43,7 +42,7 @@ struct Call {
   std::string_view parameters;
 };
 
-/// A constant of type Field for each field except `struct_size`, and the tuple `all` of them.
+/// Has a constant of type Field for each field of S except `struct_size`, and the tuple `all` of these constants.
 template <class S>
 struct Fields;
 template <class S>
@@ -70,7 +69,7 @@ bool is_set(const S& values) {
   return is_not_zero(Field<S, T>{.name = "", .offset = offset}.of(values));
 }
 
-/// Visits every field of a struct that is not reserved.
+/// Calls `visit` for every field of the struct S, except reserved fields.
 template <class S, class Visit>
 constexpr void for_each_field(Visit&& visit) {
   std::apply([&](const auto&... field) { ((field.kind == FieldKind::reserved ? void() : visit(field)), ...); },

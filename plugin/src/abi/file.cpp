@@ -30,7 +30,7 @@ constexpr int to_write = _O_WRONLY | _O_CREAT | _O_BINARY | _O_NOINHERIT;
 
 int open_descriptor(const char* path, int flags) {
   int descriptor = -1;
-  // A second writer is denied by the system.
+  // The system denies a second writer.
   _wsopen_s(&descriptor, path_of(path).c_str(), flags, flags == to_write ? _SH_DENYWR : _SH_DENYNO,
             _S_IREAD | _S_IWRITE);
   return descriptor;
@@ -95,7 +95,7 @@ bool means_taken() { return false; }
 constexpr std::size_t max_at_once = INT_MAX;
 
 hrt_result fail_as_not_regular(const char* path) {
-  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": not a regular file; name another one");
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": not a regular file; name another file");
 }
 
 hrt_result fail_as_taken(const char* path) {

@@ -1,4 +1,4 @@
-// Files, whose paths come in UTF-8 on every system.
+// Files. Their paths are in UTF-8 on every system.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace hrt::plugin {
 
 /// Converts a path in UTF-8. Necessary on Windows, where paths of char are in a code page that depends on the machine.
-/// Throws std::system_error there if `utf8` is not UTF-8.
+/// On Windows, throws std::system_error if `utf8` is not UTF-8.
 inline std::filesystem::path path_of(const char* utf8) { return reinterpret_cast<const char8_t*>(utf8); }
 
 /// A regular file, in binary mode and without a buffer. Programs that the process starts do not inherit it.
@@ -29,11 +29,11 @@ class File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
-  /// Opens a file of at most `max_size` bytes for reading. Fails naming the path and the reason. Never blocks: fails
-  /// for a pipe.
+  /// Opens a file of at most `max_size` bytes for reading. Fails, naming the path and the reason, also for a pipe,
+  /// which could block.
   static hrt_result open(const char* path, std::uint64_t max_size, File* out);
-  /// Creates a file for writing, or opens an existing one without changing it. Fails if a recording of this or another
-  /// process is written to it.
+  /// Creates a file for writing, or opens an existing one without changing it. Fails if this or another process is
+  /// writing a recording to the file.
   static hrt_result create(const char* path, File* out);
 
   /// Reads into the beginning of `out`. Returns the number of bytes; 0 at the end; negative on failure, with errno set.
@@ -42,7 +42,7 @@ class File {
   int clear();
   /// Writes all of `text`. Returns 0 or errno.
   int write(std::string_view text);
-  /// Unlocks the file for other writers, even while a child of this process has it open.
+  /// Unlocks the file for other writers, also if a child of this process has inherited it, and closes it.
   void release();
 
  private:

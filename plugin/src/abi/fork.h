@@ -1,11 +1,11 @@
-// Detects children of a fork, which have the memory of the process and none of its other threads.
+// Detects forked children: they have a copy of the process's memory, but of its threads only the one that forked.
 #pragma once
 
 #include <cstdint>
 
 namespace hrt::plugin {
 
-/// Starts the count of forks(). Throws std::bad_alloc.
+/// Starts to count for forks(). Throws std::bad_alloc.
 void watch_forks();
 
 /// Returns the number of forks between the process that called watch_forks() and this one. Real-time.

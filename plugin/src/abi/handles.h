@@ -11,9 +11,9 @@
 
 namespace hrt::plugin {
 
-/// Up to `capacity` objects. A handle contains the index of a slot and the slot's generation, which increases with
-/// every object in the slot, so that a stale handle is invalid. Handles of tables with different `kind` differ. Any
-/// member may be called from any thread; an object is in use by one call at a time.
+/// A table of up to `capacity` objects. A handle contains the index of a slot and the slot's generation, which
+/// increases with every object in the slot, so that a stale handle is invalid. Handles of tables with different `kind`
+/// differ. All functions may be called on any thread; only one call at a time can use an object.
 template <class Object, std::size_t capacity, std::uint8_t kind>
 class HandleTable {
   // A handle, from its highest bit: the kind, the slot's generation, the slot's index.
@@ -54,7 +54,7 @@ class HandleTable {
   }
 
  private:
-  // Bits of a slot's state: a call uses its object; it has an object; from generation_shift, its generation.
+  // Bits of a slot's state: `busy` while a call uses the object, `live` while there is one; above, the generation.
   static constexpr std::uint64_t busy = 1;
   static constexpr std::uint64_t live = 2;
   static constexpr int generation_shift = 2;

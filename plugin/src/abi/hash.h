@@ -14,7 +14,7 @@ class Hash {
   void add(std::string_view bytes) {
     for (const char byte : bytes) add_byte(static_cast<unsigned char>(byte));
   }
-  /// Least significant byte first.
+  /// Adds 8 bytes, the least significant one first.
   void add(std::uint64_t value) {
     for (int byte = 0; byte < 8; ++byte) add_byte(value >> (8 * byte) & 0xff);
   }

@@ -7,16 +7,16 @@
 
 namespace hrt::plugin {
 
-/// The log of one session; null: the session uses that of the process.
+/// The log of one session. If `log` is null, the session uses the log of the process.
 struct SessionLog {
   void* context = nullptr;
   void (*log)(void* context, std::uint32_t level, const char* text) = nullptr;
 };
 
-/// Writes to the log of the session or, if it has none, to that of the process. Any thread; takes a lock.
+/// Writes to the log of the session or, if the session has none, to the log of the process. Any thread; takes a lock.
 void write_log(std::uint32_t level, const char* text, const SessionLog& of_session = {});
 
-/// Sets the log of a session. Waits for a running write_log().
+/// Sets the log of a session. Waits for the end of a write_log() on another thread.
 void set_log(SessionLog* of_session, const hrt_host& host);
 
 /// Constructs the mutex of write_log() again, in a forked child: a thread of the parent may have held it.

@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Starts a thread that blocks all signals, so that the host's threads receive those of the process.
+/// Starts a thread that blocks all signals, so that only the host's threads receive signals.
 template <class Run>
 std::thread start_thread_with_signals_blocked(Run run) {
 #if defined(_WIN32)
@@ -20,7 +20,7 @@ std::thread start_thread_with_signals_blocked(Run run) {
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
   const auto restore = [](const sigset_t* mask) { pthread_sigmask(SIG_SETMASK, mask, nullptr); };
-  const std::unique_ptr<const sigset_t, decltype(restore)> restored(&before, restore);  // even if std::thread throws
+  const std::unique_ptr<const sigset_t, decltype(restore)> restored(&before, restore);  // also if std::thread throws
   return std::thread(run);
 #endif
 }

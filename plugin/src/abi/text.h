@@ -58,7 +58,7 @@ class Text {
     return *this << beginning << (beginning.size() < shown.text.size() ? "..." : "");
   }
 
-  /// Appends a number by write_number(), or NaN, Inf or -Inf.
+  /// Appends a number in its shortest form, or NaN, Inf or -Inf.
   template <class Number>
     requires std::is_arithmetic_v<Number>
   Text& operator<<(Number number) {

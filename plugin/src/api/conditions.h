@@ -10,7 +10,7 @@
 
 namespace hrt::plugin {
 
-/// Checks the fields. Sets the bytes after the ends of the names to 0.
+/// Checks the fields. Sets `differing` and the bytes after the names to 0.
 inline hrt_result check_conditions(hrt_conditions* conditions) {
   HRT_RETURN_IF_FAILED(check_field(*conditions, Fields<hrt_conditions>::time_s));
   HRT_RETURN_IF_FAILED(check_name("plate", conditions->plate));
@@ -22,11 +22,11 @@ inline hrt_result check_conditions(hrt_conditions* conditions) {
 class Conditions {
  public:
   void set_now(const hrt_conditions& checked) { now_ = checked; }
-  /// Sets the conditions of a profile; all 0 and empty if it has none.
+  /// Sets the conditions of a loaded profile. A profile without conditions has 0 and empty names.
   void set_measured(const hrt_conditions& checked) { measured_ = checked; }
   void measured_now() { measured_ = now_; }
 
-  /// Conditions of the measurement, compared with the present ones.
+  /// Returns the conditions of the measurement; `differing` compares them with the present conditions.
   hrt_conditions measured() const {
     hrt_conditions measured = measured_;
     measured.struct_size = sizeof measured;

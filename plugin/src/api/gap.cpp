@@ -29,7 +29,7 @@ hrt_result find_targets(const Targets& targets, const char* argument, const hrt_
   std::sort(ids.begin(), ids.end());
   const auto twice = std::adjacent_find(ids.begin(), ids.end());
   if (twice == ids.end()) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", *twice, " appears twice; name each target once");
+  return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", *twice, " appears twice; pass each target once");
 }
 
 }  // namespace

@@ -80,7 +80,9 @@ hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed, hrt
     if (config) HRT_RETURN_IF_FAILED(read_struct("config", config, &known));
     HRT_RETURN_IF_FAILED(check_fields(known));
     const std::uint64_t handle = people.insert(made(known, seed));
-    if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_PEOPLE_MAX, " people; destroy one first");
+    if (handle == 0)
+      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_PEOPLE_MAX,
+                  " simulated people, the maximum; destroy one first");
     out_person->value = handle;
     return HRT_OK;
   });

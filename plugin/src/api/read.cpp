@@ -39,7 +39,7 @@ hrt_result check_sample(const hrt_sample& sample) {
   const std::uint32_t finger = sample.flags & finger_flags;
   if ((finger & (finger - 1)) != 0)
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
-                "; allowed: one of DIRECTION, PLATE_POSITION and WORLD_POSITION, or none");
+                "; allowed: at most one of DIRECTION, PLATE_POSITION and WORLD_POSITION");
   if (finger == HRT_SAMPLE_DIRECTION)
     HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::finger_direction_deg));
   else if (finger != 0)
@@ -69,7 +69,7 @@ Vec3 skin_m(const PlateMount& mount, const hrt_sample& sample) {
 hrt_result check_rotation(const char* field, const double (&q)[4]) {
   if (is_unit(to_quaternion(q))) return HRT_OK;
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is (", q[0], ", ", q[1], ", ", q[2], ", ", q[3],
-              "); allowed: length 1 within 0.001");
+              "); allowed: a quaternion of length 1, within 0.001");
 }
 
 hrt_result check_distance_from_plate(Vec3 position_m) {
@@ -94,7 +94,7 @@ hrt_result read(const hrt_target_config& given, Target* out) {
   }
   HRT_RETURN_IF_FAILED(check_field(given, F::radius_m));
   if (given.role == HRT_TARGET_REAL && given.served_by.value != 0)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "served_by is ", given.served_by.value, "; it must be 0 for a real target");
+    return fail(HRT_ERROR_OUT_OF_RANGE, "served_by is ", given.served_by.value, "; allowed for a real target: 0");
   char name[HRT_NAME_SIZE];
   std::memcpy(name, given.name, sizeof name);
   HRT_RETURN_IF_FAILED(check_name("name", name));
@@ -181,7 +181,7 @@ hrt_result read(const hrt_contact& given, ContactReport* out) {
   HRT_RETURN_IF_FAILED(check_field(given, F::flags));
   if (given.flags == either)
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", given.flags,
-                "; allowed: one of PLATE_POSITION and WORLD_POSITION, or none");
+                "; allowed: at most one of PLATE_POSITION and WORLD_POSITION");
   ContactReport report;
   if (given.flags != 0) {
     HRT_RETURN_IF_FAILED(check_field(given, F::position_m));
@@ -200,7 +200,7 @@ hrt_result read(const hrt_setup_config& given, SetupConfig* out) {
   HRT_RETURN_IF_FAILED(check_fields(given));
   if (given.upper_plate_deg - given.lower_plate_deg < min_plate_range_deg)
     return fail(HRT_ERROR_OUT_OF_RANGE, "upper_plate_deg is ", given.upper_plate_deg, "; allowed: at least ",
-                min_plate_range_deg, " above lower_plate_deg, ", given.lower_plate_deg);
+                given.lower_plate_deg + min_plate_range_deg, ", which is lower_plate_deg plus ", min_plate_range_deg);
   if (given.mark_count > 0 && given.check_mark >= given.mark_count)
     return fail(HRT_ERROR_OUT_OF_RANGE, "check_mark is ", given.check_mark, "; allowed: less than mark_count, ",
                 given.mark_count);

@@ -10,7 +10,7 @@ namespace hrt::plugin {
 /// Fails, naming `field`, unless `rotation` is a unit quaternion.
 hrt_result check_rotation(const char* field, const double (&rotation)[4]);
 
-/// Fails unless a target at `position_m`, in plate coordinates, is near enough to the plate.
+/// Fails unless a target at `position_m`, in plate coordinates, is within 10 m of the plate's centre.
 hrt_result check_distance_from_plate(Vec3 position_m);
 
 hrt_result read(const hrt_session_config& given, SessionModel* out);

@@ -203,8 +203,8 @@ void RecordedSession::log_findings(std::uint64_t handle) {
   if (registration_was_poor_ && !logged_registration_) {
     Text<240> text;
     text << "session " << handle
-         << ": in a reach, the registration of the plate was missing, or older or less accurate than allowed; "
-            "run HRT_SETUP_REGISTRATION or HRT_SETUP_CHECK";
+         << ": in a reach, the registration of the plate was missing, or older or less accurate than the configuration "
+            "allows; run HRT_SETUP_REGISTRATION or HRT_SETUP_CHECK";
     write_log(HRT_LOG_WARNING, text.c_str(), log_);
     logged_registration_ = true;
   }
@@ -218,8 +218,8 @@ void RecordedSession::log_findings(std::uint64_t handle) {
   if (!had_fault_ || logged_fault_) return;
   Text<240> text;
   text << "session " << handle
-       << ": a value of a command or summary was not finite; the plate was held, and nothing was learnt from the "
-          "reach. This is a defect of the library: report it";
+       << ": a value of a command or summary was not finite; the plate did not turn, and the reach changed no "
+          "estimates. This is a defect of the library: report it";
   write_log(HRT_LOG_ERROR, text.c_str(), log_);
   logged_fault_ = true;
 }

@@ -60,16 +60,16 @@ class RecordedSession {
   /// Logs a warning if the conditions under which the user was measured differ from the present ones.
   void log_conditions(std::uint64_t handle) const;
 
-  /// Sets the session's log to that of `host`. If it is null, the session uses that of the process.
+  /// Sets the session's log to `host.log`. If `host.log` is null, the session uses the log of the process.
   void set_log(const hrt_host& host) { plugin::set_log(&log_, host); }
 
-  /// HRT_STATE_*.
+  /// Returns flags HRT_STATE_*.
   std::uint32_t state() const;
 
-  /// `handle` identifies the session in the log.
+  /// Starts to record calls into a file. `handle` identifies the session in the log.
   hrt_result start_recording(const char* path, std::uint64_t handle);
   hrt_result check_recording() const;
-  /// These require that check_recording() succeeds.
+  /// The next three functions require that check_recording() succeeds.
   hrt_recording_status recording_status() { return recorder_->status(); }
   hrt_recording_status flush_recording() { return recorder_->flush(); }
   hrt_recording_status stop_recording();

@@ -89,11 +89,11 @@ class Replay {
     if (starts_with_and_drops(text, "# haptic retargeting recording, version ") &&
         read_number(text.substr(0, text.find('\n')), &version) && version != 4)
       return fail(HRT_ERROR_BAD_FORMAT, "version ", version, " is not supported; allowed: version 4");
-    return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin with the header of version 4; pass a recording");
+    return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin like a recording of version 4; pass a recording");
   }
 
   hrt_result take(std::string_view line) {
-    if (ended_) return fail(HRT_ERROR_BAD_FORMAT, "this line follows the end line; remove it");
+    if (ended_) return fail(HRT_ERROR_BAD_FORMAT, "this line follows the line \"# end\"; remove this line");
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
@@ -181,7 +181,7 @@ class Replay {
     return HRT_OK;
   }
 
-  // These repeat a call, and replace the recorded result by the new one.
+  // The overloads of call_again() repeat a call, and replace the recorded result by the new one.
   void call_again(ReachBegun& call, hrt_result* result) {
     const hrt_reach_config config{.struct_size = sizeof config,
                                   .flags = call.flags,
@@ -212,7 +212,7 @@ class Replay {
   void call_again(SetupUpdated& call, hrt_result* result) { *result = session_->update_setup(call.sample, &call.step); }
   void call_again(SetupFinished& call, hrt_result* result) { *result = session_->finish_setup(&call.result); }
   void call_again(SetupCancelled&, hrt_result* result) { *result = session_->cancel_setup(); }
-  // Comment lines of the file hold these records; read_row() returns none of them.
+  // The next four records are comment lines of the file, which read_row() does not return.
   static void call_again(const ConfigSet&, hrt_result*) {}
   static void call_again(const TargetChanged&, hrt_result*) {}
   static void call_again(const InitialPlateOrientation&, hrt_result*) {}
@@ -239,7 +239,7 @@ class Replay {
                             .hash = 0,
                             .ending = HRT_ENDING_CUT,
                             .reserved = 0};
-  Hash checksum_;  // of the preceding lines
+  Hash checksum_;  // checksum of the preceding lines
   std::uint64_t line_number_ = 0;
   bool ended_ = false;
 };
@@ -276,7 +276,7 @@ hrt_result hrt_recording_replay(const char* path, const char* text, uint64_t len
     hrt_replay_report report{};
     std::string read;
     if (!text) HRT_RETURN_IF_FAILED(read_file(path, &read));
-    const ThreadError before = thread_error;  // recorded calls that failed also fail in the replay
+    const ThreadError before = thread_error;  // recorded calls that failed also fail in the replay, and set the error
     HRT_RETURN_IF_FAILED(Replay().run(text ? std::string_view(text, static_cast<std::size_t>(length)) : read, &report));
     thread_error = before;
     write_struct(report, out_report);

@@ -31,8 +31,9 @@ void log_far_targets(const Scene& scene, std::string_view file) {
   if (first == scene.targets.end()) return;
   Text<400> text;
   text << Shown{file} << ": " << std::count_if(first, scene.targets.end(), is_far)
-       << " of the targets are further than ten plate radii (" << far_m << " m) from the plate, the first one \""
-       << Shown{first->name} << "\" at " << length(first->position_m) << " m; check that the file is in metres";
+       << " of the targets are further than ten plate radii (" << far_m
+       << " m) from the plate, the first of these targets, \"" << Shown{first->name} << "\", at "
+       << length(first->position_m) << " m; check that the file is in metres";
   write_log(HRT_LOG_WARNING, text.c_str());
 }
 
@@ -91,10 +92,11 @@ hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length, 
       }
       log_far_targets(*scene, path);
       const std::uint64_t handle = scenes.insert(std::move(scene));
-      if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SCENES_MAX, " scenes; destroy one first");
+      if (handle == 0)
+        return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SCENES_MAX, " scenes, the maximum; destroy one first");
       out_scene->value = handle;
       return HRT_OK;
-    } catch (const hrt::SceneError& error) {  // its text begins with the path
+    } catch (const hrt::SceneError& error) {  // the text of the error begins with the path
       const std::string_view what = error.what();
       if (!what.starts_with(path)) return fail(HRT_ERROR_BAD_FORMAT, what);
       return fail(HRT_ERROR_BAD_FORMAT, Shown{path}, what.substr(std::strlen(path)));

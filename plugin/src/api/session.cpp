@@ -16,7 +16,7 @@ constinit Sessions sessions("session");
 
 namespace {
 
-// Versions that differ in the patch number have the same interface.
+// Versions that differ only in the patch number have the same interface.
 hrt_result check_version(std::uint32_t version) {
   constexpr std::uint32_t patches = 100;
   if (version / patches == HRT_VERSION / patches) return HRT_OK;
@@ -52,7 +52,7 @@ hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config
     HRT_RETURN_IF_FAILED(read_or_default(config, &model));
     const std::uint64_t handle = sessions.insert(std::make_unique<RecordedSession>(model));
     if (handle == 0)
-      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SESSIONS_MAX, " sessions; destroy one first");
+      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SESSIONS_MAX, " sessions, the maximum; destroy one first");
     out_session->value = handle;
     return HRT_OK;
   });

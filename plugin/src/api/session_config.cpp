@@ -43,7 +43,7 @@ static_assert(static_cast<int>(Adaptation::carried) == HRT_ADAPTATION_CARRIED &&
               static_cast<int>(Adaptation::reach) == HRT_ADAPTATION_REACH);
 static_assert(HRT_CONTROL_MPC == 0 && HRT_GUIDANCE_FIXED_DIRECTION == 0);
 
-// Calls visit(a, b) for each pair of numbers that are the same in the struct and in the model.
+// Calls visit(a, b) for each number that the struct and the model both have in the same unit.
 template <class Config, class Model, class Visit>
 void visit_pairs(Config& config, Model& model, Visit&& visit) {
   auto& control = model.control;
@@ -120,8 +120,8 @@ hrt_result is_no_covariance(const char* field, const char* kind) {
 hrt_result read_plate(const hrt_session_plate& given, RetargeterConfig* control) {
   if (given.lower_stop_deg != 0.0 || given.upper_stop_deg != 0.0) {
     if (given.upper_stop_deg - given.lower_stop_deg < 180.0)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", given.upper_stop_deg,
-                  "; allowed: at least 180 above plate_lower_stop_deg, ", given.lower_stop_deg, ", or both 0");
+      return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", given.upper_stop_deg, "; allowed: at least ",
+                  given.lower_stop_deg + 180.0, ", which is plate_lower_stop_deg plus 180; or both stops 0");
     control->plate.stops = {.lower_deg = given.lower_stop_deg, .upper_deg = given.upper_stop_deg};
   }
   control->plate.max_speed_deg_s = limit_or_none(given.max_speed_deg_s);

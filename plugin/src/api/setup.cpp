@@ -48,8 +48,7 @@ hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide, hrt_setup
     HRT_RETURN_IF_FAILED(check_output("out_residual", out_residual));
     const std::vector<hrt::CalibratedSlide>& slides = s.session().slides();
     if (slides.empty())
-      return fail(HRT_ERROR_WRONG_STATE,
-                  "no set-up of this session has calibrated yet; run HRT_SETUP_CALIBRATION first");
+      return fail(HRT_ERROR_WRONG_STATE, "the session has no slides of a calibration; run HRT_SETUP_CALIBRATION first");
     HRT_RETURN_IF_FAILED(check_range("slide", slide, 0u, static_cast<std::uint32_t>(slides.size()) - 1));
     write_struct(to_c(slides[slide]), out_residual);
     return HRT_OK;

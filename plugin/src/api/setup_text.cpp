@@ -15,11 +15,11 @@ constexpr const char* problem_texts[] = {
     "",
     "The slide was too fast. Please move more slowly. ",
     "The slide was too slow. Please move faster. ",
-    "The finger stopped before the end. Please slide without a stop. ",
+    "The finger stopped during the slide. Please slide without a stop. ",
     "The finger left the plate. Please keep it on the plate. ",
-    "The tracker lost the finger. Please keep your hand in its view. ",
+    "The tracker lost the finger. Please keep your hand in view of the tracker. ",
     "The plate moved during the slide. Please repeat the slide. ",
-    "The plate does not turn as commanded. Please ask the supervisor to check it. ",
+    "The plate does not turn as commanded. Please ask the supervisor to check the plate. ",
     "The measurements do not agree. Please repeat them and keep the plate still. ",
     "The touches fit a plate that is upside down or mirrored. Please check the marks. ",
     "The measurements are not sufficient. Please continue. "};
@@ -34,7 +34,7 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
     case Kind::none:
       break;
     case Kind::no_finger:
-      text << "The tracker does not see the finger. ";
+      text << "The tracker does not see the finger: keep the finger in its view. ";
       break;
     case Kind::lifted:
       text << "The finger is above the plate in every sample: check the plate's height. ";
@@ -47,8 +47,8 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
            << " m from the plate: positions must be in metres. ";
       break;
     case Kind::plate:
-      text << "The plate reports " << rounded(observed.first) << " degrees although " << rounded(observed.second)
-           << " were commanded. ";
+      text << "The plate reports " << rounded(observed.first) << " degrees, but " << rounded(observed.second)
+           << " degrees were commanded. ";
       break;
     case Kind::elsewhere:
       text << "The finger is " << std::round(observed.first) << " mm from the requested position. ";

@@ -64,8 +64,8 @@ hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity
     if (capacity > 0) {
       if (!out_targets) return fail_of_null("out_targets");
       if (capacity < count)
-        return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: 0, or at least ", count,
-                    ", the number of targets");
+        return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: at least ", count,
+                    ", the number of targets, or 0 to count them only");
       for (const auto& entry : s.session().targets.all()) {
         if (listed(entry)) (out_targets++)->value = entry.first;
       }

@@ -55,8 +55,7 @@ std::uint32_t flags_of(const Outcome& outcome, bool Outcome::* OutcomeFlag::* me
   return flags;
 }
 
-// Replaces numbers that are not finite by 0. Returns false if there was one. No output of the library is NaN or
-// infinite, even if a defect produced such a value.
+// Replaces numbers that a defect has made infinite or NaN by 0. Returns false if there was one.
 template <class Struct>
 bool make_finite(Struct* values) {
   bool finite = true;

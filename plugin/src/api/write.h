@@ -11,7 +11,7 @@ namespace hrt::plugin {
 
 hrt_session_config to_c(const SessionModel& model);
 hrt_target_config to_c(const Target& target);
-/// In this and the next function, a number that is not finite is replaced by 0, and HRT_COMMAND_FAULT is set.
+/// The next two functions replace a number that is not finite by 0, and then set HRT_COMMAND_FAULT.
 hrt_command to_c(const PlateCommand& command);
 hrt_reach_summary to_c(const ReachSummary& summary);
 hrt_setup_step to_c(const SetupStep& step);

@@ -60,7 +60,7 @@ void DeviceName::check_options(std::initializer_list<std::string_view> known) co
     if (std::find(known.begin(), known.end(), word) == known.end())
       refuse(kind + ": has no option \"" + word + "\"; allowed: " + list_of(known));
     if (std::any_of(options.begin(), option, [&](const auto& other) { return other.first == word; }))
-      refuse("option " + word + " is given twice; remove one of them");
+      refuse("option " + word + " is given twice; remove one of the two");
   }
 }
 

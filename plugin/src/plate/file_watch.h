@@ -33,9 +33,9 @@ class FileWatch {
 
   PlateFile file_;
   std::optional<double> command_deg_;
-  Time command_changed_, near_command_at_;  // time of the last change of the command, and of the last position near it
+  Time command_changed_, near_command_at_;  // times of the last change of the command and of the last position near it
   bool deviates_ = false;
-  // Model of a plate that behaves as in the file, and sums from which the plate's lateness relative to it is estimated.
+  // Model of a plate that behaves as in the file, and sums that estimate how much later than the model the plate moves.
   std::deque<Command> pending_;
   std::optional<double> goal_deg_;
   double model_deg_ = 0.0;

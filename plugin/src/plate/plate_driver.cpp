@@ -33,8 +33,8 @@ void count_forks() {
 #endif
 }
 
-// Serial line whose wait() throws if the plate is closed while it is being opened. After it is open, closing still
-// sends the STOP command.
+// Serial line whose wait() throws if the plate is closed while it is being opened. After the opening, wait() does not
+// throw, because closing sends the STOP command.
 class InterruptibleLine : public Line {
  public:
   InterruptibleLine(std::unique_ptr<Line> line, std::function<bool()> is_interrupted)
@@ -54,7 +54,7 @@ class InterruptibleLine : public Line {
   std::function<bool()> is_interrupted_;
 };
 
-// Writes a text for the host. Removes control characters and, at the end, an incomplete UTF-8 character.
+// Writes a text for the host. Replaces control characters by '?', and truncates the text after a complete character.
 template <std::size_t size, class... Parts>
 void write_text(char (&to)[size], const Parts&... parts) {
   plugin::Text<size> text;
@@ -173,7 +173,7 @@ void PlateDriver::check_file(Device& device) const {
   if (file_->description != device.description())
     throw PlateFailure(Fault::no_answer, "is \"" + device.description() + "\", but its file describes \"" +
                                              file_->description +
-                                             "\". Commission this plate, or connect the one of the file");
+                                             "\". Commission this plate, or connect the plate of the file");
   const std::vector<std::string> settings = settings_of(device.details());
   for (const std::string& line : file_->settings)
     if (std::find(settings.begin(), settings.end(), line) == settings.end())

@@ -39,7 +39,7 @@ struct PlateSetting {
   double value;
 };
 struct PlateSaved {};
-/// A line of the self-test; `what` is "end" in the last one.
+/// A line of the self-test; `what` is "end" in the last line.
 struct PlateTest {
   std::string what;
   std::string result;
@@ -50,12 +50,12 @@ using PlateMessage = std::variant<PlateGreeting, PlateReport, PlateStopped, Plat
 /// Returns the bytes of a line with this body; empty if the line would be longer than LINE_SIZE.
 std::string encode_line(const std::string& body);
 
-/// Parses the body of a line of the plate; nullopt if it is not in the protocol.
+/// Parses the body of a line of the plate. Returns nullopt if the body is not in the protocol.
 std::optional<PlateMessage> parse_plate_message(std::string_view body);
 
 /// Returns the body of SET or HOME. @p orientation_deg is -360 to 360.
 std::string motion_body(double orientation_deg, std::uint16_t sequence, std::string_view word = "SET");
-/// Appends a number of five digits: the sequence number of BEAT or STOP, or the token of a session.
+/// Appends a number of five digits: the sequence number of BEAT or STOP, or the token of the host.
 std::string with_number(std::string_view body, std::uint16_t number);
 
 }  // namespace hrt::plate

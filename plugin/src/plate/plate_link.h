@@ -13,9 +13,9 @@
 
 namespace hrt::plate {
 
-/// Plate with the line protocol. The speed of limits() is the reported one, or the observed one if that is lower; the
-/// latency is the reported one plus half of the measured round trip. Only the constructor, wait() and functions that
-/// call ask() wait. If the plate has failed, each function stops it, if it is still connected, and throws PlateFailure.
+/// Plate with the line protocol. The speed of limits() is the reported speed, or the observed speed if that is lower;
+/// the latency is the reported latency plus half of the measured round trip. Only the constructor, wait() and functions
+/// that call ask() wait. When the plate fails, a function stops it if it is still connected, and throws PlateFailure.
 /// All calls are made on one thread.
 class PlateLink : public Device, public BoardSettings {
  public:
@@ -60,7 +60,8 @@ class PlateLink : public Device, public BoardSettings {
   void save_settings() override;
   double sensor_reading() override;
 
-  /// Sends `body`, and passes each message to `handler` until it returns true. Throws PlateFailure after `limit`.
+  /// Sends `body`, and passes each message to `handler` until `handler` returns true. Throws PlateFailure after
+  /// `limit`.
   void ask(const std::string& body, const std::function<bool(const PlateMessage&)>& handler,
            std::chrono::milliseconds limit = std::chrono::milliseconds(1000));
 

@@ -108,14 +108,14 @@ void PlateLink::save_settings() {
 double PlateLink::pulse_setting(const std::string& name) {
   const double width_us = setting(name);
   if (std::abs(width_us) < min_pulse_us || std::abs(width_us) > max_pulse_us)
-    throw PlateFailure(Fault::protocol, "has a " + name + " of " + shown(width_us) +
+    throw PlateFailure(Fault::protocol, "has the setting " + name + " " + shown(width_us) +
                                             " us; allowed: 500 to 2500 or -2500 to -500. Commission it again");
   return width_us;
 }
 
 double PlateLink::zero_deg() { return pulse_setting("zero") / pulse_setting("span") * 180.0; }
 
-// Moves orientation 0 in small steps, because the firmware refuses a larger one while the servo gets pulses.
+// Moves orientation 0 in small steps, because the firmware refuses a larger step while the servo gets pulses.
 void PlateLink::set_zero(double zero_deg) {
   double at_us = pulse_setting("zero");
   const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);

@@ -10,7 +10,7 @@ static const char hex_digits[] = "0123456789ABCDEF";
 
 enum { SUM_DIGITS = 4 };
 
-/* Writes the checksum of `body` as upper-case hexadecimal digits, without a 0 at the end. */
+/* Writes the checksum of `body` as upper-case hexadecimal digits, without a terminating zero. */
 static void write_checksum(char* out, const char* body, uint8_t length) {
   unsigned sum = crc16_ccitt(body, length);
   for (uint8_t i = SUM_DIGITS; i > 0; --i, sum >>= 4) out[i - 1] = hex_digits[sum & 15];
@@ -71,7 +71,7 @@ bool line_parse_hundredths(const char* word, int32_t* out) {
   if (!is_digit(*word)) return false;
   int32_t value = 0;
   for (; is_digit(*word); ++word) {
-    if (value > 999999) return false; /* 1000 times this would overflow */
+    if (value > 999999) return false; /* with three more digits, the value would overflow */
     value = value * 10 + (*word - '0');
   }
   uint8_t decimals = 0;

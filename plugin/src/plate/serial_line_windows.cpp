@@ -159,7 +159,7 @@ class SerialLine : public Line {
     settings.fOutX = settings.fInX = settings.fNull = settings.fErrorChar = settings.fAbortOnError = FALSE;
     settings.fDtrControl = DTR_CONTROL_ENABLE;
     settings.fRtsControl = RTS_CONTROL_ENABLE;
-    // A read ends 1 ms after its first bytes have arrived.
+    // A read ends when no further byte has arrived for 1 ms.
     COMMTIMEOUTS timeouts{1, 0, 0, 0, 0};
     if (!SetCommState(line_, &settings) || !SetCommTimeouts(line_, &timeouts))
       throw PlateFailure(Fault::line, "does not accept " + std::to_string(baud) +

@@ -57,7 +57,7 @@ void write(const Retargeted& retargeted, hrt_result result, RecordText& out) {
   if (result == HRT_OK) put(retargeted.reach, row);
 }
 
-// Without flags, the position is not set.
+// If no flag is set, `position_m` has no meaning and is not written.
 void write(const Touched& touched, hrt_result result, RecordText& out) {
   Row(out, "touched", result).put_fields(touched.contact, [&](std::string_view name) {
     return touched.contact.flags != 0 || name != "position_m";
@@ -103,7 +103,7 @@ void write_value(Number number, SetupCell& cell) {
 void write_value(const double (&place_m)[3], SetupCell& cell) {
   cell << place_m[0] << ":" << place_m[1] << ":" << place_m[2];
 }
-void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // texts follow from the numbers
+void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // texts follow from the numbers, and are not written
 
 // Writes a struct as one cell of name=value pairs.
 template <class Struct>
@@ -264,7 +264,8 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
   const std::string_view verb = next_word();
   const auto known = std::find(std::begin(verbs), std::end(verbs), verb);
   if (known == std::end(verbs))
-    return fail(HRT_ERROR_BAD_FORMAT, "the target is \"", Shown{verb}, "\"; allowed: added, set, removed");
+    return fail(HRT_ERROR_BAD_FORMAT, "the change of the target is \"", Shown{verb},
+                "\"; allowed: added, set, removed");
   *out = {.change = static_cast<TargetChanged::Change>(known - verbs), .number = 0, .config = {}};
   HRT_RETURN_IF_FAILED(take_number("the target's number", next_word(), &out->number));
   return out->change == TargetChanged::Change::removed ? HRT_OK : read_json(rest, &out->config);

@@ -45,7 +45,7 @@ struct InitialPlateOrientation {
 struct ReachBegun {
   std::uint32_t flags;
   double plate_orientation_deg;  ///< valid if flags has HRT_REACH_PLATE_ORIENTATION
-  std::uint64_t real_number;     ///< 0: not a target of this session
+  std::uint64_t real_number;     ///< Targets::number() of the real target; 0: not a target of this session
   std::uint64_t virtual_number;
   double duration_s;
   ReachGeometry reach;  ///< valid if the call succeeded
@@ -89,7 +89,7 @@ struct SetupFinished {
 
 struct SetupCancelled {};
 
-/// A call of the C interface.
+/// A call of the C interface with its result, or the initial plate orientation.
 struct Record {
   hrt_result result = HRT_OK;
   std::variant<ConfigSet, TargetChanged, InitialPlateOrientation, ReachBegun, Updated, Retargeted, Touched,
@@ -135,7 +135,7 @@ hrt_result read_row(std::string_view line, Record* out);
 /// True if all cells of two rows are equal; numbers are compared bit by bit.
 bool is_same_row(std::string_view row, std::string_view other);
 
-/// These read a comment after its prefix, and check everything that does not depend on other lines.
+/// The next three functions read a comment after its prefix. They do not check the ranges of JSON fields.
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out);
 hrt_result read_initial_plate_orientation(std::string_view rest, InitialPlateOrientation* out);
 hrt_result read_setup_begun(std::string_view rest, SetupBegun* out);

@@ -14,7 +14,7 @@
 namespace hrt::plugin {
 namespace {
 
-// Restores '.' as the decimal point of a number, which the parser has replaced by that of the locale.
+// Restores '.' as the decimal point of a number. The parser has replaced it by the decimal point of the locale.
 std::string with_point(std::string number) {
   const std::size_t point = number.find_first_not_of("+-0123456789eE");
   if (point != number.npos) number[point] = '.';
@@ -52,7 +52,7 @@ class ObjectWriter {
     separator_ = ",";
     put(value);
   }
-  /// Writes the number of a target in the recording; nothing if the target is null.
+  /// Writes a target as its number in the recording. Writes nothing if the target is null.
   void operator()(std::string_view key, hrt_target target) {
     if (target.value != 0) (*this)(key, target.value);
   }
@@ -166,7 +166,7 @@ hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
   for (const JsonField& field : reader.fields) {
     const auto same = [&](const JsonField& other) { return other.key == field.key; };
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" appears twice; remove one");
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" appears twice; remove one of the two");
   }
   *out = std::move(reader.fields);
   return HRT_OK;
@@ -193,7 +193,7 @@ hrt_result read(const JsonField& field, std::uint32_t& out) {
   return HRT_OK;
 }
 
-// Reads the number of a target in the recording.
+// Reads a target, which is written as its number in the recording.
 hrt_result read(const JsonField& field, hrt_target& out) {
   std::int64_t number = 0;
   HRT_RETURN_IF_FAILED(read(field, number));
@@ -249,7 +249,7 @@ template <class Struct>
 void write_json(const Struct& values, JsonText& out) {
   Struct read = values;
   if constexpr (std::is_same_v<Struct, hrt_target_config>) {
-    // Fields that `place` does not select may be uninitialised: they are written as their defaults.
+    // Fields that `place` does not select may be uninitialised: they are written as 0.
     if (values.place == HRT_PLACE_DIRECTION)
       std::fill(std::begin(read.position_m), std::end(read.position_m), 0.0);
     else
@@ -294,7 +294,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   std::vector<JsonField> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config known = *config;
-  // Optional fields that the profile lacks are unknown for this user.
+  // Optional fields that the profile lacks are unknown for this user: they get their defaults.
   for_each_field<hrt_session_config>([&](const auto& field) {
     constexpr hrt_session_config unknown = defaults<hrt_session_config>;
     if (field.optional) std::memcpy(&field.of(known), &field.of(unknown), sizeof(field.of(known)));
@@ -314,7 +314,8 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   }
   if (!has_format)
     return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"; pass the output of hrt_profile_save()");
-  if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1; pass the output of hrt_profile_save()");
+  if (!has_version)
+    return fail(HRT_ERROR_BAD_FORMAT, "version of the profile is not 1; pass the output of hrt_profile_save()");
   *config = known;
   *conditions = measured;
   return HRT_OK;

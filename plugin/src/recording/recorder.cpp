@@ -49,7 +49,7 @@ Recorder::~Recorder() {
     stop();
 }
 
-void Recorder::push(const Record& record) noexcept {  // NOLINT(bugprone-exception-escape): likewise
+void Recorder::push(const Record& record) noexcept {  // NOLINT(bugprone-exception-escape): see ~Recorder()
   if (!has_threads && is_full()) drain();
   if (belongs_to_parent_process() || overrun_.load() || is_full()) {
     overrun_.store(has_threads);
@@ -90,7 +90,7 @@ void Recorder::abandon() {
   const std::uint64_t lost = lost_.load();
   if (lost == 0) return;
   Text<128> text;
-  text << lost << " calls were not recorded: a child process made them; start a recording there";
+  text << lost << " calls of a child process were not recorded; start a recording in the child process";
   report(HRT_LOG_WARNING, text.view());
 }
 
@@ -142,7 +142,7 @@ void Recorder::write(std::string_view text) {
   system_error_.store(error);
   Text<240> reason;
   reason << "the recording has stopped (" << std::strerror(error)
-         << "), the session continues; start another recording";
+         << "), but the session continues; start another recording";
   report(HRT_LOG_ERROR, reason.view());
 }
 

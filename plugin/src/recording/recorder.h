@@ -62,15 +62,15 @@ class Recorder {
 
   std::unique_ptr<Entry[]> ring_;
   std::atomic<std::uint64_t> pushed_{0};  // records that the caller has added to the ring
-  std::atomic<std::uint64_t> taken_{0};   // records that the writing thread has removed from it
-  std::atomic<std::uint64_t> lost_{0};
+  std::atomic<std::uint64_t> taken_{0};   // records that the writing thread has removed from the ring
+  std::atomic<std::uint64_t> lost_{0};    // records that were dropped
   std::atomic<std::uint64_t> written_{0};
-  std::atomic<std::uint64_t> written_rows_{0};  // part of written_ that are rows
+  std::atomic<std::uint64_t> written_rows_{0};  // number of those records that are rows
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
-  std::atomic<std::uint64_t> lost_unnoted_{0};  // part of lost_ that no entry has in lost_before yet
+  std::atomic<std::uint64_t> lost_unnoted_{0};  // dropped records that no entry counts in lost_before yet
   std::atomic<bool> overrun_{false};            // true: no record is accepted until half of the ring is free
-  std::uint64_t lost_unreported_ = 0;           // this and the next member are used by the writing thread only
+  std::uint64_t lost_unreported_ = 0;           // used by the writing thread only, as reported_
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;

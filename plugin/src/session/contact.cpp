@@ -10,10 +10,10 @@ namespace hrt::plugin {
 namespace {
 
 constexpr double unknown_radius_mm = 10.0;
-// A contact nearer to the start would measure an error of the start rather than a rotation of the frame.
+// A contact nearer to the start would measure an error of the start rather than a rotation of the tracker's frame.
 constexpr double min_contact_mm = 10.0;
-// Largest plausible distance between contact and tracked finger, as a fraction of the distance from the start. The
-// uncertainty is added: max_sds SDs.
+// Largest plausible distance between contact and tracked finger: this fraction of the contact's distance from the
+// start, plus max_sds SDs of the distance.
 constexpr double max_share = 0.25;
 constexpr double max_sds = 3.0;
 

@@ -14,7 +14,7 @@ struct Gap {
   double bearing_sd_deg;     ///< SD of the bearing at which reaches end, due to registration and tracker alone
 };
 
-/// Gaps of the targets of one session. real() computes what all gaps of one real target share.
+/// Gaps of the targets of one session. real() computes the values that all gaps of one real target have in common.
 class Gaps {
  public:
   struct Real {
@@ -33,10 +33,10 @@ class Gaps {
   const SessionModel& model_;
 };
 
-/// Assignment to one virtual target: index of the real target, or of the nearest one if no gap is feasible.
+/// Assignment to one virtual target.
 struct Assigned {
-  std::size_t real;
-  bool is_feasible;
+  std::size_t real;  ///< index of the assigned real target or, if none is assigned, of that with the smallest gap
+  bool is_feasible;  ///< true if a real target is assigned, whose gap is then feasible
   Gap gap;
 };
 

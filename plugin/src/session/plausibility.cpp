@@ -12,16 +12,17 @@ namespace {
 using Kind = Implausible::Kind;
 
 constexpr double max_speed_mm_s = 5000.0;
-constexpr int max_in_a_row = 5;  // a single outlier of the tracker affects two differences
+constexpr int max_in_a_row = 5;  // more than two: a single outlier of the tracker affects two differences
 constexpr std::uint64_t window_ns = 1'000'000;
 constexpr int max_samples_in_window = 50;
 constexpr std::uint64_t min_sample_ns = 100'000;
 constexpr double max_radii = 3.0;
 constexpr double max_target_radii = 2.0;
-constexpr double min_checked_fraction = 0.5;  // fraction of the path from which its direction is checked
+constexpr double min_checked_fraction = 0.5;  // fraction of the path from which on the bearing is checked
 constexpr double max_off_course_deg = 90.0;
 constexpr double ended_fraction = 0.85;
-// Without steering, the finger ends near the virtual target. An end this far beyond it cannot be due to a bias.
+// Without steering, the finger ends near the virtual target. With a gap of min_gap_deg or more, an end that is further
+// than the other two limits beyond the virtual target cannot be due to a bias.
 constexpr double min_gap_deg = 5.0, min_turned_deg = 4.0, min_turned_fraction = 0.75;
 
 double from_centre_mm(const PlatePoint& place) { return distance_mm({}, place); }
@@ -116,9 +117,8 @@ void write_implausible(const Implausible& found, Text<320>& text) {
            << ": check for swapped or mirrored axes; x is to the right, y up, z towards the user";
       break;
     case Kind::turns_with_plate:
-      text
-          << "the finger ends " << found.first << " degrees beyond the virtual target, on the side away from the real "
-          << "one: check the direction in which the plate turns (positive is counter-clockwise), and for mirrored axes";
+      text << "the finger ends " << found.first << " degrees beyond the virtual target, on the side away from the real "
+           << "one: check that positive plate orientations are counter-clockwise, and that no axis is mirrored";
       break;
   }
 }

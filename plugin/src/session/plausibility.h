@@ -1,5 +1,5 @@
-// Plausibility of the times, positions and targets of a reach. It detects confused units and axes of the host, which
-// the model may fit so well that no other check fails.
+// Checks whether times, positions and targets of a reach are plausible. Samples in a wrong unit or with exchanged axes
+// may fit the model so well that no other check fails.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct Implausible {
   enum class Kind : std::uint8_t {
     none,
     radians,           ///< the directions of all targets are below 1.6, and therefore probably in radians
-    target_off_plate,  ///< first: distance of the start or a target from the plate's centre in mm; second: the radius
+    target_off_plate,  ///< first: distance of the start or real target from the plate's centre; second: the radius, mm
     time_too_slow,     ///< first: number of samples; second: nanoseconds between two of them
     too_fast,          ///< first: speed in m/s; second: nanoseconds between two samples
-    far_away,          ///< first: distance of the finger from the plate's centre in mm; second: the radius
-    wrong_way,         ///< first: bearing of the finger from the start; second: that of the virtual target
-    turns_with_plate,  ///< first: angle by which the finger ends beyond the virtual target; second: the gap
+    far_away,          ///< first: distance of the finger from the plate's centre; second: the radius, mm
+    wrong_way,         ///< first: bearing of the finger; second: direction of the virtual target, degrees
+    turns_with_plate,  ///< first: angle by which the finger ends beyond the virtual target; second: the gap, degrees
   };
   Kind kind = Kind::none;
   double first = 0.0, second = 0.0;
@@ -36,7 +36,7 @@ class Plausibility {
   Plausibility() = default;
   Plausibility(double plate_radius_mm, const Reach& reach, bool may_be_in_radians);
 
-  /// Call it when targets have moved: after that, only times and positions are checked.
+  /// Ends the check of directions, for example because the targets have moved.
   void retarget() { retargeted_ = true; }
   /// Checks a sample. Pass every sample of the reach in order, before outliers are removed.
   void observe(const FingerSample& sample);
@@ -59,8 +59,8 @@ class Plausibility {
   std::int64_t far_positions_ = 0;
   int fast_positions_ = 0;                // consecutive positions at an impossible speed
   bool came_from_start_ = false;          // true if a position was in the first half of the path
-  int wrong_positions_ = 0;               // consecutive positions away from the virtual target
-  int turned_positions_ = 0;              // consecutive positions beyond the virtual target
+  int wrong_positions_ = 0;               // consecutive positions that are evidence of wrong_way
+  int turned_positions_ = 0;              // consecutive positions that are evidence of turns_with_plate
   std::optional<std::int64_t> first_ns_;  // beginning of the present window of 1 ms
   int samples_ = 0;                       // samples in this window
 };

@@ -83,7 +83,7 @@ hrt_result Session::begin(const ReachRequest& request) {
   reach.plate_orientation_deg = request.plate_orientation_deg.value_or(plate_orientation_deg_);
   reach.duration_s = request.duration_s;
   HRT_RETURN_IF_FAILED(aim(pair, start_of(model_), &reach));
-  plate_orientation_deg_ = reach.plate_orientation_deg;  // no command has been returned yet
+  plate_orientation_deg_ = reach.plate_orientation_deg;  // until the first command
   auto& reaching = state_.emplace<Reaching>(pair, reach, model_.control);
   reaching.retargeter.begin(reach);
   reaching.awaits_finger = request.starts_at_finger;
@@ -118,8 +118,8 @@ hrt_result Session::start_at(const PlatePoint& finger, Reaching* reaching) const
 hrt_result Session::update(const FingerSample& sample, PlateCommand* out) {
   auto& reaching = std::get<Reaching>(state_);
   if (reaching.last_time_ns && sample.time_ns < *reaching.last_time_ns)
-    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: at least that of the last sample, ",
-                *reaching.last_time_ns);
+    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, ", earlier than ", *reaching.last_time_ns,
+                " of the last sample; times must not decrease");
   if (reaching.awaits_finger && sample.observation == Observation::position)
     HRT_RETURN_IF_FAILED(start_at(sample.position, &reaching));
   reaching.plausibility.observe(sample);
@@ -227,7 +227,7 @@ hrt_result Session::end(ReachSummary* out) {
   return HRT_OK;
 }
 
-// Updates the model by the estimates of a reach. Discards estimates that are not valid, as from impossible motions.
+// Updates the model by the estimates of a reach. Discards invalid estimates, for example after an impossible motion.
 void Session::learn(const Retargeter& retargeter, const ReachSummary& summary) {
   SessionModel next = model_;
   if (!retargeter.has_person_controller()) {

@@ -57,7 +57,7 @@ class Session {
   hrt_result touched(const ContactReport& report);
   hrt_result cancel();
   hrt_result end(ReachSummary* out);
-  /// Discards the estimates of the present reach at its end, because a value was not finite.
+  /// Makes end() discard the estimates of the present reach. Call it after a value that was not finite.
   void mark_faulty();
 
   /// The likely mistake in the current reach, or in the last one.
@@ -72,7 +72,7 @@ class Session {
   hrt_result begin_setup(std::uint32_t parts, const SetupConfig& asked);
   /// Requires that check_setting_up() succeeds.
   hrt_result update_setup(const SetupSample& sample, SetupStep* out);
-  /// Continues the current fit; after the last one, ends the set-up. Not real-time, like begin_setup().
+  /// Continues the current fit; after the last one, ends the set-up. Like begin_setup(), it is not real-time.
   hrt_result finish_setup();
   hrt_result cancel_setup();
   /// The part in progress. Requires is_setting_up().

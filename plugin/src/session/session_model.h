@@ -29,7 +29,7 @@ enum class Adaptation : std::uint8_t {
 /// Size of the plate, and the height above it that counts as a lift.
 struct PlateSurface {
   double radius_m = 0.0;         ///< > 0
-  double lift_height_m = 0.015;  ///< the finger is lifted if its tracked position is higher than this, > 0
+  double lift_height_m = 0.015;  ///< a finger that is tracked higher than this above the plate is lifted, > 0
 };
 
 /// Pose of the plate, and the values that convert tracked positions to plate coordinates. Lengths are in metres, as in
@@ -69,14 +69,14 @@ bool have_same_pose(const PlateMount& a, const PlateMount& b);
 /// The start of reaches in the plane of the plate.
 inline const PlatePoint& start_of(const SessionModel& model) { return model.control.touched.home; }
 
-/// Sets control.person to the prior of an unknown person, computed from the model's tactile weight, its SD and the
-/// bias.
+/// Computes control.person from the model's tactile weight, its SD and the bias: the prior of an unknown person or,
+/// with Adaptation::off, a person with exactly these values.
 void forget_person(SessionModel* model);
 
 /// Resets the parameters of the user to those of `defaults`, and calls forget_person().
 void forget_user(const SessionModel& defaults, SessionModel* model);
 
-/// Sets the belief about the user, and derives the tactile weight and its SD from it.
+/// Sets the belief about the user, and derives the model's tactile weight and its SD from the belief.
 void know_person(const PersonBelief& belief, SessionModel* model);
 
 /// Returns the illusion curve of the user for a path of this length: linear if the person is unknown.
@@ -85,9 +85,9 @@ Illusion illusion_of(const SessionModel& model, double distance_mm);
 /// Resets the correction of the registration by contacts.
 void forget_contacts(SessionModel* model);
 
-/// Completes the model `profile`, which is `session` with a profile read into it: restores the session's pose and, if
-/// the profile has no contacts, its contacts. Contacts of another pose are discarded; to those of the same pose, drift
-/// of the tracker is added.
+/// Completes the model `profile`, which is the model `session` with a profile read into it. Restores the session's pose
+/// and, if the profile has no contacts, the session's contacts. Contacts of the profile are discarded if it has another
+/// pose; otherwise, drift of the tracker is added to their covariance.
 void take_contacts_of_profile(const SessionModel& session, bool has_contacts, SessionModel* profile);
 
 /// Converts the covariance of the plate's pose from and to metres, the unit of files and of the C interface.

@@ -27,7 +27,7 @@ std::uint32_t missing(const SessionModel& model) {
   return parts;
 }
 
-// Length of the plate ahead of the start, parallel to the mid-line.
+// Distance from the start to the margin of the plate, straight ahead (parallel to the mid-line).
 double room_ahead_mm(const SessionModel& model) {
   const PlatePoint& start = start_of(model);
   const double radius_mm = mm_per_m * model.mount.surface.radius_m;
@@ -58,8 +58,9 @@ hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupC
     const TargetView seen = view(model, target.place);
     const double length_mm = seen.distance_mm - mm_per_m * target.place.radius_m;
     if (length_mm < GuidedSlides::min_guide_mm)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "real target \"", target.name.data(), "\" is ", length_mm / mm_per_m,
-                  " m from start_position_m; allowed for a guide: at least ", GuidedSlides::min_guide_mm / mm_per_m);
+      return fail(HRT_ERROR_OUT_OF_RANGE, "the near side of real target \"", target.name.data(), "\" is ",
+                  length_mm / mm_per_m, " m from start_position_m; allowed for a guide: at least ",
+                  GuidedSlides::min_guide_mm / mm_per_m);
     if (config->guide_count == GuidedSlides::max_objects) break;
     config->guides[static_cast<std::size_t>(config->guide_count++)] = point_ahead(start, seen.direction_deg, length_mm);
   }
@@ -91,8 +92,8 @@ hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets
       std::any_of(std::begin(either), std::end(either), [&](std::uint32_t pair) { return (parts & pair) == pair; });
   if (parts != setup_all_missing && (parts == 0 || (parts & ~all_parts) != 0 || both))
     return fail(HRT_ERROR_OUT_OF_RANGE, "what is ", parts,
-                "; allowed: ALL_MISSING alone, or bits of HRT_SETUP_* without CALIBRATION and RETEST together, and "
-                "without REGISTRATION and CHECK or GUIDES together");
+                "; allowed: ALL_MISSING alone, or other flags HRT_SETUP_*, but not CALIBRATION with RETEST, and not "
+                "REGISTRATION with CHECK or GUIDES");
   if ((parts & (setup_check | setup_guides)) != 0 && !model.registration.made)
     return fail(HRT_ERROR_WRONG_STATE,
                 "the plate is not registered; run HRT_SETUP_REGISTRATION before CHECK or GUIDES");
@@ -107,7 +108,7 @@ hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets
   if (registers && !marks.empty() && fit_registration({}, marks).verdict == RegistrationVerdict::degenerate)
     return fail(
         HRT_ERROR_OUT_OF_RANGE,
-        "marks_m: all marks are within 10 mm of one line or point; allowed: at least three that form a triangle");
+        "marks_m: all marks are within 10 mm of one line or point; allowed: at least three marks that form a triangle");
   if ((parts & slide_parts) != 0 && room_ahead_mm(model) < min_slide_room_mm)
     return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_mm(model) / mm_per_m,
                 " m for a slide straight ahead; allowed: at least ", min_slide_room_mm / mm_per_m,
@@ -128,8 +129,8 @@ hrt_result SessionSetup::check_shown(const SetupSample& sample) const {
 
 hrt_result SessionSetup::update(const SessionModel& model, const SetupSample& sample, SetupStep* out) {
   if (last_time_ns_ && sample.time_ns < *last_time_ns_)
-    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: at least that of the last sample, ",
-                *last_time_ns_);
+    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, ", earlier than ", *last_time_ns_,
+                " of the last sample; times must not decrease");
   HRT_RETURN_IF_FAILED(check_shown(sample));
   if (!sample.tracked_mm || !repeated_.is_copy(sample.time_ns, *sample.tracked_mm)) setup_.update(sample);
   last_time_ns_ = sample.time_ns;
@@ -143,7 +144,7 @@ hrt_result SessionSetup::finish(SessionModel* model, SetupReport* report) {
   const SetupStep step = setup_.step();
   if (!setup_.finish_is_due())
     return fail(HRT_ERROR_WRONG_STATE, step.done, " of ", step.of,
-                " touches or slides are done; call this once the instruction of a step is HRT_STEP_FINISH");
+                " touches or slides are done; call hrt_setup_finish() when a step has the instruction HRT_STEP_FINISH");
   if (!is_over()) {
     // If an exception is thrown, fit_ is null, and the next call begins the fit again.
     std::unique_ptr<PartFit> fitting = std::move(fit_);

@@ -39,7 +39,7 @@ class SessionSetup {
   static hrt_result check(const SessionModel& model, const Targets& targets, std::uint32_t parts,
                           const SetupConfig& asked);
 
-  /// `asked` has the caller's marks (if none, the default ones are used), touches, slides and plate range.
+  /// `asked` has the caller's marks, touches, slides and plate range. If it has no marks, the default marks are used.
   SessionSetup(const SessionModel& model, const Targets& targets, std::uint32_t parts, const SetupConfig& asked,
                double plate_orientation_deg);
 
@@ -47,8 +47,8 @@ class SessionSetup {
   SetupStep step() const { return setup_.step(); }
   /// Processes one sample. Real-time.
   hrt_result update(const SessionModel& model, const SetupSample& sample, SetupStep* out);
-  /// Continues the fit of the current part for less than 1 ms. When it is complete, applies the result to the model and
-  /// adds it to the report.
+  /// Continues the fit of the current part for at most a few milliseconds. When the fit is complete, applies its result
+  /// to the model and adds it to the report.
   hrt_result finish(SessionModel* model, SetupReport* report);
   bool is_over() const { return setup_.left() == 0; }
 

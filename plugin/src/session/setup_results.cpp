@@ -46,8 +46,9 @@ void apply_registration(const Registration& found, std::int64_t time_ns, Session
   model->registration.time_ns = time_ns;
 }
 
-// Writes the determined parameters of the user and of the tracker's noise into the model. A weight or bias replaces the
-// estimates from reaches; if curve and habit are determined too, the calibration replaces the whole belief.
+// Writes the determined parameters of the user and of the tracker's noise into the model. A determined weight or bias
+// replaces the estimates from reaches by a prior with this value; if curve and habit are determined too, the
+// calibration replaces all estimates.
 void apply_calibration(const Calibration& calibration, SessionModel* model) {
   const Interval& weight = calibration.tactile_weight;
   Participant& participant = model->control.participant;
@@ -110,7 +111,7 @@ Registration registration_of(const SessionModel& model, double touch_sd_mm) {
                             .touch_sd_mm = touch_sd_mm};
   const FrameCovariance& plane = model.control.frame;
   const double height_mm2 = 0.5 * (plane(1, 1) + plane(2, 2));
-  // Rotation, and position to the right and away (-z), in the plate's axes.
+  // Covariance of the position in the plate's axes. `plane` has rotation, right (x) and away (-z).
   Eigen::Matrix3d place_mm2 = height_mm2 * Eigen::Matrix3d::Identity();
   place_mm2(0, 0) = plane(1, 1);
   place_mm2(2, 2) = plane(2, 2);

@@ -27,7 +27,7 @@ struct TargetPlace {
 struct Target {
   TargetRole role = TargetRole::real;
   TargetPlace place;
-  std::array<char, 64> name{};  ///< padded with zeros, at least one
+  std::array<char, 64> name{};  ///< terminated by a zero and padded with zeros
   std::uint64_t served_by = 0;  ///< id of the real target that is assigned to a virtual one; 0: none
 };
 
@@ -36,7 +36,7 @@ struct TargetView {
   double direction_deg;  ///< in (-180, 180]; 0 at the start itself
   double distance_mm;    ///< >= 0
   PlatePoint point;
-  bool at_start;  ///< true if it is nearer than min_distance_m, so that the direction is undetermined
+  bool at_start;  ///< true if the distance is less than min_distance_m, so that the direction is undetermined
 };
 TargetView view_from(const PlatePoint& start, const PlateMount& mount, const TargetPlace& place);
 
@@ -72,10 +72,12 @@ class Targets {
   /// True if there is a real and a virtual target, as a reach requires.
   bool has_both_roles() const { return real_count_ > 0 && by_id_.size() > real_count_; }
   /// True if there are both roles, all targets are given by directions of at most 1.6, and at least two are not 0. In
-  /// degrees, all these targets would be within 3 mm of each other at 100 mm, which no application needs.
+  /// degrees, all these targets would be within 6 mm of each other at 100 mm from the start, which no application
+  /// needs.
   bool may_be_in_radians() const;
 
-  /// Returns the number of a target in recordings, from 1 in a process with one session; 0 if it does not exist.
+  /// Returns the number of a target in recordings; 0 if the target does not exist. With one session, numbers begin
+  /// at 1.
   std::uint64_t number(std::uint64_t id) const { return by_id_.contains(id) ? id - before_first_ : 0; }
 
  private:

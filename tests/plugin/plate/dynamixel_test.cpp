@@ -319,7 +319,7 @@ TEST_F(DynamixelTest, ReportsTheCauseOfAFailureToOpen) {
               {[&] { servo = EmulatedDynamixel(2); }, Fault::no_answer, "Dynamixel of id 1 within 3 s"},
               {[&] { servo.set(0, 2, 350); }, Fault::no_answer, "model number 350; allowed: 1190"},
               {[&] { servo.set(70, 1, 0x24); }, Fault::device, "overheating, overload"},
-              {[&] { servo.set(144, 2, 61); }, Fault::device, "61 tenths of a volt; allowed: 37 to 60"},
+              {[&] { servo.set(144, 2, 61); }, Fault::device, "6.1 V; allowed: 3.7 V to 6.0 V"},
               {[&] { servo.motor.turn_by_hand(1080.0); }, Fault::limits, "1080 degrees; allowed: -360 to 360"}};
   for (const auto& row : rows) {
     servo = EmulatedDynamixel();

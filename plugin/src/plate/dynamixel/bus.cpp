@@ -10,8 +10,8 @@ using namespace std::chrono_literals;
 constexpr auto silence_limit = 500ms;
 constexpr auto wait_step = 5ms;  // interval between two reads of the serial line
 constexpr int max_tries = 10;
-constexpr std::size_t max_timed =
-    4;  // largest answer, in bytes, whose round trip is counted: a longer one takes longer than a command
+// Largest answer, in bytes, whose round trip is measured: a longer one takes more time than the answer to a command.
+constexpr std::size_t max_timed = 4;
 
 // Size of the parameters of an answer without an error.
 std::size_t size_of_answer(const Packet& request) {

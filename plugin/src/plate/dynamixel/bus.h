@@ -50,7 +50,7 @@ inline constexpr int min_supply = 37, max_supply = 60;  ///< input voltage of an
 inline constexpr int watchdog_ticks = 15;               ///< in units of 20 ms
 inline constexpr int watchdog_expired = -1;
 
-/// Communication with one servo. All functions throw PlateFailure if the serial line has failed. One thread.
+/// Communication with one servo, on one thread. All functions throw PlateFailure if the serial line has failed.
 class Bus {
  public:
   Bus(std::unique_ptr<Line> line, std::uint8_t id) : line_(std::move(line)), id_(id) {}
@@ -96,7 +96,7 @@ class Bus {
   static std::string describe(const Packet& request, StatusError error);
 
  private:
-  // A packet of 48 bytes takes 9 ms at 57600 baud.
+  // Longest time from a request to its answer. The longest packet, of 48 bytes, takes 9 ms at 57600 baud.
   static constexpr auto answer_limit = std::chrono::milliseconds(60);
   void discard_late_answer();
   void abandon_request();

@@ -16,12 +16,11 @@ namespace {
 using namespace std::chrono_literals;
 using namespace dynamixel;
 
-constexpr double stop_deg =
-    360.0;  // the servo counts turns; the driver limits the orientation to a turn in each direction
+constexpr double stop_deg = 360.0;   // limit of the driver: one turn in each direction; the servo counts turns
 constexpr double slack_deg = 3.0;    // tolerance beyond stop_deg
 constexpr auto ping_limit = 3s;      // adapters and servos need time after the serial line is opened
 constexpr int probes = 11;           // reads that measure the round trip
-constexpr auto servo_latency = 2ms;  // of the servo itself, whose control loop runs every millisecond
+constexpr auto servo_latency = 2ms;  // latency of the servo itself, whose control loop runs every millisecond
 // Profile velocity at rest: 1.4 degrees a second, so that a goal of another program moves the plate slowly.
 constexpr std::int64_t resting_units = 1;
 constexpr auto rest_time = 100ms;   // a plate that has not moved for this time is at rest
@@ -36,6 +35,10 @@ struct Settings {
 };
 
 double deg_of(std::int64_t step) { return static_cast<double>(step - middle_step) * deg_per_step; }
+
+std::string volts(std::int64_t tenths) {
+  return std::to_string(tenths / 10) + "." + std::to_string(std::abs(tenths % 10)) + " V";
+}
 
 void check_hardware(std::int64_t bits) {
   if (bits == 0) return;
@@ -119,7 +122,7 @@ class Servo : public Device {
             value("setting operating mode ", operating_mode, ""),
             value("setting homing offset ", homing_offset, " steps"),
             value("setting velocity limit ", velocity_limit, ""),
-            value("supply ", present_voltage, " tenths of a volt"),
+            "supply " + volts(bus_.read(present_voltage)),
             value("temperature ", present_temperature, " °C"),
             value("hardware error ", hardware_error, "")};
   }
@@ -338,8 +341,8 @@ class Servo : public Device {
 
   static void check_supply(std::int64_t tenths) {
     if (tenths >= min_supply && tenths <= max_supply) return;
-    throw PlateFailure(Fault::device, "has a supply of " + std::to_string(tenths) +
-                                          " tenths of a volt; allowed: 37 to 60. Check adapter, fuse and wires");
+    throw PlateFailure(Fault::device, "has a supply of " + volts(tenths) + "; allowed: " + volts(min_supply) + " to " +
+                                          volts(max_supply) + ". Check adapter, fuse and wires");
   }
 
   // Waits for the answer to the last request, because only one end of the bus may send at a time.
@@ -355,8 +358,8 @@ class Servo : public Device {
     repeat_lost_motion();
   }
 
-  // Sends a stop if the serial line still works. Otherwise the watchdog of the servo stops it. If another program sends
-  // goals, also switches the torque off, so that no further goal turns the plate.
+  // Sends a stop if the serial line still works. Otherwise the servo's watchdog stops the plate. If another program
+  // sends goals, also switches the torque off, so that no further goal turns the plate.
   void try_to_stop() {
     try {
       await_answer();

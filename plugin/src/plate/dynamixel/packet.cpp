@@ -79,7 +79,7 @@ std::string little_endian(std::int64_t value, int count) {
   return bytes;
 }
 
-// Number of `count` bytes, with the sign of the highest one.
+// The number is in two's complement: the highest bit of its last byte is the sign.
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count) {
   std::uint64_t value = 0;
   for (int i = count - 1; i >= 0; --i) value = value << 8 | byte_at(bytes, at + static_cast<std::size_t>(i));
