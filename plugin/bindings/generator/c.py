@@ -55,10 +55,10 @@ def render_functions(abi: Abi, notice: str) -> str:
             "#include <string.h>\n\n#include \"haptic_retargeting.h\"\n"
             + "".join(f'#include "{header}"\n' for header in abi.headers if header not in CORE) + "\n"
             + "".join(f"typedef {f.result} (*PFN_{f.name})({f.declared});\n" for f in abi.functions)
-            + "\n/** Every function, named without hrt_. */\ntypedef struct hrt_functions {\n"
+            + "\n/** Pointers to all functions, named without hrt_. */\ntypedef struct hrt_functions {\n"
             + "".join(f"  PFN_{f.name} {member};\n" for f, member in members)
             + "} hrt_functions;\n\n"
-            "/** Returns the address of a symbol, or null: dlsym() itself; on Windows, a function that calls\n"
+            "/** Function that returns the address of a symbol, or null: dlsym(); on Windows, one that calls\n"
             " *  GetProcAddress(). */\n"
             "typedef void* (*hrt_get_proc)(void* library, const char* name);\n\n"
             "/** Fills the table. Returns null, or the name of the first function that the library lacks. Functions that\n"

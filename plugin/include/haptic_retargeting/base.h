@@ -1,5 +1,5 @@
 /*
- * Results, error texts and version, and the contract of all calls in these headers.
+ * Results, error texts, version, and the rules for all calls of the library.
  *
  * Example: a failed call reports what is wrong.
  *
@@ -16,39 +16,41 @@
  *   }
  *
  * Calls
- *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error, the session and the
- *    outputs are unchanged, and hrt_last_error() names the call, the field, its value and what is allowed.
+ *  - Calls return hrt_result, except those that return a text or the version. HRT_OK is 0; every error is negative.
+ *    On an error, the session and the outputs are unchanged, and hrt_last_error() names the call, the field, its
+ *    value and what is allowed.
  *  - No call throws, aborts or terminates the process, including when memory is exhausted. Exception: hrt_scene_load()
  *    may terminate the process if memory is exhausted.
- *  - Every call may return NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE or BUSY. The comment of a call lists its
- *    other errors.
+ *  - Every call may return NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE, BUSY or INTERNAL. The comment of a call lists
+ *    its other errors.
  *  - Thread tags:
  *      [any-thread]  any thread, at any time.
- *      [one-thread]  any thread, but only one at a time for a session. A second thread gets HRT_ERROR_BUSY.
+ *      [one-thread]  any thread, but only one at a time for each session, person, scene or plate. A call of a second
+ *                    thread returns HRT_ERROR_BUSY.
  *      [real-time]   as [one-thread]. In addition, the call takes no lock, allocates nothing, makes no system call and
  *                    takes bounded time, also when it fails. On Windows, the first call of a thread allocates memory
  *                    for its error text.
  *
  * Structs
- *  - Set `struct_size` to the sizeof of the struct before each call, also in structs that the call fills. The _init()
- *    function of the struct, such as hrt_session_config_init(), sets it and the defaults. A null configuration
+ *  - Set `struct_size` to the size of the struct before each call, also in structs that the call fills. The _init()
+ *    function of the struct, such as hrt_session_config_init(), sets the size and the defaults. A null configuration
  *    means the defaults. Bytes beyond the size that the library knows must be zero.
  *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields have the alignment of C.
- *  - A type such as hrt_guidance takes one of the constants below it; a type of flags takes any combination of them,
- *    joined by |.
+ *  - A value of a type such as hrt_guidance is one of the constants below the type; flags are any combination of the
+ *    constants below their type, joined by |.
  *  - Texts and paths are UTF-8, on Windows too.
  *
  * In your process (PROCESS.md has numbers and details)
- *  - Calls round to nearest and, on x86, mask floating-point exceptions; they restore the host's mode.
- *    Flush-to-zero and the locale have no effect.
- *  - The library sends and handles no signals. Its only threads are one for each recording; they block
- *    signals.
+ *  - Calls set rounding to nearest and, on x86, mask floating-point exceptions; at their end, they restore the host's
+ *    floating-point mode. The host's flush-to-zero mode and locale do not affect results.
+ *  - The library sends and handles no signals. Its only threads are one for each recording, which blocks signals.
  *  - In the child of a fork, sessions work; recordings stay with the parent (recording.h).
- *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
- *  - Stack: 32 kB in [real-time] calls, 66 kB in others. Memory: 31 kB for a session, 10 MB for a recording.
+ *  - dlclose() and the end of the process end all recordings. No thread may be in a call at that time.
+ *  - Stack: 32 kB in [real-time] calls, 66 kB in other calls. Memory: 31 kB for a session, 10 MB for a recording.
  *
- * Names end with units: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds. Tags in comments give other
- * units, ranges, defaults and references. The range of an array applies to each of its elements:
+ * Names end with units: _deg degrees, _deg2 degrees squared, _m metres, _s seconds, _ns nanoseconds, _deg_s degrees per
+ * second. Tags in comments give other units, ranges, defaults and references. The range of an array applies to each of
+ * its elements:
  *   @unit U           unit of a value whose name does not end in it; 1: a pure number
  *   @range A to B     allowed values; "0 or A to B" allows 0 as well
  *   @default V        value that hrt_..._init() sets
@@ -63,13 +65,13 @@
  * Plate coordinates are right-handed: x to the user's right, y up from the plate's face, z towards the user.
  * The origin is the plate's centre. The mid-line is the -z axis, straight away from the user.
  *
- * Directions are measured from the mid-line, counter-clockwise positive seen from above: a target to the left
- * has a positive direction. The bearing of a position is the direction from the start of the reach to it: the
- * angle at the start. It differs from the direction of the motion, since paths are curved.
+ * Directions are angles from the mid-line, positive counter-clockwise, seen from above: a target to the left has a
+ * positive direction. The bearing of a position is the direction of the straight line from the start of the reach to
+ * the position. The direction of the motion differs from the bearing, since paths are curved.
  *
  * Plate orientation is the direction of the normal of the ridges, counter-clockwise from the mid-line, seen
- * from above. 0: ridges across the mid-line, left to right. Ridges repeat every 180 degrees. Seen from above,
- * with the user at the bottom and arrows along the normal:
+ * from above. At 0, the ridges run across the mid-line, left to right. Orientations 180 degrees apart have the same
+ * ridges. Seen from above, with the user at the bottom and arrows along the normal:
  *
  *        0 degrees         45 degrees         90 degrees      mid-line
  *
@@ -115,7 +117,7 @@ extern "C" {
 #define HRT_NOEXCEPT
 #endif
 
-/** Version of these headers. hrt_get_version() returns the library's. */
+/** Version of these headers. hrt_get_version() returns the version of the library. */
 #define HRT_VERSION_MAJOR 0
 #define HRT_VERSION_MINOR 5
 #define HRT_VERSION_PATCH 0
@@ -130,7 +132,7 @@ typedef int32_t hrt_result;
 /** @enumeration HRT_ERROR Errors of calls. Their numbers never change. */
 /** A pointer that must not be null was null. */
 #define HRT_ERROR_NULL_ARGUMENT (-1)
-/** The handle or id is null, stale, of another session, or was never given out. */
+/** The handle or id is null, stale, of another session, or was never returned by the library. */
 #define HRT_ERROR_INVALID_HANDLE (-2)
 /** `struct_size` is smaller than the size that this library knows, not a multiple of 8, or larger than 4096; or bytes
  *  beyond the known size are not zero. */
@@ -141,11 +143,11 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_WRONG_STATE (-5)
 /** Another thread is in a call on this session. */
 #define HRT_ERROR_BUSY (-6)
-/** The sample is older than the one before it. */
+/** The sample is older than the previous sample. */
 #define HRT_ERROR_TIME_REVERSED (-7)
 /** An allocation failed. */
 #define HRT_ERROR_OUT_OF_MEMORY (-8)
-/** The number of objects or samples is at its limit. */
+/** The number of objects is at its limit. */
 #define HRT_ERROR_LIMIT_REACHED (-9)
 /** The caller's buffer is too small for the output. */
 #define HRT_ERROR_BUFFER_TOO_SMALL (-11)
@@ -173,8 +175,8 @@ HRT_API const char* hrt_result_string(hrt_result result) HRT_NOEXCEPT;
  *  @threadsafety [any-thread] */
 HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
 
-/** Returns the library's version. From version 1.0, all versions with the same major number are compatible. Before, a
- *  minor version may change the interface; the changelog names the changes.
+/** Returns the library's version. From version 1.0, all versions with the same major number are compatible. Before 1.0,
+ *  a minor version may change the interface; the changelog names the changes.
  *
  *  @param out_major  Receives the major version. Null is allowed for each of the three outputs.
  *  @threadsafety [any-thread] */

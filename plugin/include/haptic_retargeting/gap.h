@@ -1,9 +1,9 @@
 /*
  * Gap: the angle between a real and a virtual target, seen from the start. The plate must shift the perceived direction
- * by this angle. hrt_gap_query() compares it with the largest shift that the plate can cause for this user;
+ * by this angle. hrt_gap_query() compares the gap with the largest shift that the plate can cause for this user;
  * hrt_gap_assign() assigns real targets to virtual ones.
  *
- * Example: can a real target 6 degrees to the right represent a virtual one 5 degrees to the left?
+ * Example: can a real target 6 degrees to the right represent a virtual target 5 degrees to the left?
  *
  *   #include <haptic_retargeting/gap.h>
  *   #include <haptic_retargeting/haptic_retargeting.h>
@@ -20,7 +20,7 @@
  *     failed = failed || hrt_target_add(session, &config, &virtual_cup) ||
  *              hrt_gap_query(session, real, virtual_cup, &gap);
  *     if (failed) puts(hrt_last_error());
- *     else printf("A gap of %.1f of at most %.1f degrees.\n", gap.gap_deg, gap.max_gap_deg);
+ *     else printf("The gap is %.1f degrees, the largest feasible gap %.1f.\n", gap.gap_deg, gap.max_gap_deg);
  *     return failed;
  *   }
  */
@@ -35,10 +35,11 @@ extern "C" {
 
 /** Gap between a real and a virtual target. The user perceives the direction of the finger plus a shift that depends on
  *  the plate orientation, and steers until the sum is the virtual direction. The largest gap is therefore the largest
- *  shift for the allowed plate orientations. Under GUIDANCE_ARRIVAL, these are within person.motion_bound_deg of the
- *  motion, and the shift follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 and a
- *  bound of 75 degrees. Under FIXED_DIRECTION, they are within paper.plate_bound_deg of the virtual direction: 14.9
- *  degrees for a weight of 0.15 and a bound of 84.5. Published human data cover plate angles up to 60. */
+ *  shift for the allowed plate orientations. GUIDANCE_ARRIVAL allows orientations within person.motion_bound_deg of the
+ *  direction of the motion, and the shift follows the user's illusion curve: the largest gap is 11.25 degrees for a
+ *  linear illusion of weight 0.15 and a bound of 75 degrees. FIXED_DIRECTION allows orientations within
+ *  paper.plate_bound_deg of the virtual direction: the largest gap is 14.9 degrees for a weight of 0.15 and a bound of
+ *  84.5 degrees. Published human data cover angles of up to 60 degrees between motion and ridge normal. */
 typedef struct hrt_gap {
   uint32_t struct_size;
   /** 1 if the plate can keep the finger on the direction of the real target. @bool */
@@ -49,20 +50,19 @@ typedef struct hrt_gap {
   double gap_deg;
   /** Largest gap, to either side, that the plate can sustain for the user and the guidance of the session. */
   double max_gap_deg;
-  /** max_gap_deg minus the absolute value of gap_deg. Negative: unreachable. */
+  /** max_gap_deg minus the absolute value of gap_deg. Negative: the gap is not feasible. */
   double margin_deg;
-  /** Plate orientation that sustains the gap; at the bound if the gap is unreachable. @ccw */
+  /** Plate orientation that sustains the gap; at the bound if the gap is not feasible. @ccw */
   double plate_orientation_deg;
   /** Direction in which the finger settles: that of the real target if the gap is reachable. @ccw */
   double settling_direction_deg;
   /** Largest gap in the model of the paper, from person.tactile_weight and paper.plate_bound_deg. */
   double paper_max_gap_deg;
-  /** SD of the bearings at which reaches end, relative to the real target, due to the apparatus alone: the registration
-   *  of the plate (hrt_session_config::plate.covariance) or, after contacts, their covariance, and
-   *  tracker.bearing_sd_deg. */
+  /** SD of the bearings at which reaches to the real target end, due to the apparatus alone: plate.covariance (after
+   *  contacts, registration.contact_covariance) and tracker.bearing_sd_deg of hrt_session_config. */
   double bearing_sd_deg;
-  /** Fraction of reaches that end off the target (HRT_COMMAND_OFF_TARGET) because of bearing_sd_deg alone. If it is too
-   *  large, register with more touches or use another tracker. @range 0 to 1 @unit 1 */
+  /** Fraction of reaches that end off the target (HRT_COMMAND_OFF_TARGET) because of bearing_sd_deg alone. If this
+   *  fraction is too large, register with more touches or use another tracker. @range 0 to 1 @unit 1 */
   double miss_share;
 } hrt_gap;
 
@@ -71,7 +71,7 @@ typedef struct hrt_gap {
  *  @param real_target     Target to which the hand would be steered.
  *  @param virtual_target  Target that the user sees.
  *  @param out_gap         Gap of the pair.
- *  @return INVALID_HANDLE naming the target.
+ *  @return INVALID_HANDLE, or OUT_OF_RANGE for a target of the wrong role; both name the target.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
                                                hrt_gap* out_gap) HRT_NOEXCEPT;
@@ -89,12 +89,13 @@ typedef uint32_t hrt_assign_flags;
  *
  *  @param virtual_targets  Targets that need a real one.
  *  @param real_targets     Targets to choose from.
- *  @param flags            Options.
- *  @param capacity         Elements of `out_gaps`.
- *  @param out_gaps         Gap of each virtual target. `out_gaps[0].struct_size` is the size of each. A target without
- *                          a real one has `reachable` 0, a null real_target, and the numbers of its smallest gap.
- *  @return BUFFER_TOO_SMALL if `capacity` is below `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the argument
- *          and the index of a wrong or repeated id; OUT_OF_MEMORY.
+ *  @param flags            HRT_ASSIGN_*.
+ *  @param capacity         Number of elements of `out_gaps`.
+ *  @param out_gaps         Gap of each virtual target. `out_gaps[0].struct_size` is the size of each element. A virtual
+ *                          target without a real one has `reachable` 0, a null real_target, and the numbers of its
+ *                          smallest gap to a real target.
+ *  @return BUFFER_TOO_SMALL if `capacity` is below `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the wrong
+ *          argument or target; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_gap_assign(hrt_session session, const hrt_target* virtual_targets,
                                                 uint64_t virtual_count, const hrt_target* real_targets,

@@ -1,7 +1,7 @@
 /*
  * Haptic retargeting by touch: a ridged plate under the finger turns so that the hand arrives at a real target
- * while the user perceives that it moves to a virtual one. This header has the calls of a frame loop. Each of the
- * others has one concept: host.h, gap.h, scene.h, profile.h, setup.h, person.h, recording.h, plate.h.
+ * while the user perceives a motion to a virtual target. This header has the calls of a frame loop. Each other header
+ * has one concept: host.h, gap.h, scene.h, profile.h, setup.h, person.h, recording.h, plate.h.
  *
  * Example: one reach. A simulated person replaces the tracked finger and the plate.
  *

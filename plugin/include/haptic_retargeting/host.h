@@ -46,13 +46,13 @@ typedef struct hrt_host {
    *  must store it next to the memory. Called concurrently. */
   void (*release)(void* context, void* memory);
   /** Receives events that no call can return, for example that the disk of a recording is full. `level` is one of
-   *  HRT_LOG_*. `text` is one line that names the session and, for a recording, the file; it is valid during the call.
-   *  Called within calls that are not real-time or on a thread of the library, one call at a time. Null: no log, and
-   *  these events are lost. */
+   *  HRT_LOG_*. `text` is one line that names the session or the file; it is valid during the call. Called on a thread
+   *  of the library, or within a call that is not real-time; one call at a time. Null: the events are lost. */
   void (*log)(void* context, hrt_log_level level, const char* text);
 } hrt_host;
 
-/** Sets allocator and log. Waits while the former log is being called; it is not called after this call returns.
+/** Sets allocator and log. Waits while the former log is being called; the former log is not called after this call
+ *  returns.
  *
  *  @param host  Functions, copied. Null: the defaults.
  *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of
@@ -61,12 +61,12 @@ typedef struct hrt_host {
 HRT_NODISCARD HRT_API hrt_result hrt_host_set(const hrt_host* host) HRT_NOEXCEPT;
 
 /** Sets a log for one session instead of that of hrt_host_set(), for processes in which several parts use this library.
- *  Waits while the former log is being called; it receives no lines of the session after this call returns. Also writes
- *  lines that real-time calls have stored, for example about a reach with HRT_COMMAND_IMPLAUSIBLE: call it after a
- *  reach to receive them immediately.
+ *  Waits while the former log is being called; the former log receives no lines of the session after this call returns.
+ *  Also writes lines that real-time calls have stored, for example about a reach with HRT_COMMAND_IMPLAUSIBLE: call it
+ *  after a reach to receive them immediately.
  *
- *  @param host  Host whose `context` and `log` are copied; `allocate` and `release` must be null. If `host` or its
- *               `log` is null, the session uses the log of hrt_host_set() again.
+ *  @param host  Host whose `context` and `log` are copied; `allocate` and `release` must be null. If `host` or
+ *               `host->log` is null, the session uses the log of hrt_host_set() again.
  *  @return OUT_OF_RANGE if the host has an allocator.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_host_set_log(hrt_session session, const hrt_host* host) HRT_NOEXCEPT;

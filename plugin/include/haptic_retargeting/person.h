@@ -1,7 +1,7 @@
 /*
- * A simulated person: a finger that slides over the plate, perceives its ridges and is deflected by them. It replaces a
- * tracked finger and the plate's servo in a first program, a demo or an engine's test. It is a model, not a measurement
- * of people: its parameters follow from a seed, and its illusion is linear in the plate angle.
+ * A simulated person slides a finger over the plate, perceives the ridges and is deflected by them. The simulation
+ * replaces a tracked finger and the plate's servo in a first program, a demo or an engine's test. The person is a
+ * model: parameters are drawn from a seed, and the illusion is linear in the angle between motion and ridge normal.
  *
  * Example: a plate that is held at 45 degrees deflects the finger. haptic_retargeting.h has a controlled reach.
  *
@@ -47,20 +47,20 @@ typedef struct hrt_person {
 typedef struct hrt_person_config {
   uint32_t struct_size;
   uint32_t reserved;
-  /** Tactile weight: a person with a higher one is deflected further. 0: drawn from the seed between 0.12 and 0.3.
+  /** Tactile weight: a higher weight deflects the finger further. 0: drawn from the seed between 0.12 and 0.3.
    *  @range 0 or 0.01 to 0.49 @unit 1 @default 0 */
   double tactile_weight;
   /** Perceptual bias: direction in which the person sees a virtual target minus its true direction. The controller has
    *  to estimate it. @range -45 to 45 @default 0 @ccw */
   double bias_deg;
-  /** Duration of the motion. A shorter one leaves the controller less time to correct. 0: 1.5 s. @range 0 or 0.3 to 20
-   *  @default 0 */
+  /** Duration of the motion. A shorter motion leaves the controller less time to correct. 0: 1.5 s.
+   *  @range 0 or 0.3 to 20 @default 0 */
   double duration_s;
   /** SD of the tracker's white noise in each coordinate. Raise it to test an application with a poor tracker. 0: 1.2
    *  mm. @range 0 to 0.1 @default 0 */
   double tracker_noise_m;
-  /** Maximum speed of the simulated servo; 0: 400. Set it and plate_latency_ns to those of your device. @range 0 to 1e6
-   *  @default 0 */
+  /** Maximum speed of the simulated servo; 0: 400 degrees per second. Set it and plate_latency_ns to the values of your
+   *  device. @range 0 to 1e6 @default 0 */
   double plate_max_speed_deg_s;
   /** Time from a command to the servo's first motion; 0: 30 ms. @range 0 to 1 s @default 0 */
   int64_t plate_latency_ns;
@@ -77,7 +77,7 @@ typedef struct hrt_person_state {
   double felt_position_m[3];
   /** Plate orientation of the servo. @ccw */
   double plate_orientation_deg;
-  /** Perceived direction minus that of the virtual target. @ccw */
+  /** Perceived direction minus direction of the virtual target: a bias is included. @ccw */
   double felt_error_deg;
 } hrt_person_state;
 
@@ -86,7 +86,7 @@ typedef struct hrt_person_state {
  *  @param config      Configuration, copied. Null: the defaults.
  *  @param seed        Seed of parameters and noise; any number.
  *  @param out_person  Handle of the person.
- *  @return OUT_OF_RANGE naming the field; LIMIT_REACHED; OUT_OF_MEMORY.
+ *  @return OUT_OF_RANGE naming the field; LIMIT_REACHED for more than HRT_PEOPLE_MAX people; OUT_OF_MEMORY.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed,
                                                    hrt_person* out_person) HRT_NOEXCEPT;
@@ -96,12 +96,13 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* conf
  *  @threadsafety [one-thread] */
 HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 
-/** Starts a reach: the finger rests at the session's start for 0.6 s, and then slides to the present position of a
- *  virtual target. Each call starts another reach, with other noise.
+/** Starts a reach: the finger rests at the session's start for 0.6 s, and then slides to the position that the virtual
+ *  target has at this call. Each call starts another reach, with new noise.
  *
- *  With virtual_target {0}, the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m, rotated
- *  by 20 degrees about y, and the skin is at (2, -8, -12) mm from the joint, in the axes of the joint. Samples have
- *  WORLD_POSITION and JOINT_ROTATION in the parts FINGERTIP, REGISTRATION and CHECK, and if the session is registered.
+ *  With virtual_target {0}, the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m in the
+ *  world, rotated by 20 degrees about y, and the skin is at (2, -8, -12) mm from the tracked joint, in the joint's
+ *  axes. Samples have WORLD_POSITION and JOINT_ROTATION in the parts FINGERTIP, REGISTRATION and CHECK, and in all
+ *  parts once the session is registered.
  *
  *  @param session         Session of the target or of the set-up.
  *  @param virtual_target  Target that the person reaches for; {0}: follow the set-up in progress.
@@ -110,13 +111,12 @@ HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session session,
                                                   hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Commands the servo, advances the simulation, and returns the sample that tracker and servo report. It has the flags
- *  PLATE_ORIENTATION and PLATE_POSITION; hrt_person_begin() describes the exceptions in a set-up. The first call after
- *  hrt_person_begin() puts the plate at the given orientation and starts the rest.
+/** Commands the servo, advances the simulation, and returns the sample that tracker and servo report. The sample has
+ *  the flags PLATE_ORIENTATION and PLATE_POSITION; hrt_person_begin() describes the exceptions in a set-up. The first
+ *  call after hrt_person_begin() puts the plate at the given orientation and starts the finger's rest.
  *
  *  @param time_ns                Time to which the simulation advances.
- *  @param plate_orientation_deg  Command to the servo, which turns to this orientation or the nearest one with the same
- *                                ridges. @ccw
+ *  @param plate_orientation_deg  Command to the servo, which turns to the nearest equivalent orientation. @ccw
  *  @param out_sample             Sample for hrt_reach_update() or hrt_setup_update().
  *  @return OUT_OF_RANGE naming plate_orientation_deg; TIME_REVERSED; WRONG_STATE before hrt_person_begin();
  *          INVALID_HANDLE if the session of the set-up was destroyed.

@@ -30,19 +30,19 @@
  * A plate is opened by name:
  *
  * - `serial:/dev/ttyACM0`, `serial:COM3`: a plate that implements plugin/src/plate/protocol.md
- * - `dynamixel:/dev/ttyUSB0?id=1`: an XL330 servo under the plate, by Dynamixel Protocol 2.0
- * - `plate.json`: a file that `hrt-plate commission` wrote, with the name of the device and its measured properties
+ * - `dynamixel:/dev/ttyUSB0?id=1`: an XL330 servo under the plate, which uses Dynamixel Protocol 2.0
+ * - `plate.json`: a file that the program `hrt-plate commission` wrote, with the device's name and measured properties
  *
- * Options of a servo, separated by '&': id (0 to 252, default 1), baud (57600, 115200 or 1000000, default
+ * Options of a Dynamixel servo, separated by '&': id (0 to 252, default 1), baud (57600, 115200 or 1000000, default
  * 57600), speed (degrees a second, 10 to 1000, default 300), effort (percent of the servo's stall current of
- * 1.47 A, 5 to 100, default 50). The force at the plate's rim, 75 mm from its axis, is limited to 4 N, calculated
- * from the maker's stall torque.
+ * 1.47 A, 5 to 100, default 50). The current is also limited so that the force at the plate's rim, 75 mm from the axis,
+ * is at most 4 N, calculated from the maker's stall torque.
  *
  * Each plate has one thread for its communication. Only hrt_plate_close() waits for a device, for at most 0.5 s. A
  * plate stops when the application makes no calls (hrt_plate_options::host_timeout_ns), when it is closed, and when it
- * fails. A failure is permanent: close the plate and open it again. In the child of a fork, the calls of a plate fail
- * with WRONG_STATE; closing it there only releases its handle. The end of the process closes all plates. On Windows,
- * close them before the library is unloaded.
+ * fails. A failure is permanent: close the plate and open it again. In the child of a fork, calls on a plate of the
+ * parent fail with WRONG_STATE; closing the plate there only releases its handle. The end of the process closes all
+ * plates. On Windows, close them before the library is unloaded.
  */
 #ifndef HAPTIC_RETARGETING_PLATE_H
 #define HAPTIC_RETARGETING_PLATE_H
@@ -73,8 +73,8 @@ typedef struct hrt_plate {
  *  (HRT_PLATE_REPORT_UNHOMED). */
 typedef uint32_t hrt_plate_homing;
 #define HRT_PLATE_HOMING_REFUSED 0u /**< hrt_plate_set() fails with WRONG_STATE */
-/** The plate moves to the orientation of the first call slowly, in about 8 s. Keep fingers off: many servos turn slowly
- *  then, but a digital servo may move at its full speed. */
+/** The first call moves the plate slowly, for about 8 s. Keep fingers off the plate: a digital servo may nevertheless
+ *  move at its full speed. */
 #define HRT_PLATE_HOMING_SLOW 1u
 
 /** Options of hrt_plate_open(). */
@@ -84,9 +84,9 @@ typedef struct hrt_plate_options {
    *  @default HRT_PLATE_HOMING_REFUSED */
   hrt_plate_homing homing;
   /** Time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() after which the plate stops at its present
-   *  orientation, so that it does not keep moving if the application hangs. The next hrt_plate_set() moves it again.
-   *  Raise it for an application whose frames may take longer; the plate then moves longer after a crash.
-   *  @range 50 ms to 10 s @default 300 ms */
+   *  orientation, so that the plate does not keep moving if the application hangs. The next hrt_plate_set() moves the
+   *  plate again. Raise the time for an application whose frames may take longer; the plate then moves longer when the
+   *  application hangs. @range 50 ms to 10 s @default 300 ms */
   int64_t host_timeout_ns;
 } hrt_plate_options;
 
@@ -94,13 +94,13 @@ typedef struct hrt_plate_options {
 typedef uint32_t hrt_plate_state;
 #define HRT_PLATE_STATE_OPENING 1u /**< connecting: up to 6 s, because many boards restart when they are opened */
 #define HRT_PLATE_STATE_READY 2u   /**< accepts commands */
-#define HRT_PLATE_STATE_FAILED 3u  /**< stopped if it was still connected; hrt_plate_report::message has the reason */
+#define HRT_PLATE_STATE_FAILED 3u  /**< stopped, if it was still connected; hrt_plate_report::message has the reason */
 
 /** @enumeration HRT_PLATE_FAULT Cause of a plate's failure. */
 typedef uint32_t hrt_plate_fault;
 #define HRT_PLATE_FAULT_NONE 0u      /**< no failure */
 #define HRT_PLATE_FAULT_LINE 1u      /**< the serial port cannot be opened or configured, or is in use */
-#define HRT_PLATE_FAULT_NO_ANSWER 2u /**< no device at the serial port answers by the protocol of the name */
+#define HRT_PLATE_FAULT_NO_ANSWER 2u /**< no device, or another one than in the plate's file, answers at the port */
 #define HRT_PLATE_FAULT_UNPLUGGED 3u /**< the serial port has disappeared, or accepts no data */
 #define HRT_PLATE_FAULT_SILENT 4u    /**< the device has sent nothing for half a second */
 #define HRT_PLATE_FAULT_NO_REPORT 5u /**< the device does not report its orientation */
@@ -115,17 +115,18 @@ typedef uint32_t hrt_plate_fault;
 /** @flags HRT_PLATE_REPORT Content of a report, and warnings. */
 typedef uint32_t hrt_plate_report_flags;
 #define HRT_PLATE_REPORT_ORIENTATION 1u  /**< the orientation is known */
-#define HRT_PLATE_REPORT_MEASURED 2u     /**< a sensor measures the orientation; else it is assumed from the commands */
+#define HRT_PLATE_REPORT_MEASURED 2u     /**< a sensor measures the orientation; without the flag, it is assumed */
 #define HRT_PLATE_REPORT_ROUND_TRIP 4u   /**< hrt_plate_report::round_trip_ns was measured */
-#define HRT_PLATE_REPORT_COMMANDED 8u    /**< the plate turns to or holds a command; else it is stopped */
-#define HRT_PLATE_REPORT_HOST_SILENT 16u /**< stopped by hrt_plate_options::host_timeout_ns */
+#define HRT_PLATE_REPORT_COMMANDED 8u    /**< the plate turns to a command, or holds it; otherwise, it is stopped */
+#define HRT_PLATE_REPORT_HOST_SILENT 16u /**< hrt_plate_options::host_timeout_ns has stopped the plate */
 /** The plate orientation is unknown (not homed): the plate has no sensor, and was switched on, reset, or stopped by its
  *  emergency stop since the orientation was last known. */
 #define HRT_PLATE_REPORT_UNHOMED 32u
 #define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< the plate has reached no command since opening: keep fingers off */
 #define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are from the plate's file */
-/** The plate does not behave as in its file: its speed is below 80 % of the speed there, it has rested for a second
- *  further from its command than the error there, or it follows commands 40 ms later. Commission it again. */
+/** The plate differs from its file: it is slower than 80 % of the file's speed, it has rested for a second further from
+ *  its command than the file's error, or it follows commands more than 40 ms later than the file's latency. Commission
+ *  the plate again. */
 #define HRT_PLATE_REPORT_DEVIATES 256u
 
 /** State and properties of a plate. All numbers are finite, and 0 while they are unknown. */
@@ -167,11 +168,11 @@ typedef struct hrt_plate_report {
   char message[256];
 } hrt_plate_report;
 
-/** Starts to open a plate and returns immediately; hrt_plate_get() reports when it is ready, or why it failed. Opening
- *  does not move the plate: until the first hrt_plate_set(), a hobby servo gets no pulse and exerts no force, and a
- *  Dynamixel holds its position.
+/** Starts to open a plate and returns immediately; hrt_plate_get() reports when the plate is ready, or why it failed.
+ *  Opening does not move the plate: until the first hrt_plate_set(), a hobby servo gets no pulse and exerts no force,
+ *  and a Dynamixel holds its position.
  *
- *  @param device     Name of the plate, as above.
+ *  @param device     Name of the plate; see the beginning of this file.
  *  @param options    Options, copied. Null: the defaults.
  *  @param out_plate  Handle of the plate.
  *  @return OUT_OF_RANGE for a malformed name or file; LIMIT_REACHED for more than 16 plates; OUT_OF_MEMORY; SYSTEM if
@@ -180,19 +181,19 @@ typedef struct hrt_plate_report {
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                                                       hrt_plate* out_plate) HRT_NOEXCEPT;
 
-/** Turns the plate to an orientation, or to the nearest one with the same ridges, which repeat every 180 degrees. If
- *  the stops allow no such orientation, turns it to the nearest stop. The plate holds it until the next command or
- *  hrt_plate_stop(). The command is sent within 5 ms, unless the computer is busy.
+/** Turns the plate to the nearest orientation that has the same ridges as the given one: they repeat every 180 degrees.
+ *  If the stops allow no such orientation, turns the plate to the nearest stop. The plate holds its orientation until
+ *  the next command. The command is sent within 5 ms, unless the computer is busy.
  *
  *  @param orientation_deg  Plate orientation. @range -1e6 to 1e6 @ccw
- *  @return WRONG_STATE unless the plate is READY, and while it is UNHOMED, unless hrt_plate_options::homing is
- *          HRT_PLATE_HOMING_SLOW.
+ *  @return OUT_OF_RANGE; WRONG_STATE if the plate is not READY, or if it is UNHOMED and hrt_plate_options::homing is
+ *          not HRT_PLATE_HOMING_SLOW.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) HRT_NOEXCEPT;
 
-/** Stops the plate and holds its present orientation.
+/** Stops the plate, which then holds its present orientation.
  *
- *  @return As hrt_plate_set().
+ *  @return WRONG_STATE if the plate is not READY.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_stop(hrt_plate plate) HRT_NOEXCEPT;
 

@@ -23,14 +23,14 @@
  *    "tactile_weight_sd":0.05,"bias_deg":0,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,
  *    "sensory_variance_deg2":0.1,"initial_variance_deg2":0}
  *
- * After a reach has estimated the user's traits, it also has "person_mean":[...],"person_covariance":[...]. If the host
- * has set them, it has the conditions under which the user was measured:
+ * After a reach or a calibration has estimated the user's traits, the text also has "person_mean":[...] and
+ * "person_covariance":[...]. If the host has named the conditions of the measurement, the text has them too:
  *
  *   "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
  * Fields and ranges are those of hrt_session_config with the tag @profile. Contacts are stored with the pose of the
- * plate. A session with another pose ignores them. A session with the same pose adds an SD of 0.002 to the elements of
- * registration.contact_correction, because trackers drift.
+ * plate. A session with another pose discards the contacts. A session with the same pose adds an SD of 0.002 to the
+ * elements of registration.contact_correction, because trackers drift.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
@@ -49,7 +49,7 @@ typedef uint32_t hrt_condition_flags;
 /** Conditions of a measurement. The host sets them, because the library reads no clock and knows no devices. */
 typedef struct hrt_conditions {
   uint32_t struct_size;
-  /** Output: conditions that both the profile and the host name and that differ. Not read as input. */
+  /** Output: conditions that the profile and the host both name, and that differ. Not read as input. */
   hrt_condition_flags differing;
   /** Time of the measurement in seconds since 1970, UTC, until the end of the year 9999; 0: unknown.
    *  @range 0 to 253402300799 */
@@ -62,8 +62,8 @@ typedef struct hrt_conditions {
   char tracker[HRT_NAME_SIZE];
 } hrt_conditions;
 
-/** Sets the session's present conditions. A calibration stores them with its result. If the conditions of a loaded
- *  profile differ from them, a warning is logged by this call or when the profile is loaded.
+/** Sets the session's present conditions, which a calibration stores with its result. If the conditions of a loaded
+ *  profile differ from the present ones, this call, or the one that loads the profile, logs a warning.
  *
  *  @param conditions  The present conditions.
  *  @return OUT_OF_RANGE naming the field; WRONG_STATE during a reach or a set-up.
@@ -71,8 +71,8 @@ typedef struct hrt_conditions {
 HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
-/** Returns the conditions under which the user was measured: those of the loaded profile or, if a set-up has calibrated
- *  since, the present ones; without both, all are unknown.
+/** Returns the conditions under which the user was measured: those of the loaded profile; after a later calibration,
+ *  the present conditions; otherwise, all are unknown.
  *
  *  @param out_conditions  Conditions of the measurement. `differing` compares them with the present ones.
  *  @threadsafety [one-thread] */
@@ -89,8 +89,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;
 
-/** Copies a profile into the session's configuration. Of the fields that the profile lacks, those of the user and of
- *  correlated noise are reset to their defaults, and the others keep their values. Unknown fields are an error.
+/** Copies a profile into the session's configuration. Fields that the profile lacks are reset to their defaults if they
+ *  describe the user or correlated noise; other missing fields keep their values. Unknown fields are an error.
  *
  *  @param text    Profile in UTF-8.
  *  @param length  Bytes of the profile.
@@ -99,9 +99,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t 
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 
-/** Prepares the session for another user: resets fingertip_offset_m, the fields of the part paper that profiles
- *  contain, and those of the part person, but not max_felt_error_deg. Plate, tracker, registration and targets are
- *  kept, so that HRT_SETUP_ALL_MISSING measures only the user.
+/** Prepares the session for another user: resets fingertip_offset_m, all fields of hrt_session_person except
+ *  max_felt_error_deg, and the fields of hrt_session_paper that profiles contain. Plate, tracker, registration and
+ *  targets are kept, so that HRT_SETUP_ALL_MISSING measures only the user.
  *
  *  @return WRONG_STATE during a reach or a set-up.
  *  @threadsafety [one-thread] */

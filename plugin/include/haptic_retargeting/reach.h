@@ -1,13 +1,13 @@
 /*
- * A reach: the finger moves from the start to a real target while the user perceives that it moves to a virtual
- * one. Each call takes a sample of the finger and returns a command for the plate.
+ * A reach: the finger moves from the start to a real target while the user perceives a motion to a virtual target. Each
+ * hrt_reach_update() takes a sample of the finger and returns a command for the plate.
  *
  * Example: one frame of an engine whose tracker reports positions in the world. haptic_retargeting.h has a complete
  * reach.
  *
  *   #include <haptic_retargeting/haptic_retargeting.h>
  *
- *   // `finger_m` is null while the tracker has lost the finger. Returns HRT_COMMAND_ARRIVED at the end.
+ *   // `finger_m` is null while the tracker has lost the finger. Returns HRT_COMMAND_ARRIVED at the end, 0 before.
  *   hrt_command_flags frame(hrt_session session, int64_t now_ns, const double* finger_m, double* plate_deg) {
  *     hrt_sample sample = hrt_sample_init();
  *     hrt_command command = hrt_command_init();
@@ -36,8 +36,8 @@ typedef uint32_t hrt_reach_flags;
  *  and at 0 before the first command. */
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
 /** The reach starts at the first position of the finger instead of hrt_session_config::start_position_m; directions and
- *  distances are measured from there. Until the first position, the plate turns as for the configured start, and
- *  samples are not counted. Has no effect if samples have directions only. */
+ *  distances are measured from this position. Until the first position, the plate turns as for the configured start,
+ *  and samples are not counted. Has no effect if samples have directions only. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
 /** Configuration of a reach. */
@@ -50,8 +50,9 @@ typedef struct hrt_reach_config {
   hrt_target real_target;
   /** Target that the user reaches for. Null by default: must be set. */
   hrt_target virtual_target;
-  /** Plate orientation before the reach, clamped to the stops. Set it if something other than this session has turned
-   *  the plate: the controller plans from it. @range -1e6 to 1e6 @default 0 @ccw */
+  /** Plate orientation before the reach, clamped to the stops. Set it, with HRT_REACH_PLATE_ORIENTATION, if something
+   *  other than this session has turned the plate: the controller plans from this orientation. @range -1e6 to 1e6
+   *  @default 0 @ccw */
   double plate_orientation_deg;
   /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the task dictates it. A correct value improves the
    *  first corrections, a wrong one impairs them. 0: unknown, and estimated from the progress of the finger.
@@ -60,8 +61,8 @@ typedef struct hrt_reach_config {
 } hrt_reach_config;
 
 /** @flags HRT_SAMPLE hrt_sample::flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and
- *  WORLD_POSITION is allowed. A sample without these and without LIFTED is a dropout: the plate does not turn, and the
- *  model predicts the position of the finger. */
+ *  WORLD_POSITION is allowed. A sample with none of these three and without LIFTED is a dropout: the last command is
+ *  repeated, and the model predicts the position of the finger. */
 typedef uint32_t hrt_sample_flags;
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
 #define HRT_SAMPLE_PLATE_POSITION UINT32_C(2)    /**< finger_position_m, in plate coordinates */
@@ -76,7 +77,7 @@ typedef uint32_t hrt_sample_flags;
 #define HRT_SAMPLE_JOINT_ROTATION UINT32_C(64)
 
 /** One sample of the tracked finger. Initialise it by hrt_sample_init(), then set the known fields and their flags.
- *  Only the fields that `flags` names are read. */
+ *  Besides time_ns, only the fields that `flags` names are read. */
 typedef struct hrt_sample {
   uint32_t struct_size;
   /** Fields that are set. */
@@ -84,8 +85,8 @@ typedef struct hrt_sample {
   /** Time of the sample on the caller's monotonic clock, with any origin; never less than that of the last sample.
    *  @range any */
   int64_t time_ns;
-  /** Direction of the finger's motion, assumed to be exact. If the position is known, set it instead: GUIDANCE_ARRIVAL
-   *  needs it. @range -180 to 180 @ccw */
+  /** Direction of the finger's motion, assumed to be exact. If the position is known, set finger_position_m instead:
+   *  GUIDANCE_ARRIVAL needs positions. @range -180 to 180 @ccw */
   double finger_direction_deg;
   /** Position of the fingertip. @range -1000 to 1000 */
   double finger_position_m[3];
@@ -93,7 +94,7 @@ typedef struct hrt_sample {
    *  the plate has no stops, multiples of 180 degrees are ignored: the model uses the equivalent orientation that is
    *  nearest to the expected one. @range -1e6 to 1e6 @ccw */
   double plate_orientation_deg;
-  /** Position of the plate in the world; see hrt_session_config. @range -1000 to 1000 */
+  /** Position of the plate in the world; see hrt_session_plate. @range -1000 to 1000 */
   double plate_position_m[3];
   /** Rotation of the plate's mount in the world. @norm 0.999 to 1.001 @unit 1 */
   double plate_rotation[4];
@@ -105,50 +106,52 @@ typedef struct hrt_sample {
 /** @flags HRT_COMMAND Reasons of a command, and warnings: hrt_command::flags. */
 typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_HELD UINT32_C(1) /**< the controller computed no new command: the last one is repeated */
-/** The sample is a dropout; under FIXED_DIRECTION, all samples of this step and the last one are. */
+/** The sample is a dropout; under FIXED_DIRECTION, all samples of the present and the last step are dropouts. */
 #define HRT_COMMAND_PREDICTED UINT32_C(2)
-#define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the command is limited by the plate's bound or a stop */
-#define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the command is limited by the largest speed of the plate */
+#define HRT_COMMAND_SATURATED UINT32_C(4)    /**< a bound of the plate orientation or a stop limits the command */
+#define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the maximum speed of the plate limits the command */
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the reach is interrupted */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
-/** The motion differs from the model by more than its noise explains: estimates and UNREACHABLE are unreliable. */
+/** The motion differs from the model by more than noise explains: estimates and UNREACHABLE are unreliable. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
-/** The bearing of the predicted or actual end of the motion differs by more than 1.5 degrees from that of the real
- *  target; or, after three tenths of the path, the finger moves in a direction more than 60 degrees from the target. */
+/** The bearing of the predicted or actual end of the motion probably differs by more than 1.5 degrees from the bearing
+ *  of the real target; or, after three tenths of the path, the finger's bearing differs from it by more than 60
+ *  degrees. */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
-#define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the plate does not turn */
+#define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the last command is repeated */
 /** The solver stopped before it found the optimum; the command is within its limits. */
 #define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
-/** A defect in this library: a value was not a finite number. The plate does not turn, and the value is 0. The log
- *  reports it once for each session, when the session is next configured or destroyed. */
+/** A defect in this library: a value was not a finite number. The last command is repeated, and the value is 0. The log
+ *  reports the defect once for each session, at the calls listed under REGISTRATION. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
-/** The plate's registration is missing, older than registration.max_age_ns, or less accurate than
- *  registration.max_sd_deg. Set up again (setup.h). The log reports it at the next call of hrt_session_set(),
- *  hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load() or hrt_scene_register(). */
+/** The plate's registration is older than registration.max_age_ns, less accurate than registration.max_sd_deg, or
+ *  missing although one of these limits is set. Set up again (setup.h). The log reports it at the next call of
+ *  hrt_host_set_log(), hrt_session_set(), hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load(),
+ *  hrt_profile_reset() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
-/** The motion has ended; hrt_reach_retarget() may continue the reach. The finger was at the start or has moved, and has
- *  then rested in one of two regions. For 0.4 s: after nine tenths of the path, and near the real target, which is
- *  within a quarter of its distance from the start (at least 15 mm). For 2 s: after three tenths of the path, and at
- *  most 60 degrees off the target's bearing; OFF_TARGET is set unless the finger is near the target. A lift, a dropout
- *  of 0.2 s, or a retarget by 2 mm or more restarts the time. Never set in a reach with directions only: use a time
- *  limit there. */
+/** The motion has ended; hrt_reach_retarget() may continue the reach. The finger was at the start or has moved; then it
+ *  has rested for 0.4 s near the real target, after nine tenths of the path, or for 2 s at most 60 degrees off the
+ *  target's bearing, after three tenths of the path. OFF_TARGET is set unless the finger is near the target. "Near" is
+ *  within a quarter of the target's distance from the start, or within 15 mm if this is more. A lift, a dropout of 0.2
+ *  s, or a move of the real target by 2 mm or more restarts the time. Never set in a reach with directions only: use a
+ *  time limit there. */
 #define HRT_COMMAND_ARRIVED UINT32_C(8192)
-/** Contacts (hrt_reach_touched()) contradict the registration: they shift the real target by more than its covariance
- *  allows in 99.9 % of cases. The plate or the tracker's frame has moved, or another object was touched. Set up again
- *  (setup.h). */
+/** Contacts (hrt_reach_touched()) contradict the registration: they shift the real target further than 99.9 % of
+ *  correct registrations would require. The plate or the tracker's coordinate system has moved, or another object was
+ *  touched. Set up again (setup.h). */
 #define HRT_COMMAND_CONTACTS UINT32_C(16384)
-/** The finger rests more than 15 mm from the start and has not been at the start: ask the user to move there. The
- *  motion begins when the finger has rested at the start, or moves from its present position. */
+/** The finger rests more than 15 mm from the start and has not been at the start: ask the user to move to the start.
+ *  The motion begins when the finger has rested at the start, or moves from its present position. */
 #define HRT_COMMAND_NOT_AT_START UINT32_C(32768)
 /** The miss is unknown, because no sample shows a motion, or because FIXED_DIRECTION does not predict it.
  *  predicted_miss_deg and miss_deg are 0, miss_sd_deg is 180. */
 #define HRT_COMMAND_MISS_UNKNOWN UINT32_C(65536)
 /** Times, units or axes are probably wrong: times do not advance in nanoseconds; the finger is faster than 5 m/s,
- *  further than three plate radii away, or moving away from the virtual target; a start or target is beyond the plate's
- *  edge by more than a radius; the directions of all targets are probably in radians; or the hand follows the rotation
- *  of the plate instead of opposing it. The log names the cause at the calls listed under REGISTRATION. The estimates
- *  of the user do not change. */
+ *  further than three plate radii from the plate's centre, or moving away from the virtual target; the start or the
+ *  real target is further than two radii from the centre; the directions of all targets are probably in radians; or the
+ *  finger ends beyond the virtual target, on the side away from the real target. The log names the cause at the calls
+ *  listed under REGISTRATION. The reach does not change the estimates of the user. */
 #define HRT_COMMAND_IMPLAUSIBLE UINT32_C(131072)
 
 /** Value of hrt_command::time_to_go_s while the finger rests before or within the motion, or, under FIXED_DIRECTION,
@@ -175,8 +178,8 @@ typedef struct hrt_command_paper {
   int64_t step;
   /** Direction of the finger's motion in the last step, observed or predicted. @ccw */
   double finger_direction_deg;
-  /** Direction to which the finger is steered: that of the real target, or the nearest one that the plate can sustain.
-   *  @ccw */
+  /** Direction to which the finger is steered: that of the real target, or the nearest direction that the plate can
+   *  sustain. @ccw */
   double aimed_direction_deg;
 } hrt_command_paper;
 
@@ -185,10 +188,10 @@ typedef struct hrt_command {
   uint32_t struct_size;
   /** Reasons and warnings, HRT_COMMAND_*. */
   hrt_command_flags flags;
-  /** Plate orientation to turn to now, within the stops. Of the orientations that differ by multiples of 180 degrees,
-   *  it is the nearest one if speed and acceleration are unlimited; otherwise, the plate stays within one half turn for
-   *  the whole reach. Without stops, successive reaches may turn the plate further and further in one direction: the
-   *  device must count turns, or remove whole ones. @ccw */
+  /** Plate orientation to turn to now, within the stops. Orientations 180 degrees apart have the same ridges: a plate
+   *  without stops (under FIXED_DIRECTION: without limits of speed and acceleration) turns to the nearest of them; any
+   *  other plate stays within one half turn during a reach. Without stops, successive reaches may turn the plate
+   *  further and further in one direction: the device must count turns, or remove whole ones. @ccw */
   double plate_orientation_deg;
   /** Bearing of the finger, seen from the start of the reach; 0 until the finger moves. In a reach with directions
    *  only, the direction of the last step. @ccw */
@@ -202,8 +205,8 @@ typedef struct hrt_command {
   /** Predicted bearing of the position of arrival minus that of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN.
    *  @ccw */
   double predicted_miss_deg;
-  /** SD of the bearing of the finger's true position: it combines the uncertainty of the estimator, plate.covariance
-   *  or, after contacts, their covariance, and tracker.bearing_sd_deg. At the end, the SD of
+  /** SD of the bearing of the finger's true position, from the uncertainty of the estimator, plate.covariance (after
+   *  contacts, registration.contact_covariance) and tracker.bearing_sd_deg. At the end, the SD of
    *  hrt_reach_summary::miss_deg. 180 with HRT_COMMAND_MISS_UNKNOWN. */
   double miss_sd_deg;
   /** Distance along the plate to the real target, from the finger or, until its first position, from the start. */
@@ -214,8 +217,8 @@ typedef struct hrt_command {
   double tactile_weight;
   /** SD of tactile_weight; 0: assumed to be exact. @unit 1 */
   double tactile_weight_sd;
-  /** Normalised innovation squared (NIS), averaged over about the last twenty positions: how much they deviate from the
-   *  model. About 2 if the model fits; from 6, MISFIT is set. 0 under FIXED_DIRECTION. @unit 1 */
+  /** Normalised innovation squared (NIS), averaged over about the last twenty positions: how much the positions deviate
+   *  from the model. About 2 if the model fits; from 6, MISFIT is set. 0 under FIXED_DIRECTION. @unit 1 */
   double misfit;
   hrt_command_paper paper; /**< values of the controller of the paper @flatten paper_* */
 } hrt_command;
@@ -229,18 +232,19 @@ typedef struct hrt_reach_counts {
   int64_t saturated_steps; /**< steps with samples in which the plate's bound or a stop limited the command */
 } hrt_reach_counts;
 
-/** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. The estimates of
- *  HRT_ADAPTATION_CARRIED in hrt_session_config::person differ a little, because a second pass of the filter over the
- *  motion computes them, with HRT_PERSON_LOG_WANDER as observed. Under FIXED_DIRECTION, curve and bias are 0.
+/** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. HRT_ADAPTATION_CARRIED
+ *  writes slightly different estimates into hrt_session_config::person: those of a second pass of the filter over the
+ *  motion, with the observed HRT_PERSON_LOG_WANDER. Under FIXED_DIRECTION, curve and bias are 0.
  *
- *  Under ARRIVAL, the SDs of weight and bias are too small after many reaches with gaps on the same side, where both
- *  have the same effect: after 20, the 95 % intervals contain the true values of about 60 % of simulated people, and
- *  reaches still end at the target. To measure a user, alternate the sides (95 to 98 %). */
+ *  Under ARRIVAL, the SDs of weight and bias are too small after many reaches with gaps on the same side, where a
+ *  weight and a bias have the same effect: after 20 reaches, the 95 % intervals contain the true values of about 60 %
+ *  of simulated people, although reaches still end at the target. To measure a user, alternate the sides: the intervals
+ *  then contain the true values of 95 to 98 %. */
 typedef struct hrt_reach_learnt {
   double tactile_weight;    /**< tactile weight at the end; see hrt_command @unit 1 */
   double tactile_weight_sd; /**< SD of tactile_weight; see hrt_command @unit 1 */
-  /** Curvature of the illusion: HRT_PERSON_CURVE. If it exceeds 2 SD, the illusion is not linear, and tactile_weight is
-   *  valid at 60 degrees only. @unit 1 */
+  /** Curvature of the illusion: HRT_PERSON_CURVE. If it exceeds twice illusion_curve_sd, the illusion is not linear,
+   *  and tactile_weight is valid at 60 degrees only. @unit 1 */
   double illusion_curve;
   double illusion_curve_sd; /**< SD of illusion_curve @unit 1 */
   double bias_deg;          /**< bias: HRT_PERSON_BIAS @ccw */
@@ -258,8 +262,8 @@ typedef struct hrt_reach_paper {
   double miss_deg;
   /** Perceived direction in the last step. @ccw */
   double perceived_direction_deg;
-  /** perceived_direction_deg minus the direction of the virtual target and the user's bias as configured before the
-   *  reach. @ccw */
+  /** perceived_direction_deg minus the intended direction: virtual direction plus the user's bias as configured before
+   *  the reach. @ccw */
   double perceived_error_deg;
   /** Estimated motor variance, starting from the configured one. @flatten motor_variance_deg2 */
   double motor_variance_deg2;
@@ -273,8 +277,9 @@ typedef struct hrt_reach_paper {
 /** Result of a reach. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  /** Warnings. UNREACHABLE, CONTACTS and NOT_AT_START are those of the last command; MISFIT, REGISTRATION, IMPLAUSIBLE
-   *  and FAULT are set if any command had them; OFF_TARGET and MISS_UNKNOWN refer to the end of the motion. */
+  /** Warnings. UNREACHABLE, CONTACTS, NOT_AT_START and IMPLAUSIBLE are those of the last command; MISFIT and
+   *  REGISTRATION are set if any command had them; OFF_TARGET and MISS_UNKNOWN refer to the end of the motion; FAULT to
+   *  this summary. */
   hrt_command_flags flags;
   /** Bearing of the last position; 0 with HRT_COMMAND_MISS_UNKNOWN. If samples have directions only, the direction of
    *  the last step. @ccw */
@@ -312,8 +317,8 @@ typedef struct hrt_contact {
   hrt_contact_flags flags;
   /** Position of the fingertip; the height above the plate has no effect. @range -1000 to 1000 @default 0 */
   double position_m[3];
-  /** SD of the position in each coordinate. The smaller it is, the more the contact corrects. 0: the radius of the real
-   *  target, or 10 mm if that is unknown. @range 0 or 0.0001 to 1 @default 0 */
+  /** SD of the position in each coordinate. The smaller the SD, the more the contact corrects. 0: the radius of the
+   *  real target, or 10 mm if the radius is unknown. @range 0 or 0.0001 to 1 @default 0 */
   double sd_m;
 } hrt_contact;
 
@@ -321,48 +326,51 @@ typedef struct hrt_contact {
  *  the finger is elsewhere, unless HRT_REACH_START_AT_FINGER is set.
  *
  *  @param config  Targets and options.
- *  @return INVALID_HANDLE or OUT_OF_RANGE naming the target; WRONG_STATE during a reach.
+ *  @return INVALID_HANDLE naming the target; OUT_OF_RANGE naming the target or field; WRONG_STATE during a reach or a
+ *          set-up.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the command for the plate. Call it every frame, at any frame rate, also before the
  *  motion: GUIDANCE_ARRIVAL estimates the start and the noise of the tracker from these samples. With positions, the
- *  command changes at every sample; with directions, once in a step period. A position that is identical to the last
- *  one within 50 ms is a dropout, since the tracker is slower than the application. Steps without samples are
- *  predicted, under FIXED_DIRECTION at most 64 in a call.
+ *  command changes at every sample; with directions, once in a step period. A position that equals the last one is a
+ *  dropout for 50 ms, since the tracker is slower than the application. Steps without samples are predicted, under
+ *  FIXED_DIRECTION at most 64 in a call.
  *
  *  @param sample       Finger, and plate if its orientation is measured.
  *  @param out_command  Command for the plate.
- *  @return WRONG_STATE without a reach; OUT_OF_RANGE naming the field, or naming the target if
- *          HRT_REACH_START_AT_FINGER puts it within 1 mm of the finger or the pair 90 degrees apart; TIME_REVERSED.
+ *  @return WRONG_STATE without a reach; OUT_OF_RANGE naming the field, or naming the target if, with
+ *          HRT_REACH_START_AT_FINGER, a target is within 1 mm of the finger or the targets are 90 degrees apart;
+ *          TIME_REVERSED.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
-/** Redirects the reach to other targets, or to the same ones after hrt_target_set() has moved them; call it every frame
- *  while they move. The direction of the real target is then seen from the finger, that of the virtual target from the
- *  perceived position; if samples have directions only, both from the start. The next command has UNREACHABLE if the
- *  plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short. If a target has moved by 2 mm
- *  or more, the rest that HRT_COMMAND_ARRIVED requires starts again. On an error, the reach is unchanged.
+/** Redirects the reach to other targets, or to moved targets (hrt_target_set()); call it every frame while targets
+ *  move. From now on, the direction of the real target is measured from the finger, that of the virtual target from the
+ *  perceived position; if samples have directions only, both are measured from the start. The next command has
+ *  UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short. If the
+ *  real target has moved by 2 mm or more, the rest that HRT_COMMAND_ARRIVED requires starts again. On an error, the
+ *  reach is unchanged.
  *
  *  @param real_target     Target to which the hand is steered.
  *  @param virtual_target  Target that the user reaches for.
- *  @return INVALID_HANDLE or OUT_OF_RANGE naming the target, also for a pair 90 degrees apart; WRONG_STATE without a
+ *  @return INVALID_HANDLE or OUT_OF_RANGE naming the target, also for targets 90 degrees apart; WRONG_STATE without a
  *          reach.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Reports that the finger has touched the real object. Call it at most once for each reach, before the next one
- *  begins. The contact reveals the error of the tracker's frame: from the next reach on,
+/** Reports that the finger has touched the real object, during a reach or after hrt_reach_end(), at most once for each
+ *  reach. The contact reveals the error of the tracker's coordinate system: from the next reach on,
  *  hrt_session_config::registration.contact_correction corrects the finger's positions, and the estimated bias of the
  *  user changes by the angle of this correction.
  *
  *  @param contact  Position of contact. Null: the default.
- *  @return OUT_OF_RANGE naming the field, or the position if it is within 10 mm of the start or too far from the
- *          tracked position; WRONG_STATE without a present or ended reach, without HRT_SESSION_REGISTERED, or after a
- *          contact of the same reach;
- *          INSUFFICIENT_DATA if the finger did not move.
+ *  @return OUT_OF_RANGE naming the field, or the position if it is within 10 mm of start_position_m or too far from the
+ *          tracked finger; WRONG_STATE if no reach is in progress and none has ended since the last cancel or change of
+ *          the configuration, without HRT_SESSION_REGISTERED, or after a contact of the same reach; INSUFFICIENT_DATA
+ *          if the finger did not move.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) HRT_NOEXCEPT;
 
@@ -376,8 +384,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXC
 /** Ends the reach and returns its result. With HRT_ADAPTATION_CARRIED, updates the estimates in the configuration.
  *
  *  @param out_summary  Result of the reach.
- *  @return WRONG_STATE without a reach; INSUFFICIENT_DATA if the reach has had no sample. It then remains in progress;
- *          hrt_reach_cancel() ends it.
+ *  @return WRONG_STATE without a reach; INSUFFICIENT_DATA if the reach has had no sample. The reach then remains in
+ *          progress; hrt_reach_cancel() ends it.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) HRT_NOEXCEPT;
 

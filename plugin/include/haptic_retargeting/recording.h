@@ -18,10 +18,10 @@
  *   }
  *
  * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. It has a row for each call
- * hrt_reach_begin, _update, _retarget, _touched, _cancel and _end, and hrt_setup_update, _finish and _cancel, including
- * failed calls, except those of a set-up whose structs cannot be read. Comments contain configurations, targets, calls
- * of hrt_setup_begin() and the plate orientation. Numbers have full precision. A thread of the library writes the file,
- * so that a slow or full disk never delays a call; rows that it cannot write are dropped and counted.
+ * hrt_reach_begin, _update, _retarget, _touched, _cancel and _end, and hrt_setup_update, _finish and _cancel, also for
+ * a failed call if its handle and structs can be read. Comments contain configurations, targets, calls of
+ * hrt_setup_begin() and the plate orientation. Numbers have full precision. A thread of the library writes the file, so
+ * that a slow or full disk never delays a call; rows that cannot be written are dropped and counted.
  */
 #ifndef HAPTIC_RETARGETING_RECORDING_H
 #define HAPTIC_RETARGETING_RECORDING_H
@@ -39,7 +39,7 @@ typedef struct hrt_recording_status {
   int32_t system_error;
   /** Rows that the operating system has accepted for writing: after stopping, equal to hrt_replay_report::rows. */
   uint64_t rows_written;
-  /** Calls that were dropped because the disk was too slow or failed. If 0 after stopping, the file is complete. */
+  /** Number of rows that were dropped, because the disk was slow or failed. 0 after stopping: the file is complete. */
   uint64_t rows_lost;
 } hrt_recording_status;
 
@@ -79,12 +79,11 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_rec
 typedef uint32_t hrt_recording_ending;
 #define HRT_ENDING_COMPLETE 0  /**< the end line is present; no row was altered or lost */
 #define HRT_ENDING_CUT 1       /**< the end line is missing: the file was cut, or the process ended while recording */
-#define HRT_ENDING_LOST_ROWS 2 /**< rows are missing because the disk was slow: only those before were replayed */
+#define HRT_ENDING_LOST_ROWS 2 /**< the disk was too slow for some rows: only the rows before them were replayed */
 #define HRT_ENDING_ALTERED 3   /**< the checksum in the end line does not match the text before it */
 
 /** The fields of hrt_command that hrt_replay_report::hash covers, in this order: WHOLE(name) for each integer,
- *  NUMBER(name) for each double. A field that is added to hrt_command is not listed, so that the hash stays the same.
- *  */
+ *  NUMBER(name) for each double. A new field of hrt_command is not listed, so that the hash stays the same. */
 #define HRT_HASHED_FIELDS(WHOLE, NUMBER) \
   WHOLE(flags)                           \
   NUMBER(plate_orientation_deg)          \
@@ -113,7 +112,7 @@ typedef struct hrt_replay_report {
    *  bit for bit. */
   uint64_t first_different_line;
   /** FNV-1a hash of the replayed commands, equal on every host: of the fields of HRT_HASHED_FIELDS for each successful
-   *  row "update", as 8 bytes each, least significant byte first. */
+   *  row "update", each as 8 bytes, least significant byte first. */
   uint64_t hash;
   /** How the recording ended. */
   hrt_recording_ending ending;
@@ -126,7 +125,8 @@ typedef struct hrt_replay_report {
  *  @param text        Content of a recording, or null.
  *  @param length      Bytes of the content.
  *  @param out_report  Result of the comparison.
- *  @return BAD_FORMAT naming the line, or a version that is not supported; SYSTEM if the file cannot be read.
+ *  @return BAD_FORMAT naming the line, or a version that is not supported; SYSTEM if the file cannot be read;
+ *          OUT_OF_MEMORY.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_replay(const char* path, const char* text, uint64_t length,
                                                       hrt_replay_report* out_report) HRT_NOEXCEPT;

@@ -55,8 +55,8 @@ typedef struct hrt_scene_target {
   uint32_t struct_size;
   /** Role of the target. */
   hrt_target_role role;
-  /** Index of the real target that is assigned to this virtual one: the one that the file names, otherwise the nearest
-   *  in direction, the first one if several are equally near; -1 for a real target. */
+  /** Index of the real target that is assigned to this virtual target: the target that the file names, otherwise the
+   *  nearest in direction, the first of equally near ones; -1 for a real target. */
   int32_t served_by;
   uint32_t reserved;
   /** Position in plate coordinates; y is the height above the plate. */
@@ -106,13 +106,14 @@ HRT_NODISCARD HRT_API hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_i
 HRT_NODISCARD HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index,
                                                       hrt_scene_target* out_target) HRT_NOEXCEPT;
 
-/** Copies a scene into a session: sets plate, start and, if the file has it, servo speed, and adds all targets by their
- *  position on the plate, each virtual one with its hrt_target_config::served_by. Replaces a registered pose of the
- *  plate. On an error, nothing changes.
+/** Copies a scene into a session: sets plate, start and, if the file has one, the servo's speed, and adds all targets
+ *  by their position on the plate, each virtual target with its hrt_target_config::served_by. Replaces a registered
+ *  pose of the plate. On an error, nothing changes.
  *
- *  @param capacity     Elements of `out_targets`.
+ *  @param capacity     Number of elements of `out_targets`.
  *  @param out_targets  Ids of the targets in the order of the scene. May be null if `capacity` is 0.
- *  @return BUFFER_TOO_SMALL; NAME_TAKEN; WRONG_STATE during a reach or a set-up.
+ *  @return BUFFER_TOO_SMALL; NAME_TAKEN; OUT_OF_RANGE for a radius or a position; LIMIT_REACHED; WRONG_STATE during a
+ *          reach or a set-up; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] for the scene and for the session. */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
                                                     hrt_target* out_targets) HRT_NOEXCEPT;

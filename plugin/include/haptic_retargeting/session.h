@@ -1,5 +1,6 @@
 /*
- * A session: one user, one plate, and the assumptions of the controller about both. Order of calls:
+ * A session: one user, one plate, and the assumptions of the controller about both. "The paper" is "Controlling Hand
+ * Movements relying on Tactile Illusions: A Model Predictive Control Framework". Order of calls:
  *
  *   create -> add targets -> (begin -> update ... update -> end or cancel) for each reach -> destroy
  *
@@ -19,7 +20,7 @@
  *     return hrt_session_destroy(session);
  *   }
  *
- * In other languages, profiles and recordings, structs are not nested: `plate.scale` is `plate_scale` there.
+ * Structs are not nested in other languages, profiles and recordings: there, `plate.scale` is `plate_scale`.
  */
 #ifndef HAPTIC_RETARGETING_SESSION_H
 #define HAPTIC_RETARGETING_SESSION_H
@@ -60,13 +61,13 @@ typedef uint32_t hrt_adaptation;
  *  values are not corrected. */
 #define HRT_ADAPTATION_OFF 0
 /** The parameters are estimated within each reach. Each reach starts from the configured values, so that reaches of a
- *  study do not depend on their order. */
+ *  study do not depend on earlier reaches. */
 #define HRT_ADAPTATION_REACH 1
 /** As REACH; in addition, the end of a reach writes the estimates into the configuration: person.mean,
  *  person.covariance, person.tactile_weight and person.tactile_weight_sd. Their uncertainty is increased, because
- *  people change. A reach that ends early or that does not fit the model (HRT_COMMAND_MISFIT) writes nothing. Under
- *  FIXED_DIRECTION, it writes person.tactile_weight and paper.motor_variance_deg2; one reach changes the latter by a
- *  factor of 2 at most. */
+ *  people change. A reach that ends early, does not fit the model (HRT_COMMAND_MISFIT) or is implausible writes
+ *  nothing. Under FIXED_DIRECTION, a reach writes person.tactile_weight, paper.motor_variance_deg2 and their SDs; it
+ *  changes the variance by a factor of 2 at most. */
 #define HRT_ADAPTATION_CARRIED 2
 
 /** @flags HRT_SESSION Options of a session: hrt_session_config::flags. */
@@ -80,9 +81,9 @@ typedef uint32_t hrt_session_flags;
  *  which writes the scene's pose, clears it. Both discard contacts. */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 /** The user finds start_position_m by touch, for example by a dimple. A finger that rests before a reach is then
- *  assumed to be at the start, even if the tracker reports another position, and positions are measured relative to it.
- *  A different point of contact on the skin or a shifted tracker frame therefore does not rotate a reach. Read under
- *  GUIDANCE_ARRIVAL. HRT_SETUP_GUIDES sets this flag. */
+ *  assumed to be at the start, even if the tracker reports another position, and positions are measured relative to
+ *  this rest. A different point of contact on the skin or a shift of the tracker's coordinate system therefore does not
+ *  rotate a reach. Read under GUIDANCE_ARRIVAL only. HRT_SETUP_GUIDES sets this flag. */
 #define HRT_SESSION_START_FELT UINT32_C(4)
 
 /* Indices of the user's parameters (traits) in hrt_session_config::person.mean. */
@@ -91,7 +92,7 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_WEIGHT 0
 /** Curvature b of the illusion curve, in the formula of HRT_PERSON_WEIGHT; 0: linear. @range -0.1 to 0.5 @unit 1 */
 #define HRT_PERSON_CURVE 1
-/** Rate at which the user corrects the perceived direction. @range 3 to 20 @unit 1/s */
+/** Rate at which the user corrects the perceived-direction error. @range 3 to 20 @unit 1/s */
 #define HRT_PERSON_GAIN 2
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
@@ -126,8 +127,8 @@ typedef struct hrt_session_plate {
    *  one of max_speed_deg_s. @range 0 to 1e8 @default 0 */
   double max_acceleration_deg_s2;
   /** Time from a command to the plate's first motion. The controller plans from the orientation that the plate will
-   *  have by then. Set the measured time: a value that is too small makes every correction late. At most 8 times
-   *  paper.step_period_ns. @range 0 to 1 s @default 0 */
+   *  have after this time. Set the measured time: a value that is too small makes every correction late. At most 8
+   *  times paper.step_period_ns. @range 0 to 1 s @default 0 */
   int64_t latency_ns;
   /** Lower mechanical stop as a plate orientation: no command lies beyond it. If both stops are 0, the plate turns
    *  freely. If a stop limits a command, HRT_COMMAND_SATURATED is set, and the plate may not sustain the gap.
@@ -135,24 +136,24 @@ typedef struct hrt_session_plate {
   double lower_stop_deg;
   /** Upper mechanical stop, at least 180 degrees above the lower one. @range -3600 to 3600 @default 0 @ccw */
   double upper_stop_deg;
-  /** Radius of the plate. Positions beyond it get HRT_COMMAND_OFF_PLATE, and a set-up places its default marks within
-   *  it. It does not change commands. @range 0.02 to 1 @default 0.075 */
+  /** Radius of the plate. Positions beyond it get HRT_COMMAND_OFF_PLATE, and a set-up places its default marks on the
+   *  rim. The radius does not change commands. @range 0.02 to 1 @default 0.075 */
   double radius_m;
-  /** Centre of the plate in the engine's world. A set-up writes it and plate.rotation; fixed plates may set them by
-   *  hand. @range -1000 to 1000 @default (0, 0, 0) @profile registration.contact_covariance */
+  /** Centre of the plate in the engine's world. A set-up writes position and rotation; for a fixed plate, the host may
+   *  set both. @range -1000 to 1000 @default (0, 0, 0) @profile registration.contact_covariance */
   double position_m[3];
   /** Rotation of the plate's mount: the unit quaternion x, y, z, w from plate coordinates to the axes of the world. It
    *  does not turn with the ridges. An error of the rotation about the plate's normal rotates every reach by the same
    *  angle. @norm 0.999 to 1.001 @unit 1 @default (0, 0, 0, 1) @profile registration.contact_covariance */
   double rotation[4];
-  /** Length in the engine's world of 1 m on the plate; differs from 1 if the tracker's unit of length is wrong. The
-   *  distances of positions in the world from the plate's centre are divided by it. @range 0.5 to 2 @unit 1 @default 1
+  /** Length in the engine's world of 1 m on the plate; differs from 1 if the tracker's unit of length is wrong. World
+   *  positions relative to the plate's centre are divided by the scale. @range 0.5 to 2 @unit 1 @default 1
    *  @profile registration.contact_covariance */
   double scale;
   /** Covariance of the plate's pose in its plane: rotation about the normal (radians, counter-clockwise) and position
    *  of the centre to the right and away (metres). Lower triangle, row by row; positive semidefinite. All 0: the pose
-   *  is exact. A set-up writes it. Under GUIDANCE_ARRIVAL, it contributes to UNREACHABLE and miss_sd_deg; it does not
-   *  change commands. @unit mixed @range -1 to 1 @default 0 */
+   *  is exact. A set-up writes it. Under GUIDANCE_ARRIVAL, it contributes to UNREACHABLE, OFF_TARGET and miss_sd_deg;
+   *  it does not change commands. @unit mixed @range -1 to 1 @default 0 */
   double covariance[6];
 } hrt_session_plate;
 
@@ -173,9 +174,9 @@ typedef struct hrt_session_tracker {
   /** Age of a position at the time_ns of its sample, under GUIDANCE_ARRIVAL. Set the value of the device (SETUP.md):
    *  latency that is not configured makes fast reaches miss. @range 0 to 0.5 s @default 0 */
   int64_t latency_ns;
-  /** SD of the tracker's error in the bearing of a reach: it is constant within a reach, so the samples do not show it,
-   *  and differs from reach to reach. It contributes to miss_sd_deg, OFF_TARGET and hrt_gap::miss_share, and does not
-   *  change commands. SETUP.md describes how to measure it. @range 0 to 45 @default 0 */
+  /** SD of the tracker's error in the bearing of a reach. The error is constant within a reach, so the samples do not
+   *  show it, and differs from reach to reach. The SD contributes to miss_sd_deg, OFF_TARGET and hrt_gap::miss_share,
+   *  and does not change commands. SETUP.md describes how to measure it. @range 0 to 45 @default 0 */
   double bearing_sd_deg;
 } hrt_session_tracker;
 
@@ -184,9 +185,9 @@ typedef struct hrt_session_tracker {
 typedef struct hrt_session_person {
   /** Tactile weight w_T: fraction of touch, rather than of the arm's own sense, in the perceived direction. The higher
    *  the user's weight, the further a rotation of the plate steers the hand. If this value is above the user's weight,
-   *  the controller steers too little. Under GUIDANCE_ARRIVAL, it is the perceived shift divided by the angle at 60
-   *  degrees, and person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2 @profile
-   *  @flatten tactile_weight */
+   *  the controller steers too little. Under GUIDANCE_ARRIVAL, it is the perceived shift divided by the angle between
+   *  motion and ridge normal, at 60 degrees, and person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2
+   *  @profile @flatten tactile_weight */
   double tactile_weight;
   /** SD of person.tactile_weight, from which adaptation starts. A larger value makes adaptation faster and noisier;
    *  under GUIDANCE_ARRIVAL, it also raises the uncertainty of the illusion curve in proportion. @range 0.001 to 0.49
@@ -202,8 +203,9 @@ typedef struct hrt_session_person {
    *  @flatten max_felt_error_deg */
   double max_felt_error_deg;
   /** Maximum angle between the plate orientation and the direction of the finger under GUIDANCE_ARRIVAL. Raising it
-   *  allows larger gaps for users whose illusion still increases at that angle; published data reach up to 60. The
-   *  controller never exceeds the peak of the user's illusion. @range 1 to 89 @default 75 @flatten motion_bound_deg */
+   *  allows larger gaps for users whose illusion still increases at that angle; published data cover angles up to 60
+   *  degrees. The controller never exceeds the peak of the user's illusion. @range 1 to 89 @default 75
+   *  @flatten motion_bound_deg */
   double motion_bound_deg;
   /** Mean of the traits HRT_PERSON_*, whose comments have the ranges. Reaches, set-ups and profiles write it. Read if
    *  person.covariance is not 0. @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0
@@ -230,9 +232,9 @@ typedef struct hrt_session_registration {
    *  requires more touches in a set-up. 0: not checked. @range 0 to 180 @default 0 */
   double max_sd_deg;
   /** Matrix D, row by row, that corrects the registration by contacts: a finger that is tracked at the vector r from
-   *  the start (to the right, away from the user) is at r + D r. Read if registration.contact_covariance is not 0 and
-   *  HRT_SESSION_REGISTERED is set. hrt_reach_touched() writes it. A call that changes the plate's pose, but not this
-   *  field, resets it to 0. @unit 1 @range -0.5 to 0.5 @default 0 @flatten contact_correction
+   *  the start (to the right, away from the user) is in fact at r + D r. Read if registration.contact_covariance is not
+   *  0 and HRT_SESSION_REGISTERED is set. hrt_reach_touched() writes it. A call that changes the plate's pose, but not
+   *  this field, resets it to 0. @unit 1 @range -0.5 to 0.5 @default 0 @flatten contact_correction
    *  @profile registration.contact_covariance */
   double contact_correction[4];
   /** Covariance of registration.contact_correction: lower triangle, row by row; positive definite. All 0: no contact
@@ -243,8 +245,8 @@ typedef struct hrt_session_registration {
 /** Part of hrt_session_config: the controller of the paper, and the noise of the user in its model. Read under
  *  FIXED_DIRECTION only. */
 typedef struct hrt_session_paper {
-  /** Steps that the controller plans ahead. With 1, most reaches miss; more than 3 changes little and costs time.
-   *  @range 1 to 20 @default 3 */
+  /** Steps that the controller plans ahead. With a horizon of 1, most reaches miss; one above 3 changes little and
+   *  costs time. @range 1 to 20 @default 3 */
   uint32_t horizon;
   /** Duration of one step of the model and of the controller. Shorter steps correct more often. If you change it, scale
    *  the variances below, which are per step. @range 1 ms to 10 s @default 100 ms */
@@ -290,9 +292,9 @@ typedef struct hrt_session_config {
   /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gap of
    *  every pair. The default is on the mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
   double start_position_m[3];
-  /** The finger is assumed to be lifted if its tracked position is more than this height above the plate. If it is too
-   *  low, noise of the tracker interrupts reaches; if it is too high, a finger that hovers over the plate is assumed to
-   *  touch it. @range 0.0001 to 1 @default 0.015 */
+  /** The finger is assumed to be lifted if its tracked position is more than this height above the plate. If the height
+   *  is too low, noise of the tracker interrupts reaches; if it is too high, a hovering finger is assumed to touch the
+   *  plate. @range 0.0001 to 1 @default 0.015 */
   double lift_height_m;
   /** Vector from the tracked joint to the point of contact on the skin, in the axes of the joint. Applied to samples
    *  with HRT_SAMPLE_JOINT_ROTATION. A set-up measures it, once for each hand; with 0, a hand that rotates shifts the
@@ -316,8 +318,8 @@ typedef struct hrt_session_config {
 HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config,
                                                     hrt_session* out_session) HRT_NOEXCEPT;
 
-/** @flags HRT_STATE State of a session, from hrt_session_get(). 0: idle, but a target is missing, so that no reach can
- *  begin. */
+/** @flags HRT_STATE State of a session, from hrt_session_get(). 0: idle, but the real or the virtual target is missing,
+ *  so that no reach can begin. */
 typedef uint32_t hrt_session_state;
 #define HRT_STATE_READY UINT32_C(1)      /**< there is a real and a virtual target, and no reach is in progress */
 #define HRT_STATE_REACHING UINT32_C(2)   /**< a reach is in progress */

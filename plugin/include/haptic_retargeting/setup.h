@@ -52,32 +52,32 @@ typedef uint32_t hrt_setup_parts;
 /** Measures the plate's pose in the world from touches of marks. Requires HRT_SAMPLE_WORLD_POSITION. An error of the
  *  rotation rotates every reach by the same angle, and the samples of a reach do not reveal it. */
 #define HRT_SETUP_REGISTRATION UINT32_C(2)
-/** Checks the registration by one touch, for example before each reach, and by a second one if the first disagrees. If
- *  a touch agrees, sets registration.time_ns; otherwise, clears HRT_SESSION_REGISTERED. Cannot be combined with
+/** Checks the registration by one touch, for example before each reach, and by a second touch if the first disagrees.
+ *  If a touch agrees, sets registration.time_ns; otherwise, clears HRT_SESSION_REGISTERED. Cannot be combined with
  *  REGISTRATION. */
 #define HRT_SETUP_CHECK UINT32_C(4)
 /** Corrects the error that remains after registration. A guide is a strip on the plate from a dimple at the start to a
- *  real object. For each of the first 8 real targets, in the order of their addition, the user slides six times back
- *  and forth along its guide without lifting, with a rest of 1.4 s at each end. Compared with a registration by six
- *  marks, this halves the error, or reduces it further if the tracker's frame is distorted. Sets
+ *  real object. For each of the first 8 real targets, in the order of their addition, the user makes six slides along
+ *  its guide, back and forth without lifting, with a rest of 1.4 s at each end. Compared with a registration by six
+ *  marks, guides halve the error, or reduce it further if the tracker's coordinate system is distorted. Sets
  *  registration.contact_correction and HRT_SESSION_START_FELT. Requires HRT_SESSION_REGISTERED and real targets whose
  *  near sides are at least 40 mm from the start. Cannot be combined with REGISTRATION. */
 #define HRT_SETUP_GUIDES UINT32_C(8)
 /** Measures the user's illusion curve, bias and habit, and the tracker's noise, from slides straight ahead while the
  *  plate does not turn. */
 #define HRT_SETUP_CALIBRATION UINT32_C(16)
-/** As CALIBRATION; in addition, hrt_setup_result::differing compares the result with the values before it. Cannot be
+/** As CALIBRATION; in addition, hrt_setup_result::differing compares the result with the former values. Cannot be
  *  combined with CALIBRATION. */
 #define HRT_SETUP_RETEST UINT32_C(32)
-/** Those of FINGERTIP, REGISTRATION and CALIBRATION for which the session has no result yet and the samples have the
- *  required fields. Cannot be combined with other parts. */
+/** Those parts of FINGERTIP, REGISTRATION and CALIBRATION for which the session has no result yet and the samples have
+ *  the required fields. Cannot be combined with other parts. */
 #define HRT_SETUP_ALL_MISSING UINT32_C(64)
 
 /** Maximum number of marks. */
 #define HRT_MARKS_MAX 8
 /** Number of elements of hrt_setup_config::marks_m. */
 #define HRT_MARK_NUMBERS 24
-/** Bytes of a sentence, including the terminating zero. */
+/** Bytes of hrt_setup_step::text and hrt_setup_result::reason, including the terminating zero. */
 #define HRT_TEXT_SIZE 256
 
 /** Configuration of a set-up. */
@@ -99,10 +99,10 @@ typedef struct hrt_setup_config {
    *  accurate enough (enough_weight_width). A lower maximum limits the duration, but the weight of a user with much
    *  variation remains less certain. @range 16 to 200 @default 40 */
   uint32_t max_slides;
-  /** Marks in plate coordinates: x, y and z of each. Set them to points that the user can find on the plate by touch or
-   *  sight. @range -10 to 10 @default 0 */
+  /** Marks in plate coordinates: x, y and z of each of mark_count marks. Set them to points that the user can find on
+   *  the plate by touch or sight. @range -10 to 10 @default 0 */
   double marks_m[HRT_MARK_NUMBERS];
-  /** Expected SD of each coordinate of a touch. A larger value accepts less accurate touches, but wrong ones too.
+  /** Expected SD of each coordinate of a touch. A larger value accepts less accurate touches, but wrong touches too.
    *  @range 1e-5 to 0.1 @default 0.003 */
   double touch_sd_m;
   /** Upward direction in the engine's world, of any length: the plate's face must point within 60 degrees of it. All 0:
@@ -187,8 +187,8 @@ typedef struct hrt_interval {
   double value; /**< estimate @unit mixed */
   double lower; /**< lower end @unit mixed */
   double upper; /**< upper end @unit mixed */
-  /** 0 if the data cannot determine the value. The interval is then the range of the search, and the value its most
-   *  likely point. @bool */
+  /** 0 if the data cannot determine the value. The interval is then that of the fit or the range of the search, and the
+   *  value is the most likely point. @bool */
   uint32_t known;
   uint32_t reserved;
 } hrt_interval;
@@ -211,8 +211,8 @@ typedef uint32_t hrt_setup_difference;
 #define HRT_RETEST_BIAS UINT32_C(2)           /**< the bias has changed */
 #define HRT_RETEST_HABIT UINT32_C(4)          /**< the habit has changed */
 
-/** Result of a set-up. The measured values are in the session's configuration. Fields of parts that are not `done` are
- *  0. */
+/** Result of a set-up. The measured values are in the session's configuration. Fields of parts without a completed fit
+ *  are 0. */
 typedef struct hrt_setup_result {
   uint32_t struct_size;
   /** Parts that were determined and applied since the set-up began. */
@@ -234,14 +234,15 @@ typedef struct hrt_setup_result {
   hrt_setup_parts dropped;
   /** Root mean square distance of the touches from their marks. */
   double registration_residual_m;
-  /** SD of the estimated rotation of the plate about its normal. An error of this rotation rotates every reach. */
+  /** SD of the estimated rotation of the plate about its normal. An error of this rotation rotates every reach by the
+   *  same angle. */
   double registration_turn_sd_deg;
   /** Distance between the touch of a CHECK and the expected position of its mark. */
   double check_distance_m;
   /** Largest SD of a coordinate of the fingertip's offset. */
   double fingertip_sd_m;
-  /** Tactile weight: perceived shift divided by the angle between ridge normal and motion, at 60 degrees and at the
-   *  speed of the slides. @unit 1 */
+  /** Tactile weight: perceived shift divided by the angle between ridge normal and motion, at 60 degrees, for the speed
+   *  of the slides. @unit 1 */
   hrt_interval tactile_weight;
   /** Bias: aimed minus target direction. @ccw */
   hrt_interval bias_deg;
@@ -256,9 +257,9 @@ typedef struct hrt_setup_result {
  *
  *  @param what    Parts, HRT_SETUP_*.
  *  @param config  Configuration, copied. Null: the defaults.
- *  @return OUT_OF_RANGE naming the field, for CALIBRATION also if the plate extends less than 50 mm ahead of
- *          start_position_m, for GUIDES if a target is too near; WRONG_STATE during a reach or a set-up, or if a
- *          requirement of CHECK or GUIDES is not met; OUT_OF_MEMORY.
+ *  @return OUT_OF_RANGE naming the field, for CALIBRATION and RETEST also if the plate leaves less than 50 mm for
+ *          slides ahead of start_position_m, for GUIDES if a target is too near; WRONG_STATE during a reach or a
+ *          set-up, or if a requirement of CHECK or GUIDES is not met; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_begin(hrt_session session, hrt_setup_parts what,
                                                  const hrt_setup_config* config) HRT_NOEXCEPT;
@@ -276,7 +277,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_update(hrt_session session, const hrt
                                                   hrt_setup_step* out_step) HRT_NOEXCEPT;
 
 /** Continues the fit of a part for less than 1 ms, or for up to 3 ms with more than 40 slides. Call it in each frame
- *  whose step has HRT_STEP_FINISH: a fit of touches takes one call, one of 16 slides about 300. When the fit is
+ *  whose step has HRT_STEP_FINISH: a fit of touches takes one call, a fit of 16 slides about 300 calls. When the fit is
  *  complete, the call applies its result to the configuration, and the set-up continues with the remaining parts. A
  *  part whose fit is rejected is repeated at most twice; see hrt_setup_result::dropped.
  *

@@ -1,7 +1,7 @@
 /*
  * Targets: virtual targets, which the user sees, and real targets, to which the hand is steered.
  *
- * Example: a real object 100 mm from the start, and a virtual one that moves.
+ * Example: a real object 100 mm from the start, and a virtual object that moves.
  *
  *   #include <haptic_retargeting/haptic_retargeting.h>
  *   #include <stdio.h>
@@ -29,7 +29,7 @@
 extern "C" {
 #endif
 
-/** A target's id within its session. Zero is never a target. Ids are never reused, in any session. They are below 2^53:
+/** A target's id within its session. Zero is never a target. Ids are never reused, in any session. Ids are below 2^53:
  *  a double represents them exactly. */
 typedef struct hrt_target {
   uint64_t value;
@@ -51,7 +51,7 @@ typedef uint32_t hrt_target_place;
 #define HRT_PLACE_PLATE_POSITION 2 /**< `position_m` in plate coordinates */
 #define HRT_PLACE_WORLD_POSITION 3 /**< `position_m` in the engine's world */
 
-/** A target. Only the fields that `place` names are read. */
+/** A target. Of the fields for the position, only those that `place` names are read. */
 typedef struct hrt_target_config {
   uint32_t struct_size;
   /** Role of the target. @default HRT_TARGET_REAL */
@@ -60,28 +60,29 @@ typedef struct hrt_target_config {
   hrt_target_place place;
   uint32_t reserved;
   /** Direction from the start. If the directions of all targets are below 1.6 degrees, they are probably in radians:
-   *  reaches are flagged HRT_COMMAND_IMPLAUSIBLE. @range -180 to 180 @default 0 @ccw */
+   *  reaches get HRT_COMMAND_IMPLAUSIBLE. @range -180 to 180 @default 0 @ccw */
   double direction_deg;
   /** Distance from the start along the plate. @range 0.001 to 10 @default 0.1 */
   double distance_m;
-  /** Position in the world or, within 10 m, in plate coordinates. Its distance from the start in the plane of the plate
-   *  is at least 1 mm; its height has no effect. @range -1000 to 1000 @default (0, 0, 0) */
+  /** Position in the engine's world, or in plate coordinates at most 10 m from the plate's centre. In the plane of the
+   *  plate, the position must be at least 1 mm from the start; its height has no effect. @range -1000 to 1000
+   *  @default (0, 0, 0) */
   double position_m[3];
   /** Name, unique within the session or empty; error texts and recordings show it. UTF-8, terminated by a zero. */
   char name[HRT_NAME_SIZE];
   /** Radius of the real object. hrt_reach_touched() computes the position of contact from it. 0: unknown; contacts are
    *  then less accurate. @range 0 to 1 @default 0 */
   double radius_m;
-  /** Real target that is assigned to this virtual one; null, the default: none. hrt_scene_register() sets it, for use
-   *  by the host; the library does not read it, because hrt_reach_begin() and hrt_gap_query() take both targets. The
-   *  real target may have been removed since. Must be null for a real target. */
+  /** Real target that is assigned to this virtual target; null, the default: none. hrt_scene_register() sets it, for
+   *  use by the host; the library does not read it, because hrt_reach_begin() and hrt_gap_query() take both targets.
+   *  The real target may have been removed since. Must be null for a real target. */
   hrt_target served_by;
 } hrt_target_config;
 
 /** Adds a target to a session.
  *
  *  @param config      Target, copied.
- *  @param out_target  Its id.
+ *  @param out_target  Id of the target.
  *  @return OUT_OF_RANGE naming the field; NAME_TAKEN; LIMIT_REACHED; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
@@ -110,10 +111,10 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target 
 /** Lists the targets of a role in the order of their addition.
  *
  *  @param role         Role of the targets; 0: both.
- *  @param capacity     Elements of `out_targets`. 0: the targets are only counted.
- *  @param out_targets  Their ids. May be null if `capacity` is 0.
- *  @param out_count    Their number.
- *  @return BUFFER_TOO_SMALL if there are more than `capacity`.
+ *  @param capacity     Number of elements of `out_targets`. 0: the targets are only counted.
+ *  @param out_targets  Ids of the targets. May be null if `capacity` is 0.
+ *  @param out_count    Number of targets of the role.
+ *  @return BUFFER_TOO_SMALL if there are more than `capacity` targets; OUT_OF_RANGE for another role.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, hrt_target_role role, uint64_t capacity,
                                                  hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;

@@ -24,8 +24,8 @@ struct DeviceLimits {
   std::chrono::nanoseconds latency;  ///< time from a command to the start of the motion
 };
 
-/// Behaviour of a device after it was opened. `hold`: it holds its position and accepts commands. `passive`: it exerts
-/// no force and only answers queries.
+/// Behaviour of an opened device. `hold`: the device holds its position and accepts commands. `passive`: the device
+/// exerts no force and only answers queries.
 enum class Start { hold, passive };
 
 /// Settings that a board with the line protocol stores (samples/plate/firmware/README.md). All functions throw
@@ -45,8 +45,8 @@ class BoardSettings {
 };
 
 /// Device that turns a plate. To add a kind of device, write a derived class in a file of its own, and add two lines to
-/// devices.cpp. If the device has failed, each function stops it, if it is still connected, and throws PlateFailure.
-/// The destructor stops it. All calls are made on one thread.
+/// devices.cpp. Once the device has failed, each function stops the plate, if still connected, and throws PlateFailure.
+/// The destructor stops the plate. All calls are made on one thread.
 class Device {
  public:
   Device() = default;
@@ -61,7 +61,7 @@ class Device {
   virtual bool is_measured() const = 0;
   /// Median time from a message to its answer; nullopt before the first answer.
   virtual std::optional<std::chrono::nanoseconds> round_trip() const = 0;
-  /// Last reported orientation; nullopt if it is unknown. reported() is the time of that report.
+  /// Last reported orientation; nullopt if unknown. reported(): time of the report.
   virtual std::optional<double> orientation_deg() const = 0;
   virtual Line::Time reported() const = 0;
   /// Number of messages that the device refused or that were damaged in transmission.
@@ -70,7 +70,7 @@ class Device {
   virtual Line::Time now() const = 0;
 
   /// Waits up to `limit` for the device's next bytes, processes them, and sends the messages that are due. Call it at
-  /// least every 50 ms, otherwise the watchdog of the device stops it.
+  /// least every 50 ms, otherwise the watchdog of the device stops the plate.
   virtual void wait(std::chrono::milliseconds limit) = 0;
   /// Turns the plate. @p orientation_deg must be within the limits. An equal command is not sent again.
   virtual void turn_to(double orientation_deg) = 0;
@@ -79,10 +79,10 @@ class Device {
 
   // ---- For measuring and commissioning.
 
-  /// Prepares measurements: until it is closed, the device reports as often as the serial line allows and turns as fast
-  /// as its servo can.
+  /// Prepares measurements: from now on, the device reports as often as the serial line allows and turns as fast as its
+  /// settings allow.
   virtual void begin_measurement() = 0;
-  /// Resolution of the reported orientation in degrees.
+  /// Returns the resolution of the reported orientation.
   virtual double report_step_deg() const = 0;
   /// Time constant of the first-order filter that the device applies to its sensor; 0 without a filter.
   virtual std::chrono::nanoseconds sensor_filter() const = 0;
@@ -94,8 +94,8 @@ class Device {
   virtual std::vector<std::string> details() = 0;
   /// Position of orientation 0 on the device's own scale, in degrees, counter-clockwise positive.
   virtual double zero_deg() = 0;
-  /// Moves orientation 0 to this position. A device that holds orientation 0 turns by the same angle. Throws
-  /// PlateFailure if the position is out of range.
+  /// Moves orientation 0 to this position. A hobby servo turns by the same angle; a Dynamixel keeps its position.
+  /// Throws PlateFailure if the position is out of range.
   virtual void set_zero(double zero_deg) = 0;
   /// Saves the position of orientation 0 across power-off. Stops the device.
   virtual void save_zero() = 0;
@@ -115,7 +115,7 @@ struct DeviceName {
 };
 
 using LineOpener = std::function<std::unique_ptr<Line>(const std::string& path, int baud)>;
-/// Opens the device, which takes seconds. Throws PlateFailure if the device does not answer or is not supported.
+/// Opens the device, which takes up to 6 s. Throws PlateFailure if the device does not answer or is not supported.
 using DeviceMaker = std::function<std::unique_ptr<Device>(const LineOpener& open, Start start)>;
 
 /// Checks the name of a device, and returns a function that opens it. Throws std::invalid_argument with one line that

@@ -43,8 +43,8 @@ std::string encode(const Packet& packet);
 std::string little_endian(std::int64_t value, int count);
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 
-/// Splits a stream of bytes into packets, in bounded memory. Skips bytes between packets. After a damaged packet it
-/// searches for the next one behind the header of the damaged packet.
+/// Splits a stream of bytes into packets, in bounded memory. Skips bytes between packets. After a damaged packet,
+/// searches for the next one from the second byte of the damaged one on.
 class PacketReader {
  public:
   static constexpr std::size_t max_length = 250;  ///< limit of the length field

@@ -36,8 +36,8 @@ class Line {
 /// Baud rates that open_serial_line() supports.
 inline constexpr int baud_rates[] = {57600, 115200, 1000000};
 
-/// Opens a serial port with `baud`, one of baud_rates, 8 data bits, no parity, 1 stop bit, no flow control, in raw
-/// mode. The destructor restores its settings. Throws PlateFailure.
+/// Opens a serial port in raw mode with `baud`, one of baud_rates, 8 data bits, no parity, 1 stop bit and no flow
+/// control. The destructor of the line restores the port's settings. Throws PlateFailure.
 std::unique_ptr<Line> open_serial_line(const std::string& device, int baud);
 
 }  // namespace hrt::plate

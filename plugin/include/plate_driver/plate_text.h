@@ -33,26 +33,27 @@ typedef struct LineBuffer {
   bool too_long;
 } LineBuffer;
 
-/** Appends a received byte. Returns true if the byte ends a line. `error` is then LINE_OK and `buffer->text` the body,
- * until the next call; or `error` is the reason for which the line is not valid. */
+/** Appends a received byte. Returns true if the byte ends a line: `*error` is then LINE_OK, and `buffer->text` is the
+ *  body until the next call; or `*error` is the reason for which the line is not valid. */
 bool line_receive(LineBuffer* buffer, char byte, LineError* error);
 
-/** Writes a line: `body`, its checksum and the line end, to `out` (LINE_SIZE bytes). Returns the length; 0 if the line
- * would be too long. */
+/** Writes `body`, its checksum and the line end to `out` (LINE_SIZE bytes). Returns the length of this line; 0 if it
+ *  would be too long. */
 uint8_t line_encode(char* out, const char* body);
 
-/** Parses a decimal number below ten million and returns it times 100: 123 for "1.239"; further decimals are cut off.
- * Returns false if the word is not a number or has more than 12 characters. */
+/** Parses a decimal number below ten million and sets `*out` to 100 times the number: 123 for "1.239"; further decimals
+ *  are cut off. Returns false if the word is not a number or has more than 12 characters. */
 bool line_parse_hundredths(const char* word, int32_t* out);
 
 /** Parses an angle of SET and AT: sign, three digits, point, two digits. The fixed width exposes a lost or doubled
- * character. Returns the angle in hundredths of a degree. */
+ *  character. Sets `*out` to the angle in hundredths of a degree. Returns false for any other text. */
 bool line_parse_angle(const char* word, int32_t* out);
 
-/** Parses a sequence number: exactly five digits, at most 65535. */
+/** Parses a sequence number: exactly five digits, at most 65535. Returns false for any other text. */
 bool line_parse_sequence(const char* word, uint16_t* out);
 
-/** These functions write at `end`, followed by a 0, and return the position of the 0. The caller provides the space. */
+/** The following functions write text and a 0 at `end`, and return the position of the 0. The caller provides the
+ *  space. */
 char* line_append_text(char* end, const char* text);
 char* line_append_hundredths(char* end, int32_t hundredths);
 char* line_append_angle(char* end, int32_t hundredths);
