@@ -17,7 +17,7 @@ FLIPS = 20_000  # maximum number of sign assignments in a sign flip test: all of
 LAPSES = 0.02  # lapse rate of the psychometric function
 
 
-# Columns that are read as text, even if it looks like a number.
+# Columns that are read as text, even if the text looks like a number.
 NAMES = ["subject", "level", "kind", "condition", "pair", "end", "reason", "library", "questionnaire", "when", "text", "event", "details"]
 
 
@@ -37,7 +37,8 @@ def run_main(main):
         main()
     except (OSError, ValueError, KeyError, AttributeError) as error:  # KeyError and AttributeError: a missing column
         what = f"{error} is missing" if isinstance(error, KeyError) else str(error).splitlines()[0]
-        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {what}; DATA must be a folder that this version of hrt-experiment has exported")
+        again = "; export the data with this version of hrt-experiment" if isinstance(error, (KeyError, AttributeError)) else ""
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {what}{again}")
 
 
 def sign_flip(differences, seed, flips=FLIPS, direction="two-sided"):
@@ -123,8 +124,8 @@ def means_of(trials, measure):
 
 
 def noticed_share(trials, noticed):
-    """Returns the fraction of the answer `noticed`, for each participant and condition, in reaches (0) and in catch trials (1). By the log-linear
-    rule (Hautus 1995), half an answer is added to both alternatives, so that no fraction is 0 or 1."""
+    """Returns the fraction of the answer `noticed`, for each participant and condition, in reaches (index 0) and in catch trials (index 1). By the
+    log-linear rule (Hautus 1995), half an answer is added to both alternatives, so that no fraction is 0 or 1."""
     answered = trials[(trials.kind == "reaches") & (trials.end == "counted") & trials.answer.notna()]
     groups = (answered.answer == noticed).groupby([answered.is_catch, answered.participant, answered.condition])
     return (groups.sum() + 0.5) / (groups.size() + 1)
@@ -178,7 +179,7 @@ def excluded(study, trials):
     asked = reaches[(reaches.is_catch == 1) & reaches.answer.notna()]
     shares = {"max_missing_share": (reaches.end != "counted").groupby(reaches.participant).mean(),
               "max_false_alarms": (asked.answer == registered(study)["noticed"]).groupby(asked.participant).mean()}
-    return pandas.concat([of[of > rules[rule]].map(lambda share, rule=rule: f"{share:.0%}, above {rule}") for rule, of in shares.items()]
+    return pandas.concat([of[of > rules[rule]].map(lambda share, rule=rule: f"{share:.0%}, above {rule} ({rules[rule]:.0%})") for rule, of in shares.items()]
                          ).groupby(level=0).agg("; ".join)
 
 

@@ -39,7 +39,7 @@ void put(const std::filesystem::path& file, const std::string& content) {
     throw Refusal(file.string() + ": cannot be written: " + std::strerror(error));
 }
 
-// Without a scene, a simulated participant in this process; otherwise a participant at a plate through OpenXR.
+// Runs one session: without a scene, of a simulated participant in this process; otherwise, through OpenXR.
 void run_one(const Options& options) {
   const Design design = read_design(options.study);
   SessionPlace place{options.data, options.participant, options.session};
@@ -86,7 +86,7 @@ void simulate(const Options& options) {
   for (unsigned first = 1; first <= options.threads; ++first) {
     const pid_t child = fork();
     if (child < 0)
-      throw Refusal(format("cannot start process %u of %u: %s. Use fewer (--threads)", first, options.threads,
+      throw Refusal(format("cannot start process %u of %u: %s. Use fewer processes (--threads)", first, options.threads,
                            std::strerror(errno)));
     if (child > 0) continue;
     try {
@@ -98,7 +98,7 @@ void simulate(const Options& options) {
     _exit(0);
   }
   while (wait(nullptr) > 0) continue;
-  // A finished session is not changed.
+  // Runs again the sessions that failed; a finished session is not changed.
   for (unsigned participant = 1; participant <= design.participants; ++participant)
     std::cout << "sub-" << participant << ": " << run_simulated(design, options, participant) << "\n";
   std::cout << "SIMULATED: no person took part\n";
@@ -157,8 +157,8 @@ void add_commands(CLI::App& app, Options& options) {
       ->excludes("--simulated", "--finger");
   run->add_option(
          "--live", options.live,
-         "Serve a page on 127.0.0.1. look: it displays the session; keys: a second page also has the experimenter's "
-         "keys")
+         "Serve a page on 127.0.0.1. look: a page that displays the session; keys: also a second page, with the "
+         "experimenter's keys")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
   run->add_flag_callback(

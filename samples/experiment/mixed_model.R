@@ -1,10 +1,10 @@
 # Fits mixed models to studies by lmerTest (lme4 with Satterthwaite's degrees of freedom).
 #
 # Reads CSV from standard input: study, participant, condition (0: the reference), pair, value. Prints CSV with a row for each study and condition.
-# Fixed effects: condition and pair, with the effect of a condition averaged over pairs. Random effects of participants: intercept and
-# condition, and, as its own variance in each condition, each contrast between pairs, since a participant's bias raises the misses to one
-# side and lowers those to the other. The residual has a variance in each condition, by weights from repeated trials.
-# If no optimiser converges, the model is reduced in the order of `models`. The column `model` states which one was fitted.
+# Fixed effects: condition and pair, with the effect of a condition averaged over pairs. Random effects of participants: intercept,
+# condition, and each contrast between pairs, with its own variance in each condition, since a participant's bias raises the misses on one
+# side and lowers those on the other side. The residual has a variance in each condition, by weights from repeated trials.
+# If no optimiser converges, the model is reduced in the order of `models`. The column `model` names the model that was fitted.
 suppressMessages(library(lmerTest))
 trials <- read.csv(file("stdin"))
 

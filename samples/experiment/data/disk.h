@@ -12,10 +12,10 @@ namespace hrt::experiment {
 /// the process there.
 using Step = std::function<void(const char*)>;
 
-/// File operations of a session. On failure they throw Refusal with the file and the reason of the system.
+/// File operations of a session. On failure they throw Refusal with the file and the system's reason.
 class Disk {
  public:
-  /// `syncs`: false omits fsync, for tests that end the process but not the computer.
+  /// `syncs`: if false, omits fdatasync(), for tests that end the process but not the computer.
   explicit Disk(Step step = {}, bool syncs = true) : step_(std::move(step)), syncs_(syncs) {}
 
   /// Creates a file with this content atomically, and syncs it. Returns false, without a change, if the file

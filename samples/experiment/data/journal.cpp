@@ -32,7 +32,7 @@ std::int64_t utc_from(const std::string& text) {
   return timegm(&time) * ms_per_s + ms;
 }
 
-// nullopt if the line is incomplete or its CRC is wrong.
+// Returns nullopt if the line is incomplete or its CRC is wrong.
 std::optional<Event> parse(const std::string& line) {
   const std::size_t end = line.rfind(",\"crc\":\"");
   if (end == std::string::npos || line.substr(end) != format(",\"crc\":\"%08x\"}", crc32(line.substr(0, end))))

@@ -3,7 +3,7 @@
 //   {"number":7,"utc":"2026-11-24T17:10:53.123Z","monotonic_ns":123,"event":"reach","data":{...},"crc":"89abcdef"}
 //
 // `crc` is CRC-32 (IEEE 802.3) of the line before `,"crc"`. A line that a failed write has cut remains in the file; the
-// next line is then the event "closed" of this start or "opened" of a later one.
+// next line is then the event "closed" of the same start of the program, or "opened" of a later start.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Event {
   nlohmann::json data;
 };
 
-/// Wall clock and monotonic clock. Simulated sessions use a simulated one, so that their journals are reproducible.
+/// Wall clock and monotonic clock. Both are simulated in simulated sessions, so that journals are reproducible.
 struct Now {
   std::int64_t utc_ms;
   std::int64_t monotonic_ns;

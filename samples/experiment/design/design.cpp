@@ -63,7 +63,7 @@ void read_pairs(const Json& file, const std::string& name, Design& design) {
     const std::string where = name + format(".pairs[%zu]", design.pairs.size());
     const Pair pair{p["name"], p["virtual_deg"], p["real_deg"], 1e-3 * p["distance_mm"].get<double>(),
                     1e-3 * p["radius_mm"].get<double>()};
-    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // the plugin's limit of 90, minus the largest bias
+    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // the plugin's limit of 90 degrees, minus the largest bias
       refuse(where + ".real_deg", "must be at most 75 degrees from virtual_deg");
     for (const Pair& other : design.pairs)
       if (other.name == pair.name)
@@ -169,8 +169,8 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
   const bool has_direction = design.direction != "two-sided";
   if (has_direction && design.hypothesis != "difference")
     refuse(where + ".direction", "must be two-sided with the hypothesis " + design.hypothesis);
-  // The smallest p of a sign flip test is 1 / 2^n, or 2 / 2^n if two-sided. Holm's first step requires alpha /
-  // comparisons.
+  // The smallest p of a sign flip test with n participants is 1 / 2^n, or 2 / 2^n if two-sided. Holm's first step
+  // requires p < alpha / comparisons.
   const double level = design.alpha / std::max(1.0, static_cast<double>(design.conditions.size()) - 1.0);
   const double flips = (has_direction ? 0.0 : 1.0) - std::log2(level);
   const unsigned needed = design.test == "sign_flip" ? static_cast<unsigned>(std::ceil(flips)) : 2U;
@@ -179,7 +179,7 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
                                    design.participants));
 }
 
-// Requirements on several fields together.
+// Checks requirements on several fields together.
 void check_whole(const std::string& name, const Design& design) {
   const auto conditions = static_cast<unsigned>(design.conditions.size());
   unsigned rows = design.order == Order::listed ? static_cast<unsigned>(design.listed.size()) : 1;
@@ -241,7 +241,7 @@ hrt_session_config config_of(const Condition& condition) {
   for (const auto& [name, value] : condition.config) {
     const auto field = config_fields.find(name);
     if (field == config_fields.end())
-      throw Refusal("has the field \"" + name + "\", which hrt_session_config (session.h) does not have as a number");
+      throw Refusal("has the field \"" + name + "\", which is not a field of hrt_session_config with a number");
     std::memcpy(reinterpret_cast<char*>(&config) + field->second, &value, sizeof value);
   }
   return config;

@@ -19,9 +19,9 @@ enum class Controller { people, paper, fixed, none };
 struct Condition {
   std::string name;
   Controller controller;
-  double plate_deg = 0.0;                                   ///< orientation under `fixed`
+  double plate_deg = 0.0;                                   ///< plate orientation under Controller::fixed
   double gap_share = 1.0;                                   ///< gap, as a fraction of the pair's gap
-  std::vector<std::pair<std::string, double>> config = {};  ///< fields of hrt_session_config
+  std::vector<std::pair<std::string, double>> config = {};  ///< names and values of fields of hrt_session_config
 };
 
 /// Virtual and real target, as seen from the start.
@@ -68,7 +68,7 @@ struct Questionnaire {
 struct SimulatedTraits {
   double invalid_share;  ///< fraction of reaches in which the tracker loses the finger
   double lapse_share;    ///< fraction of answers that are guesses
-  std::string weights;   ///< distribution of the tactile weights
+  std::string weights;   ///< distribution of the tactile weights: uniform, normal or skewed
 };
 
 struct Design {
@@ -78,8 +78,8 @@ struct Design {
   std::vector<Condition> conditions;
   std::vector<Pair> pairs;
   Order order;
-  std::vector<std::vector<unsigned>> listed;  ///< orders of the conditions, assigned to the participants in turn
-  std::string factor;                         ///< between participants; empty: none
+  std::vector<std::vector<unsigned>> listed;  ///< orders of the conditions
+  std::string factor;                         ///< name of the between-participants factor; empty: no such factor
   std::vector<std::string> levels;
   unsigned rounds;   ///< blocks per condition; random_in_blocks: number of blocks
   unsigned repeats;  ///< trials of each pair in a block
@@ -98,12 +98,12 @@ struct Design {
   std::optional<Noticeability> noticeability;
   std::vector<Questionnaire> questionnaires;
   std::string start_text, block_text;        ///< instructions at the start and before each block; empty: none
-  std::map<std::string, std::string> texts;  ///< replacement of each text of the program
+  std::map<std::string, std::string> texts;  ///< replacements, by the text of the program
   std::string measure;                       ///< registered outcome
   std::string test;
   std::string hypothesis;
   std::string direction;
-  unsigned reference;  ///< condition
+  unsigned reference;  ///< index of the condition with which the others are compared
   double alpha;
   double margin;  ///< equivalence margin, in the measure's unit
   SimulatedTraits simulated;

@@ -12,7 +12,7 @@ namespace hrt::experiment {
 /// Purpose of a draw.
 enum class Use : std::uint32_t { letters, orders, trials, returns, intervals, person, noise, answers };
 
-/// Seed of the design, participant, block, trial and attempt; 0 where a draw does not depend on one.
+/// Numbers on which a draw depends; 0 for those on which it does not depend.
 struct Place {
   std::uint64_t seed;
   std::uint32_t participant = 0;
@@ -21,7 +21,7 @@ struct Place {
   std::uint32_t attempt = 0;
 };
 
-/// Sequence of draws of one place.
+/// Sequence of draws for one purpose and place.
 class Stream {
  public:
   Stream(Use use, const Place& place)

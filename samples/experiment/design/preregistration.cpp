@@ -18,7 +18,7 @@ std::string in_words(const json& value) {
   return text;
 }
 
-// One line per field; the fields of an object follow it, indented.
+// Returns one line per field; the fields of an object follow the object's line, indented.
 std::string fields_text(const json& schema, const json& given, const std::string& indent) {
   std::string text;
   for (const auto& [name, field] : schema["properties"].items()) {
@@ -49,8 +49,8 @@ std::string hypothesis_text(const Design& design) {
   if (design.hypothesis == "difference" && design.direction == "two-sided")
     return of_each + "differs from that of " + reference + ", in either direction.";
   if (design.hypothesis == "difference") return of_each + "is " + design.direction + " than that of " + reference + ".";
-  return of_each + "is less than " + format("%g from ", design.margin) +
-         (design.hypothesis == "equivalence" ? "that of " + reference : "0") + ", to either side.";
+  return of_each + "differs from " + (design.hypothesis == "equivalence" ? "that of " + reference : "0") +
+         format(" by less than %g.", design.margin);
 }
 
 std::string test_text(const Design& design) {
@@ -60,8 +60,8 @@ std::string test_text(const Design& design) {
           : design.direction == "two-sided" ? "two-sided " + design.test
                                             : "one-sided " + design.test) +
          " of `" + design.measure + "`" +
-         format(", %u test%s, Holm's correction, family-wise level %g; intervals at the corrected level.", tests,
-                tests == 1 ? "" : "s", design.alpha);
+         format(" for %u condition%s, Holm's correction, family-wise level %g; intervals at the corrected level.",
+                tests, tests == 1 ? "" : "s", design.alpha);
 }
 
 std::string power_text(const Design& design, const std::string& power) {
@@ -82,7 +82,7 @@ std::string preregistration_text(const Design& design, const std::string& power)
          "The authors replace the texts in brackets and delete this line.\n\n"
          "## Hypotheses\n\n" +
          hypothesis_text(design) +
-         " [Why, and which size matters.]\n\n"
+         " [Why, and which size of the effect matters.]\n\n"
          "## Participants\n\n" +
          format("%u. ", design.participants) +
          "Participant N who is excluded or withdraws is replaced by participant N" +
@@ -91,15 +91,12 @@ std::string preregistration_text(const Design& design, const std::string& power)
          fields_text(design_schema(), json::parse(design.text), "") + "\n```\n" + design_text(design) +
          "```\n\n## Blinding\n\nThe experimenter sees letters instead of conditions, assigned at random for each "
          "participant; practice and noticeability have no letter. The journal records when the experimenter is "
-         "unblinded. "
-         "The design, the motion of the plate and the live page (`--live look`), which displays the finger's paths, "
-         "can reveal a condition. [Who knows the "
-         "conditions.]\n\n"
+         "unblinded. The design, the motion of the plate and the page of `hrt-experiment --live`, which displays the "
+         "finger's paths, can reveal a condition. [Who knows the conditions.]\n\n"
          "## Exclusions and stopping\n\nThe program decides by the rules of `validity` whether a reach is valid. The "
          "experimenter, who may see the plate, can mark a reach as invalid while it lasts; the report has the number "
-         "of "
-         "invalid reaches by condition and reason. The analysis excludes participants by the rules of `exclusions`. A "
-         "session stops after " +
+         "of invalid reaches by condition and reason. The analysis excludes participants by the rules of "
+         "`exclusions`. A session stops after " +
          format("%u invalid reaches in a row, or %g minutes after consent. ", design.max_invalid_in_a_row,
                 design.max_minutes) +
          "The number of participants does not depend on the data. [Other exclusions.]\n\n"

@@ -14,7 +14,7 @@ namespace {
 
 constexpr unsigned max_tries = 10'000;
 
-// True if no pair comes more than max_run times in a row, and no catch trial is first or follows another.
+// True if no pair comes more than max_run times in a row, and no catch trial is first or follows another catch trial.
 bool is_legal(const std::vector<PlannedTrial>& trials, unsigned max_run, bool has_pairs) {
   unsigned run = 0;
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -33,9 +33,8 @@ Block made(BlockKind kind, std::vector<PlannedTrial> trials, const Design& desig
   do {
     if (++tries > max_tries)
       throw Refusal(
-          format("max_run of the design: in %u random orders of block %u, none had at most %u trials of a pair in a "
-                 "row and catch trials apart from each other and from the start; increase max_run or reduce "
-                 "catch_share",
+          format("max_run of the design: none of %u random orders of block %u has at most %u trials of a pair in a "
+                 "row, and no catch trial first or after another one; increase max_run or reduce catch_share",
                  max_tries, number, design.max_run));
     stream.shuffle(trials);
   } while (!is_legal(trials, design.max_run, has_pairs));
@@ -43,7 +42,8 @@ Block made(BlockKind kind, std::vector<PlannedTrial> trials, const Design& desig
   return {kind, std::move(trials)};
 }
 
-// Assigns catch trials to the conditions in turn, from number `first` on, so that all conditions get equally many.
+// Returns the trials of a block, not yet in random order. Catch trials are assigned to the conditions in turn, from
+// index `first` on, so that all conditions get equally many.
 std::vector<PlannedTrial> trials_of(const Design& design, const std::vector<unsigned>& conditions, unsigned first) {
   std::vector<PlannedTrial> trials;
   for (const unsigned condition : conditions)
@@ -71,14 +71,15 @@ std::vector<unsigned> permuted(unsigned count, Use use, const Place& place) {
 
 unsigned index_in_design(const Design& design, unsigned participant) { return (participant - 1) % design.participants; }
 
-// Level of the participant, by permuted blocks with one participant per level, so time is balanced over levels.
+// Returns the level of a participant, by permuted blocks with one participant per level, which balances time.
 unsigned level_for(const Design& design, unsigned participant) {
   const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   const unsigned index = index_in_design(design, participant);
   return permuted(levels, Use::orders, {.seed = design.seed, .block = index / levels, .trial = 1})[index % levels];
 }
 
-// Order of the participant: each level goes through complete sets of orders, each set in random order.
+// Returns the order of conditions of a participant. The participants of a level get complete sets of orders, each set
+// in random order.
 std::vector<unsigned> order_for(const Design& design, unsigned participant) {
   if (design.order == Order::random_in_blocks) return {};
   const auto orders =
@@ -106,7 +107,7 @@ std::string letters_of(const Design& design, unsigned participant, const std::ve
   return text;
 }
 
-// Reports how often each condition directly follows each other one, over all participants.
+// Returns how often each condition directly follows each other condition, over all participants.
 std::string balance_text(const Design& design) {
   if (design.order == Order::random_in_blocks)
     return "balance: every block has every condition and pair equally often\n";
@@ -122,7 +123,7 @@ std::string balance_text(const Design& design) {
     low = std::min(low, count);
     high = std::max(high, count);
   }
-  return format("balance: each condition directly follows each other one %u to %u times\n", low, high);
+  return format("balance: each condition directly follows each other condition %u to %u times\n", low, high);
 }
 
 }  // namespace

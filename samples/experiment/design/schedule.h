@@ -10,7 +10,7 @@ namespace hrt::experiment {
 
 struct PlannedTrial {
   unsigned number;     ///< position in the block, from 1
-  unsigned condition;  ///< index; catch trials have one too, for balance
+  unsigned condition;  ///< index of the condition; catch trials have one too, for balance
   unsigned pair;       ///< index of the pair; noticeability: index of the QUEST+ run
   bool is_catch;
 };
@@ -28,25 +28,25 @@ struct Schedule {
   std::vector<Block> blocks;
 };
 
-/// Returns orders in which each of `count` conditions precedes each other one equally often (Williams 1949): `count`
-/// orders if `count` is even, twice as many if it is odd.
+/// Returns orders in which each of `count` conditions precedes each other condition equally often (Williams 1949):
+/// `count` orders if `count` is even, twice as many if it is odd.
 std::vector<std::vector<unsigned>> williams_orders(unsigned count);
 
-/// Returns the schedule of a participant, from 1.
+/// Returns the schedule of a participant, whose number is counted from 1.
 Schedule schedule_of(const Design& design, unsigned participant);
 
 /// Returns the time plan of a session, one line per part with the minute at which it begins:
 /// "| 12 | block 1: reaches, 13 trials |".
 std::string plan_text(const Design& design, const Schedule& schedule);
 
-/// Returns the name of a kind of block in files.
+/// Returns the name of a kind of block, as files have it.
 std::string name_of(BlockKind kind);
 
 /// Returns the name of a condition before unblinding: its letter, or the kind of a block whose condition the design
 /// reveals.
 std::string blinded_name(const Design& design, unsigned participant, BlockKind kind, unsigned condition);
 
-/// Returns a summary of the design for reading: trials, minutes, balance, order of each participant by letters.
+/// Returns a summary of the design: trials, minutes, balance, order of each participant by letters.
 std::string design_text(const Design& design);
 
 }  // namespace hrt::experiment

@@ -55,7 +55,7 @@ Live::Live(bool takes_keys)
 
 Live::~Live() {
   is_ending_ = true;
-  while (!server_->is_running()) std::this_thread::yield();  // stop() has no effect before that
+  while (!server_->is_running()) std::this_thread::yield();  // stop() has no effect before the server runs
   server_->stop();
   thread_.join();
 }
@@ -67,7 +67,7 @@ std::string Live::addresses() const {
 }
 
 void Live::route() {
-  // DNS rebinding: a foreign site can resolve to this address, but its Host header differs.
+  // Against DNS rebinding: the name of a foreign site can resolve to 127.0.0.1, but is then in the Host header.
   server_->set_pre_routing_handler([this](const Request& request, Response& response) {
     const std::string host = request.get_header_value("Host");
     if (host == format("127.0.0.1:%d", port_) || host == format("localhost:%d", port_))
@@ -113,7 +113,7 @@ void Live::route() {
                }));
   server_->Post("/([0-9a-f]+)/keys", handler([this](const Request& request, Response& response, bool has_keys) {
                   if (!has_keys) return void(response.status = refused);
-                  // Every character is a key unless a text is requested: 's' stops the plate.
+                  // If no text is requested, each character would act as a key: 's' would stop the plate.
                   if (request.body.size() > 1 && !shown_.load()->value("is_typing", false))
                     return void(response.status = not_now);
                   const std::scoped_lock lock(mutex_);

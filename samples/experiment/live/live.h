@@ -32,9 +32,9 @@ class Live {
   /// Returns one line per address: "Live view: http://127.0.0.1:PORT/TOKEN/", and "Live view with keys: ...".
   std::string addresses() const;
 
-  /// Values of page.html by name. This and the calls below are for the thread of the session only.
+  /// Values that page.html displays, by name. Only the thread of the session may use this and the calls below.
   nlohmann::json facts;
-  /// Publishes a copy to the readers without blocking.
+  /// Publishes a copy of `facts` to the open pages without blocking.
   void show() { shown_.store(std::make_shared<const nlohmann::json>(facts)); }
   /// Call in every frame. `registered`: time of the last check of the plate's pose by a touch.
   void frame(app::RunContext& context, XrTime time, std::optional<Clock::time_point> registered);
@@ -51,7 +51,7 @@ class Live {
       std::make_shared<const nlohmann::json>(nlohmann::json::object());
   Clock::time_point shown_at_;
   XrTime last_frame_ = 0;
-  double period_s_ = 0.0;             // mean time between the last frames
+  double period_s_ = 0.0;             // moving average of the time between frames
   app::Point finger_m_{}, felt_m_{};  // ends of the true and the perceived path
   std::mutex mutex_;                  // protects pressed_
   std::string pressed_, look_token_, keys_token_;

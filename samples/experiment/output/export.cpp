@@ -27,8 +27,8 @@ struct Column {
 
 // First columns of each table: the session to which a row belongs.
 const Column session_columns[] = {
-    {"participant", "integer", "", "number, from 1"},
-    {"session", "integer", "", "number, from 1"},
+    {"participant", "integer", "", "number of the participant, from 1"},
+    {"session", "integer", "", "number of the session, from 1"},
     {"subject", "text", "", "`a person` or `simulated` with its seed, then the tracker, if there is one"},
     {"level", "text", "", "level of the between-participants factor"},
 };
@@ -42,22 +42,21 @@ struct Table {
 // Columns of a reach, in trials.csv and attempts.csv.
 const std::vector<Column> reach_columns{
     {"virtual_deg", "number", "deg", "direction of the virtual target from the start, left positive"},
-    {"real_deg", "number", "deg", "direction of the real target"},
+    {"real_deg", "number", "deg", "direction of the real target from the start, left positive"},
     {"miss_deg", "number", "deg", "bearing of the end of the reach, minus that of the real target"},
     {"abs_miss_deg", "number", "deg", "absolute value of miss_deg"},
     {"miss_mm", "number", "mm", "distance of the end from the real target"},
     {"peak_felt_error_deg", "number", "deg",
-     "largest perceived-direction error. Simulation: ground truth. Person: estimate by the controller under test, so "
-     "it "
-     "cannot be an outcome"},
+     "largest perceived-direction error. Simulation: ground truth. Person: estimate by the controller under test, "
+     "which cannot be an outcome"},
     {"is_truth", "boolean", "", "true: peak_felt_error_deg is ground truth"},
     {"duration_s", "number", "s", "duration of the motion"},
-    {"samples", "integer", "", "number of samples of the finger"},
-    {"dropped", "integer", "", "number of samples without a finger"},
-    {"tactile_weight", "number", "", "estimate of the controller at the end of the reach"},
+    {"samples", "integer", "", "number of samples of the reach, including dropouts"},
+    {"dropped", "integer", "", "number of samples without a tracked finger; without OpenXR, also of outliers"},
+    {"tactile_weight", "number", "", "w_T as estimated by the controller at the end of the reach"},
     {"tracker_noise_m", "number", "m", "SD of the tracker's noise, as estimated by the plugin"},
-    {"misfit", "number", "", "misfit of the plugin's model (hrt_command); limit 4.5"},
-    {"flags", "integer", "", "bits HRT_SUMMARY_* of the plugin"},
+    {"misfit", "number", "", "largest misfit of the plugin's model (hrt_command::misfit); limit 6"},
+    {"flags", "integer", "", "warnings of the plugin: bits HRT_COMMAND_* (hrt_reach_summary::flags)"},
 };
 
 std::vector<Column> joined(std::vector<Column> first, const std::vector<Column>& middle,
@@ -73,37 +72,40 @@ const std::vector<Column> trial_columns{
     {"pass", "integer", "", "pass of the block, from 1; a block restarts after a long pause"},
     {"trial", "integer", "", "planned position in the block, from 1"},
     {"condition", "text", "",
-     "blinded: a letter, at random for each participant; unblinded: the name; `practice` in practice"},
-    {"is_catch", "integer", "", "1: no gap. The plate rests in reaches; in noticeability, it turns as in other trials"},
+     "`practice` in practice. Before unblinding: a letter, assigned at random for each participant, or "
+     "`noticeability`; after unblinding: the name of the condition"},
+    {"is_catch", "integer", "", "1: no gap, and the plate rests, except in noticeability; practice always has 1"},
     {"pair", "text", "", "name of the pair of targets; empty for noticeability"},
     {"reason", "text", "", "reason for which the attempt is invalid; empty: valid"},
     {"attempt", "integer", "", "number of the attempt, interrupted ones included"},
     {"gap_deg", "number", "deg", "noticeability: gap of the retargeted reach; 0 in catch trials"},
     {"bent", "integer", "", "noticeability: 1 or 2, the reach that was retargeted"},
-    {"run", "integer", "", "number of the interleaved QUEST+ run, from 1"},
+    {"run", "integer", "", "noticeability: number of the interleaved QUEST+ run, from 1"},
     {"bend_deg", "number", "deg",
-     "delivered bend, the stimulus of the threshold: angle between the ends of both reaches"},
-    {"recording", "text", "", "file in the folder `recordings` of the session, without extension"},
+     "noticeability: delivered bend, the stimulus of the threshold: angle between the ends of both reaches"},
+    {"recording", "text", "",
+     "name of the file in the folder `recordings` of the session, without extension; noticeability: also without "
+     "`_part-1` or `_part-2`"},
 };
 
 const Table tables[] = {
     {"trials.csv", "One row per trial, with its last attempt",
      joined(trial_columns, reach_columns,
-            {{"presented", "integer", "", "order in which the trials of the session ended, from 1"},
-             {"end", "text", "", "counted, missing (too many attempts), or open"},
+            {{"presented", "integer", "", "rank of the trial by the time at which it ended, from 1"},
+             {"end", "text", "", "counted, missing (too many invalid attempts), or open (not finished)"},
              {"answer", "text", "", "answer to the question; noticeability: 1 or 2, the reach that seemed bent"},
-             {"is_right", "integer", "", "1: `answer` is `bent`; empty in catch trials"},
+             {"is_right", "integer", "", "noticeability: 1 if `answer` is `bent`, else 0; empty in catch trials"},
              {"began_utc", "time", "", "start of the last attempt"}})},
     {"attempts.csv", "One row per reach of each attempt, including invalid attempts",
      joined(trial_columns, reach_columns,
-            {{"part", "integer", "", "reach of the trial, from 1; empty: interrupted"},
+            {{"part", "integer", "", "number of the reach in the trial, from 1; empty: interrupted"},
              {"counts", "boolean", "", "true: valid by the rules of the design"},
-             {"utc", "time", "", "end of the reach"}})},
+             {"utc", "time", "", "end of the attempt; interrupted: its start"}})},
     {"people.csv",
      "One row per session",
      {{"end", "text", "", "done, stopped or open"},
       {"reason", "text", "", "why the session ended or was last interrupted"},
-      {"library", "text", "", "library version at each start of the program"},
+      {"library", "text", "", "library version at each start of the program, separated by spaces"},
       {"set_up_known", "boolean", "", "true: the set-up determined the illusion curve"},
       {"tactile_weight", "number", "", "w_T as estimated by the set-up"},
       {"tactile_weight_low", "number", "", "lower end of its 95 % interval"},
@@ -113,21 +115,22 @@ const Table tables[] = {
        "excluded)"},
       {"threshold_low_deg", "number", "deg", "lower end of its 95 % interval"},
       {"threshold_high_deg", "number", "deg", "upper end of its 95 % interval"},
-      {"threshold_answers", "integer", "", "number of answers behind the threshold"},
-      {"run_thresholds_deg", "text", "deg", "threshold from each interleaved run, separated by spaces"}}},
+      {"threshold_answers", "integer", "", "number of answers from which the threshold is estimated"},
+      {"run_thresholds_deg", "text", "deg",
+       "threshold from each interleaved run, separated by spaces; -: the run has no answer"}}},
     {"questionnaires.csv",
      "One row per answer",
      {{"questionnaire", "text", "", "name of the questionnaire"},
       {"when", "text", "", "`before` or `after` the reaches, or `block N`, after block N"},
-      {"condition", "text", "", "condition of the block, if it has only one"},
+      {"condition", "text", "", "condition of the block, if the block has only one"},
       {"item", "integer", "", "number of the item, from 1"},
       {"text", "text", "", "text of the item"},
       {"answer", "integer or text", "", "number between `low` and `high` of the design, or text"},
-      {"utc", "time", "", "time of the last answer"}}},
+      {"utc", "time", "", "time of the last answer to the questionnaire"}}},
     {"events.csv",
      "One row per event other than reaches and answers: starts, notes, stops, breaks, unblinding, ends",
      {{"number", "integer", "", "number of the event in the journal"},
-      {"utc", "time", "", ""},
+      {"utc", "time", "", "time of the event"},
       {"monotonic_ns", "integer", "ns", "monotonic clock since the computer was started"},
       {"event", "text", "",
        "opened, closed (with the reason), consent, registered, checked, set_up, rest, note, plate_stopped, unblinded, "
@@ -142,7 +145,7 @@ std::string shown_condition(const Design& design, const State& state, unsigned b
                                                  : blinded_name(design, state.participant, kind, condition);
 }
 
-// A row of trials.csv as JSON. Keys are names of columns, and others of the journal; a missing value has no key.
+// Returns a row of trials.csv as JSON. Some of its keys are not columns of the table; a missing value has no key.
 json trial_row(const Design& design, const State& state, unsigned block, std::size_t trial, bool unblinds) {
   const TrialRecord& record = state.trials[block][trial];
   const PlannedTrial& planned = state.schedule.blocks[block].trials[trial];
@@ -152,7 +155,7 @@ json trial_row(const Design& design, const State& state, unsigned block, std::si
   if (!record.reach.is_null()) {
     row["reason"] = record.reach["reason"];
     if (record.reach.contains("bend_deg")) row["bend_deg"] = record.reach["bend_deg"];
-    // Noticeability: values of the bent reach.
+    // A trial of noticeability has the values of its bent reach.
     if (const json& parts = record.reach["parts"]; bent < parts.size()) {
       row.update(parts[bent]);
       row["abs_miss_deg"] = std::abs(row["miss_deg"].get<double>());
@@ -199,7 +202,7 @@ json person_row(const Design& design, const State& state, const std::vector<Even
   return row;
 }
 
-// Events of the journal other than trials. `add` appends a row to a table.
+// Adds the rows of all tables except trials.csv and people.csv. `add` appends a row to a table.
 void add_events(const Design& design, const State& state, const std::vector<Event>& events, bool unblinds,
                 const std::function<void(const char*, json)>& add) {
   json attempt;

@@ -14,7 +14,8 @@ struct Tables {
   unsigned sessions = 0;
 };
 
-/// Returns the tables of all sessions of a study. Conditions are letters unless `unblinds`. Throws Refusal.
+/// Returns the tables of all sessions of a study. Conditions are letters unless `unblinds`. Throws Refusal if there is
+/// no session, or if a journal is damaged or of another design.
 Tables export_study(const Design& design, const std::filesystem::path& study, bool unblinds);
 
 }  // namespace hrt::experiment

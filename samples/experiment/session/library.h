@@ -15,13 +15,13 @@ void check(hrt_result result);
 
 std::string library_version();
 
-/// Converts a sample of a set-up to numbers and back.
+/// Converts a sample of a set-up to a JSON array of numbers. sample_of() converts it back.
 nlohmann::json row_of(const hrt_sample& sample);
 hrt_sample sample_of(const nlohmann::json& row);
 
 class LibrarySession {
  public:
-  /// `profile`: prior of the person; empty: default prior.
+  /// `profile`: JSON of the prior about the participant; empty: the default prior.
   LibrarySession(const Condition& condition, const std::string& profile, const Subject& subject);
   ~LibrarySession();
   LibrarySession(const LibrarySession&) = delete;

@@ -18,7 +18,7 @@ namespace {
 constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 constexpr std::int64_t ns_per_minute = 60'000'000'000;
 
-// First number of a reach; lower numbers belong to the set-up.
+// Number of the first reach; lower numbers belong to the slides of the set-up.
 constexpr unsigned first_reach = 512;
 
 struct Part {
@@ -52,7 +52,7 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
           {"flags", summary.flags}};
 }
 
-// Bearing of the end from the start of the motion.
+// Returns the bearing of the end of a reach.
 double end_deg(const json& part) { return part.at("real_deg").get<double>() + part.at("miss_deg").get<double>(); }
 
 // Returns the reason for which the reach is invalid; empty: valid.
@@ -80,7 +80,8 @@ class SessionRun {
                  [&subject] { return subject.now(); }),
         state_(state_of(design, schedule_, place.participant, journal_.events())) {}
 
-  // Runs the session and returns how it ended. The journal then has "closed" or "end" with a reason; a crash has none.
+  // Runs the session and returns how it ended. Unless the program crashes, the journal then has the event "closed" or
+  // "end" with a reason.
   std::string run() {
     try {
       const std::string how = run_tasks();
@@ -136,9 +137,9 @@ class SessionRun {
         throw Refusal(folder_.string() + ": this session was started with another design, of SHA-256 " +
                       first.at("sha256").get<std::string>() + "; use that design, or another folder (--data)");
       if (first.at("subject") != subject_.description())
-        throw Refusal(folder_.string() + ": this session was started by " + first.at("subject").get<std::string>() +
-                      ", not by " + subject_.description() +
-                      "; use the same participant and tracker, or another session (--session)");
+        throw Refusal(folder_.string() + ": this session was started with \"" + first.at("subject").get<std::string>() +
+                      "\", not with \"" + subject_.description() +
+                      "\"; use the same participant and tracker, or another session (--session)");
       if (!state_.end.empty()) return;
       subject_.continue_after(*state_.last);
       is_long = is_long_pause();
@@ -313,8 +314,8 @@ class SessionRun {
     return blinded_name(design_, state_.participant, block.kind, block.trials[task.trial].condition);
   }
 
-  // Returns the reaches of a trial; for noticeability, draws the gap and which of the two is bent. No gap exceeds the
-  // feasible gap of this participant.
+  // Returns the reaches of a trial. For noticeability, draws which of two reaches is bent, and selects a gap that is
+  // feasible for the participant.
   std::vector<Part> parts_of(const Task& task, json& about) const {
     const Block& block = schedule_.blocks[task.block];
     const PlannedTrial& planned = block.trials[task.trial];
@@ -364,7 +365,8 @@ class SessionRun {
 
   const TrialRecord& record(const Task& task) const { return state_.trials[task.block][task.trial]; }
 
-  // Returns a file name that does not exist yet: a crash may have left the file of an attempt.
+  // Returns a file name, without extension, that does not exist yet (a crash may have left the file of an attempt), and
+  // the number of the attempt.
   std::string new_stem(const Task& task, unsigned* number) const {
     const PlannedTrial& planned = schedule_.blocks[task.block].trials[task.trial];
     for (*number = record(task).attempts + 1;; ++*number) {
@@ -443,7 +445,7 @@ class SessionRun {
     subject_.show({{"measured",
                     {format("miss %.1f mm", found["miss_mm"].get<double>()),
                      format("largest perceived-direction error %.1f°", outcome.peak_felt_error_deg),
-                     format("misfit %.1f (limit 4.5)", outcome.summary.misfit), validity}}});
+                     format("misfit %.1f (limit 6)", outcome.summary.misfit), validity}}});
     if (part.condition.controller == Controller::people && part.index == condition && reach["counts"])
       reach["profile"] = session.profile();
   }
@@ -485,16 +487,14 @@ void freeze(const Design& design, const std::filesystem::path& study, const Disk
   if (disk.create(frozen, design.text)) return;
   const std::string before = sha256_of(content_of(frozen));
   if (before != design.sha256)
-    throw Refusal(frozen.string() + ": this study has a design of SHA-256 " + before + ", not of " + design.sha256 +
-                  "; use its design, or another folder (--data)");
+    throw Refusal(frozen.string() + ": this folder has data of the design of SHA-256 " + before + ", not of " +
+                  design.sha256 + "; use that design, or another folder (--data)");
 }
 
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk) {
   if (place.participant < 1 || place.participant > 2 * design.participants)
-    throw Refusal(format(
-        "--participant: %u is not allowed; allowed are 1 to %u, the participants of the design, and up to %u, the "
-        "replacements of participants N - %u",
-        place.participant, design.participants, 2 * design.participants, design.participants));
+    throw Refusal(format("--participant: %u is not allowed; allowed: 1 to %u, and N + %u to replace participant N",
+                         place.participant, design.participants, design.participants));
   freeze(design, place.study, disk);
   return SessionRun(design, place, subject, disk).run();
 }

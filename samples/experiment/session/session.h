@@ -1,5 +1,5 @@
-// A session of a study: one visit of a participant, from consent to its end. After an interruption, another process
-// resumes it from the journal.
+// A session of a study: one visit of a participant, from consent to the end. After an interruption, another process
+// resumes the session from the journal.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ std::filesystem::path folder_of(const SessionPlace& place);
 void freeze(const Design& design, const std::filesystem::path& study, const Disk& disk);
 
 /// Runs or resumes the session; has no effect if it has ended. Returns "done", "stopped", or "left" (the experimenter
-/// quit, and can resume it). Throws Refusal.
+/// quit; the session can be resumed). Throws Refusal.
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk);
 
 }  // namespace hrt::experiment

@@ -16,7 +16,7 @@ constexpr double max_speed_deg_s = 400.0;
 constexpr std::int64_t latency_ns = 30'000'000;
 constexpr double notice_slope = 2.0;  // slope of the psychometric function of an answer
 
-// Simulated person of core/simulation at reach number `number`.
+// Simulated person of core/simulation at the reach of index `number`.
 class Person {
  public:
   Person(const hrt_person_config& config, std::uint64_t seed, hrt_session session, hrt_target seen, unsigned number) {
@@ -56,7 +56,8 @@ double deviate(const std::string& distribution, Stream& draw) {
 
 }  // namespace
 
-// Tactile weights and biases as in core/simulation; thresholds from the prior of QUEST+ with a smaller SD.
+// Draws the traits of the participant: mean and SD of the tactile weight as in core/simulation, bias uniform within 3
+// degrees, duration of a reach 1 to 2 s, detection threshold 7 to 14 degrees.
 SimulatedSubject::SimulatedSubject(const Design& design, unsigned participant, std::uint64_t seed)
     : design_(design), participant_(participant), seed_(seed) {
   Stream draw(Use::person, {seed, participant});
@@ -159,9 +160,9 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
   return outcome;
 }
 
-// The probability that the participant notices the bend is a psychometric function of the perceived-direction error.
-// The answer is then the reach with the larger error, or the first answer to the question; else it is a guess, or the
-// last answer.
+// The probability that the participant notices the bend is a psychometric function of the perceived-direction error. A
+// participant who notices the bend answers with the reach of the larger error, or with the first answer to the question
+// after a single reach; otherwise with a guess, or with the last answer.
 unsigned SimulatedSubject::answer(const std::string&, const std::vector<std::string>& answers,
                                   const std::vector<double>& felt_deg, unsigned number) {
   Stream draw(Use::answers, place(number));

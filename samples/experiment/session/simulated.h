@@ -1,4 +1,4 @@
-// A simulated participant and experimenter, with a simulated clock that only they advance.
+// A simulated participant and experimenter. The simulated clock advances only by the duration of their actions.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ class SimulatedSubject : public Subject {
   unsigned participant_;
   std::uint64_t seed_;
   hrt_person_config config_ = hrt_person_config_init();
-  double threshold_deg_;  // detection threshold
+  double threshold_deg_;  // detection threshold of the perceived-direction error
   Now now_;
 };
 

@@ -41,7 +41,7 @@ void State::end_trial(TrialRecord::End of_trial) {
   rest_due = block < schedule.blocks.size();
 }
 
-// Inserts the trial of an invalid reach at a random later position of its block.
+// Records a reach. If the reach is invalid, inserts its trial at a random later position of the block.
 void State::apply_reach(const Event& event) {
   TrialRecord& record = trials[block][pending.front()];
   record.reach = event.data;

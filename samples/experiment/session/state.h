@@ -17,7 +17,7 @@ struct TrialRecord {
   enum class End { open, counted, missing } end = End::open;
   unsigned attempts = 0;   ///< attempts that were started
   unsigned refused = 0;    ///< attempts that ended and were invalid, without interrupted ones
-  unsigned presented = 0;  ///< order in which the trials of the session ended, from 1
+  unsigned presented = 0;  ///< rank of this trial by the time at which it ended, from 1; 0: it has not ended
   std::int64_t began_utc_ms = 0;
   nlohmann::json attempt;          ///< data of the last event "attempt"
   nlohmann::json reach;            ///< data of the last event "reach"
@@ -29,7 +29,7 @@ struct Task {
   enum class Kind { consent, registration, check, set_up, questionnaire, rest, trial, answer, end } kind;
   unsigned block = 0;
   unsigned trial = 0;     ///< index in the block; questionnaire: index in the design
-  std::string when = {};  ///< time of a questionnaire: before, after, or "block 2"
+  std::string when = {};  ///< time of a questionnaire: "before" or "after" all blocks, or "block 2", after block 2
 };
 
 struct State {
@@ -39,7 +39,8 @@ struct State {
   Task next() const;
   /// Feasible gap of this participant, from the set-up; infinite if unknown.
   double max_gap_deg() const;
-  /// Time since the last event; after a restart of the computer by the wall clock, so it may be negative.
+  /// Returns the time since the last event. After a restart of the computer, this is a difference of the wall clock,
+  /// which may be negative.
   std::int64_t since_last_ns(const Now& now, const std::string& boot_now) const;
 
   const Design& design;
@@ -48,13 +49,13 @@ struct State {
 
   bool has_consent = false;
   bool registers = false;
-  bool is_placed = false;                        ///< a touch has checked the registration since the last start
+  bool is_placed = false;                        ///< touches have made or checked the registration since the last start
   std::string registration;                      ///< current registration; empty: not registered
   std::set<std::string> registrations;           ///< all registrations of the session
   std::vector<nlohmann::json> touches;           ///< touches of an unfinished registration
   std::optional<nlohmann::json> set_up;          ///< result of the set-up when finished
   std::vector<nlohmann::json> slides;            ///< slides of an unfinished set-up
-  std::set<std::string> questionnaires;          ///< names such as "before SSQ"
+  std::set<std::string> questionnaires;          ///< answered questionnaires, such as "before SSQ"
   std::vector<std::vector<TrialRecord>> trials;  ///< by block and trial
   std::vector<unsigned> passes;                  ///< pass of each block, from 1; a block restarts after a long pause
   unsigned block = 0;

@@ -43,7 +43,8 @@ struct ReachOutcome {
 /// Keys of the experimenter, returned by Subject::key().
 enum class Key { none, refuse, note, rest, stop_plate, unblind, leave };
 
-/// The experimenter interrupted the task; key() then returns the key. Thrown by calls that wait.
+/// Thrown by calls that wait, if the experimenter interrupts the task. Subject::key() then returns the key, unless the
+/// key only marks a reach as invalid.
 struct Ended : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -55,13 +56,13 @@ class Subject {
   virtual Now now() = 0;
   /// Sets a simulated clock to the last time of the journal.
   virtual void continue_after(const Now&) {}
-  /// Identifies the boot of the computer; monotonic times of the same boot are comparable.
+  /// Returns an identifier of the computer's boot; monotonic times of the same boot are comparable.
   virtual std::string boot() const = 0;
-  /// Sets the fields of the configuration that describe the plate.
+  /// Sets the fields of the configuration that describe the plate and the tracker.
   virtual void plan(hrt_session_config&) const {}
   /// Returns "simulated, seed 7", or a person and the tracker; the same in each run of a session.
   virtual std::string description() const = 0;
-  /// Returns a description of the plate, with its measurements at this start.
+  /// Returns a description of the plate; empty if the plate is simulated.
   virtual std::string plate() const { return {}; }
   /// Returns the key that was pressed since the last call. After Key::stop_plate, the next call waits until the
   /// experimenter resumes.
@@ -89,10 +90,10 @@ class Subject {
   /// Asks a questionnaire. Returns whole numbers or texts.
   virtual std::vector<nlohmann::json> fill_in(const Questionnaire& paper) = 0;
   virtual void rest(double minutes) = 0;
-  /// Moves the plate to 0, waits for the finger at the start, and runs one reach.
+  /// Turns the plate to 0 degrees, waits for the finger at the start, and runs one reach.
   virtual ReachOutcome reach(const ReachOrder& order) = 0;
   /// Asks a question and returns the index of the answer. `felt_deg`: largest perceived-direction error of each reach
-  /// in question, from which a simulated participant answers. `number`: of the reach, for random draws.
+  /// in question, from which a simulated participant answers. `number`: that of the next reach, for random draws.
   virtual unsigned answer(const std::string& question, const std::vector<std::string>& answers,
                           const std::vector<double>& felt_deg, unsigned number) = 0;
 };

@@ -24,7 +24,7 @@ constexpr const char* keys_text =
     "that you are unblinded. r: repeat the last request. h: list the keys. q twice: quit; the session can be resumed.";
 constexpr char erase = 0x7f, escape = 0x1b;
 
-// Appends a key to a typed text. Returns true at the end of the text.
+// Applies a key to a typed text. Returns true if the key is Enter, which ends the text.
 bool edit(std::string& text, char key) {
   if (key == '\n' || key == '\r') {
     std::cerr << "\n";
@@ -41,7 +41,7 @@ bool edit(std::string& text, char key) {
 }
 
 constexpr XrDuration zero_limit_ns = 3'000'000'000;
-constexpr double zero_tolerance_deg = 2.0;  // largest distance from orientation 0 at the beginning of a reach
+constexpr double zero_tolerance_deg = 2.0;  // largest absolute plate orientation at the beginning of a reach
 constexpr double no_path_m = 1e-3;          // path length of a simulated participant who is to stay at the start
 
 std::int64_t clock_ns(clockid_t clock) {
@@ -110,7 +110,7 @@ void XrSubject::stop_plate() {
   try {
     plate_->stop(0);
   } catch (const std::exception&) {
-    // The session has failed; the program ends with the first error.
+    // The next frame handles the key again, and reports the failure.
   }
 }
 
@@ -211,7 +211,7 @@ void XrSubject::handle_keys(XrTime time) {
         pressed_ = Key::stop_plate;
         throw Ended("the plate was stopped");
       case 'x':
-        if (expected_keys_.empty()) throw Ended("the experimenter marked it as invalid");
+        if (expected_keys_.empty()) throw Ended("marked as invalid by the experimenter");
         break;
       case 'q':
         pressed_ = Key::leave;
@@ -286,7 +286,7 @@ Key XrSubject::key() {
   return key();
 }
 
-// Frames continue while it waits, so that the plate remains controlled.
+// Waits for one of the allowed keys. Frames continue meanwhile, so that the plate remains controlled.
 char XrSubject::wait_for_key(const std::string& allowed) {
   expect_keys(allowed);
   while (!typed_) frame();

@@ -1,6 +1,6 @@
-// A participant at a plate, whose finger is tracked through OpenXR. Either a person, who gets requests by terminal and
-// voice, with an experimenter who presses keys; or the simulated user of the mock runtime, with the answers and the
-// clock of SimulatedSubject.
+// A participant in a session through OpenXR. Either a person, who gets requests by terminal and voice, with an
+// experimenter who presses keys; or the simulated user of the mock runtime, with the answers and the clock of
+// SimulatedSubject.
 #pragma once
 
 #include <memory>
@@ -40,7 +40,7 @@ class XrSubject : public Subject {
   Key key() override;
   void say(const std::string& text) override { prompt_.say(text); }
   /// Reads keys between frames. A stop key stops the plate immediately; all other effects of keys follow at the next
-  /// frame. Call it after each sync of the journal, since several syncs would delay a stop by more than is permitted.
+  /// frame. Disk calls it at each step, since several syncs of the disk would delay a stop too long.
   void between_frames();
   /// Speaks a sentence without printing it.
   void speak(const std::string& text) { prompt_.speak(text); }

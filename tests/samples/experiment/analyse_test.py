@@ -45,14 +45,14 @@ def study(seed, effect, people, trials=10):
 
 
 def test_by_hand():
-    # Only + + + and - - - of 8 choices of signs are as far from 0.
+    # Only + + + and - - -, of the 8 choices of signs, have a mean as far from 0.
     assert analysis.sign_flip([1.0, 2.0, 3.0], 0) == 0.25
     assert analysis.sign_flip([1.0, -1.0], 0) == 1.0
     assert analysis.holm({"a": 0.01, "b": 0.04, "c": 0.03}) == {"a": 0.03, "c": 0.06, "b": 0.06}
     assert str(analysis.holm({"a": float("nan"), "b": 0.01, "c": 0.03})) == "{'b': 0.03, 'c': 0.06, 'a': nan}"  # nan still counts as a third test
     _, low, high = analysis.student([1, 2, 3])  # t with 2 degrees of freedom: 4.303; SD 1
     assert abs(high - 2 - 4.303 / 3**0.5) < 1e-3 and abs(high + low - 4) < 1e-9
-    # One-sided: t = 3.464; t with 2 degrees of freedom at 5 %: 2.920. Of the 8 choices of signs, only + + + is as high.
+    # One-sided: t = 3.464; t with 2 degrees of freedom at 5 %: 2.920. Of the 8 choices of signs, only + + + has a mean as high.
     p, low, high = analysis.student([1, 2, 3], direction="greater")
     assert abs(p - 0.0371) < 1e-3 and abs(low - 2 + 2.920 / 3**0.5) < 1e-3 and high == numpy.inf
     assert analysis.sign_flip([1.0, 2.0, 3.0], 0, direction="greater") == 0.125 and analysis.sign_flip([1.0, 2.0, 3.0], 0, direction="less") == 1
@@ -61,7 +61,7 @@ def test_by_hand():
 
 
 def tested(effect, people):
-    """Rows of the studies, and the percentage of them whose interval contains the effect."""
+    """Returns the rows of the studies, and the percentage of rows whose interval contains the effect."""
     plan = {"measure": "abs_miss_deg", "reference": "none", "test": "t", "margin": 1, "alpha": 0.05}
     rows = pandas.concat([analysis.compare(study(seed, effect, people), plan, seed) for seed in range(STUDIES)])
     return rows, 100 * numpy.mean((rows.low <= effect) & (effect <= rows.high))
@@ -107,7 +107,7 @@ def test_participants():
     row = lambda person, is_catch, end, answer: {"participant": person, "kind": "reaches", "is_catch": is_catch, "end": end, "answer": answer}
     trials = pandas.DataFrame([row(1, 0, "counted", "no")] * 3 + [row(1, 0, "missing", None), row(1, 1, "counted", "no")]
                               + [row(2, 0, "open", None), row(2, 1, "counted", "no")] + [row(3, 1, "counted", "yes"), row(3, 0, "counted", "yes")])
-    assert dict(analysis.excluded(study, trials)) == {2: "50%, above max_missing_share", 3: "100%, above max_false_alarms"}
+    assert dict(analysis.excluded(study, trials)) == {2: "50%, above max_missing_share (25%)", 3: "100%, above max_false_alarms (50%)"}
     draw = numpy.random.default_rng(3)
     trials = pandas.DataFrame([(i, "lr"[i % 2], condition, draw.normal(i % 2, 1 + i % 2)) for i in range(12) for condition in ("a", "none")],
                               columns=["participant", "level", "condition", "miss_deg"])
@@ -157,7 +157,7 @@ def test_mixed_model():
     assert numpy.allclose(fit.df, [6.9666, 6.9724], rtol=1e-2) and numpy.allclose(fit.p, [3.39e-4, 1.8e-5], rtol=2e-2), fit
     one_sided = analysis.mixed_models([few_trials(7)], "abs_miss_deg", "c", "greater")[0]  # both estimates are above 0
     assert numpy.allclose(2 * one_sided.p, fit.p), one_sided
-    # With balanced data, it equals the paired t test of people's means.
+    # With balanced data, the mixed model equals the paired t test of people's means.
     balanced = few_trials(0)
     fit, means = analysis.mixed_models([balanced], "abs_miss_deg", "c")[0], analysis.means_of(balanced, "abs_miss_deg")
     for condition in "ab":
@@ -174,8 +174,8 @@ def test_mixed_model():
 
 
 def test_own_data():
-    """Studies drawn from simulated people; the misses of one condition have ten times the SD of the other's. Tests the false positive rate and the
-    coverage of each outcome and hypothesis that can be registered."""
+    """Tests the false positive rate and the coverage of each outcome and hypothesis that can be registered, in studies drawn from simulated people.
+    The misses in one condition have ten times the SD of those in the other condition."""
     reach = {"virtual_deg": 6, "real_deg": 0}
     design = {"title": "own data", "participants": 12, "question": "Bent?", "catch_share": 0.5, "practice_trials": 0, "repeats": 4, "set_up": "none",
               "pairs": [{"name": "left", **reach}, {"name": "right", **reach, "virtual_deg": -6}],
@@ -273,7 +273,7 @@ def test_power():
     plan = {"measure": "abs_miss_deg", "reference": "none", "test": "sign_flip", "alpha": 0.05, "margin": 1}
     found = lambda effect, people, test="sign_flip", way="two-sided": power.share_found(
         paired(2000, 2.0), {**plan, "test": test, "direction": way}, "a", effect, people, 2000, 1)
-    assert found(-9, 5) == 0  # 2 of 32 choices of signs are as far from 0, so p is at least 0.0625
+    assert found(-9, 5) == 0  # 2 of 32 choices of signs have a mean as far from 0, so p is at least 0.0625
     # Compares with the noncentral t distribution, for normal differences with an SD of 2.
     for effect, people in ((0, 12), (-1, 12), (-1, 32), (-2, 12)):
         t, shift = scipy.stats.t.ppf(0.975, people - 1), effect / 2 * people**0.5
@@ -303,7 +303,7 @@ def power_of_a_design(design):
     assert printed.endswith(hashlib.sha256(design.read_bytes()).hexdigest() + "\n"), printed
     rows = [line.split() for line in printed.splitlines()]
     levels = [float(share) for row in rows if row and row[0] == "1" and row[-1] == "%" for share in row[3:-1]]
-    assert len(levels) == 2 * 3 and max(levels) < 5 + 6, printed  # false positive rates of equivalence and thresholds: 6 is three SDs and skew
+    assert len(levels) == 2 * 3 and max(levels) < 5 + 6, printed  # false positive rates of equivalence and thresholds, %; 6 points: three SDs, and skew
 
 
 def test_report():

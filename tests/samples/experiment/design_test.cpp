@@ -17,7 +17,7 @@ TEST(ExperimentDesign, Sha256OfTheExampleOfTheStandard) {
   EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-// Given values, defaults, missing values, objects and lists of objects; every field of the schema is present.
+// The text has every field of the schema: given values, defaults, missing values, objects and lists of objects.
 TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
   const Design design = small_design(3);
   const std::string text = preregistration_text(design);
@@ -25,25 +25,26 @@ TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
            "- `repeats` (Number of trials of each pair in a block): 3\n",
            "- `rounds` (Number of blocks per condition; with random_in_blocks: number of blocks): 1 (default)\n",
            "  - `max_s` (Maximum duration, seconds): 8 (default)\n",
-           "- `listed_orders` (Orders of the conditions, by name, assigned to the participants in turn): not given\n",
+           "- `listed_orders` (Orders of the conditions, by name; participants get complete sets of orders, each set "
+           "in "
+           "random order): not given\n",
            "  - number 2\n    - `config` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
     EXPECT_TRUE(has(text, line));
   for (const auto& [name, field] : design_schema()["properties"].items())
     EXPECT_TRUE(has(text, "- `" + name + "` (")) << name;
 }
 
-// Direction, margin, stopping rules, and the power table of this design; the table of another design is rejected.
+// The text has direction, margin, stopping rules and power table. The power table of another design is rejected.
 TEST(ExperimentDesign, ThePreregistrationStatesHypothesisAndPower) {
   const auto text_of = [](const json& analysis) {
     return preregistration_text(small_design(3, [&](json& study) { study["analysis"] = analysis; }));
   };
   EXPECT_TRUE(has(text_of({{"direction", "less"}}), "is less than that of hidden none."));
   EXPECT_TRUE(has(text_of({{"direction", "less"}}),
-                  "one-sided t of `abs_miss_deg`, 1 test, Holm's correction, family-wise level 0.05"));
-  EXPECT_TRUE(has(text_of({{"hypothesis", "equivalence"}, {"margin", 2}}),
-                  "is less than 2 from that of hidden none, to either side."));
+                  "one-sided t of `abs_miss_deg` for 1 condition, Holm's correction, family-wise level 0.05"));
   EXPECT_TRUE(
-      has(text_of({{"hypothesis", "below_margin"}}), "two one-sided t tests, margin 1, of `abs_miss_deg`, 2 tests"));
+      has(text_of({{"hypothesis", "equivalence"}, {"margin", 2}}), "differs from that of hidden none by less than 2."));
+  EXPECT_TRUE(has(text_of({{"hypothesis", "below_margin"}}), "t tests, margin 1, of `abs_miss_deg` for 2 conditions"));
   const Design design = small_design(3);
   const std::string table = "a table, SHA-256 " + design.sha256 + "\n";
   EXPECT_TRUE(has(preregistration_text(design, table), "```\n" + table + "```"));
@@ -51,7 +52,7 @@ TEST(ExperimentDesign, ThePreregistrationStatesHypothesisAndPower) {
   EXPECT_NE(refusal_of([&] { preregistration_text(small_design(4), table); }), "");
 }
 
-// Each condition directly follows each other one equally often, and is in each position equally often.
+// Each condition directly follows each other condition equally often, and is in each position equally often.
 TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
   for (unsigned count = 1; count <= 12; ++count) {
     const auto orders = williams_orders(count);
@@ -71,8 +72,8 @@ TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
   }
 }
 
-// Each block has every pair of each condition as often as planned, no pair three times in a row, and no two catch
-// trials in a row.
+// Expects every pair of each condition as often as planned, no pair three times in a row, and no two catch trials in a
+// row.
 void expect_legal(const Design& design, const Block& block, std::size_t conditions) {
   std::map<std::pair<unsigned, unsigned>, unsigned> cells;
   std::size_t catches = 0;
@@ -192,7 +193,7 @@ TEST(ExperimentDesign, ErrorsNameTheField) {
             "study.json: \"seed\" occurs twice in one object");
 }
 
-// 5 minutes of consent, 6 of the set-up, 6 items, 3 trials of 12 s, a break of a minute.
+// The plan: 5 minutes for consent, 6 for the set-up, 6 items, 3 trials of 12 s, a break of a minute.
 TEST(ExperimentDesign, TheProtocolHasTheTimePlan) {
   const std::string text = protocol_text(read_design(HRT_EXPERIMENT_SOURCE "/example.json"));
   EXPECT_EQ(text.find_first_of("{}"), std::string::npos) << text;
@@ -205,7 +206,7 @@ TEST(ExperimentDesign, TextNamesNoCondition) {
   const std::string text = design_text(small_design(2));
   EXPECT_FALSE(has(text, "secret"));
   EXPECT_FALSE(has(text, "hidden"));
-  EXPECT_TRUE(has(text, "follows each other one 1 to 1 times"));
+  EXPECT_TRUE(has(text, "follows each other condition 1 to 1 times"));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ def test_page(browser, session, addresses, journal):
     assert not any("secret" in browser.see(page, "document.documentElement.outerHTML") for page in (look, keys))
     pathlib.Path(PICTURE).write_bytes(base64.b64decode(browser.call("Page.captureScreenshot", keys)["data"]))
     press("Mark as invalid")
-    has("the experimenter marked it as invalid")
+    has("marked as invalid by the experimenter")
     press("Record unblinding")
     shows(look, "says.textContent", "Press u again")
     press("Record unblinding")

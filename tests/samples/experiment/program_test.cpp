@@ -39,7 +39,8 @@ std::string written(const TemporaryFolder& folder, const char* name, const std::
   return folder / name;
 }
 
-// A session on the mock runtime, twice: set-up, both kinds of blocks, no name of a condition in the output.
+// A session on the mock runtime, with set-up and both kinds of blocks, is the same when it is run twice; its output
+// names no condition.
 TEST(ExperimentProgram, ThroughTheMockRuntime) {
   const TemporaryFolder folder;
   const Design design = small_design(1, [](nlohmann::json& study) {
@@ -98,7 +99,7 @@ double await_turning(plate::PtyPlate& device) {
   return before;
 }
 
-// Within 100 ms of the key, by the clock of the plate, it rests and rejects commands.
+// Expects that the plate rests and rejects commands within 100 ms of the key, by the plate's clock.
 void expect_stopped(plate::PtyPlate& device, const std::function<void()>& press) {
   struct Seen {
     plate::HobbyPlate::Time time;
@@ -150,8 +151,8 @@ struct AtPlate {
   std::optional<Program> program;
 };
 
-// While the plate turns: between slides of a set-up, in a reach, and on its return to 0; and just after a reach. Then
-// the session continues.
+// Presses the key while the plate turns (between slides of a set-up, in a reach, on its return to 0), and just after a
+// reach. Then the session continues.
 TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   struct State {
     std::string name, set_up, event;
@@ -191,7 +192,7 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   }
 }
 
-// A session of a person whose hand follows a path. Quits when the journal has `until` events of a name.
+// Runs a session of a person whose hand follows a path. Quits when the journal has `until` events of this name.
 Outcome run_person(const TemporaryFolder& folder, const reach::Path& path, const std::string& event, std::size_t until,
                    const std::string& more = "") {
   const plate::Pty terminal(80);
@@ -206,7 +207,7 @@ Outcome run_person(const TemporaryFolder& folder, const reach::Path& path, const
 }
 
 // Touches register the plate, over two processes; the plugin receives the registration and updates it by contacts. A
-// touch checks it at each start, and a plate that was moved is registered again.
+// touch checks the registration at each start, and a plate that was moved is registered again.
 TEST(ExperimentProgram, ASessionRegistersThePlate) {
   using reach::marks, reach::Path;
   const TemporaryFolder folder;
@@ -217,7 +218,7 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
     s.erase("question");
   };
   written(folder, "study.json", small_design(2, study).text);
-  // Without this, the hand that rests in the air would touch a fourth mark there.
+  // Tracking is lost after the third touch; otherwise the hand's rest in the air would count as a touch of mark 4.
   const char* const lost = R"("events": [{"time_ms": 6200, "do": "lose_tracking", "hand": "right"}], )";
   const Outcome begun = run_person(folder, Path().touch({marks[0], marks[1], marks[2]}), "touch", 3, lost);
   EXPECT_TRUE(has(begun.err, "Mark 3 is \"rim near right\" (3 of 6)")) << begun.err;
@@ -246,7 +247,7 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
   EXPECT_TRUE(has(journal_of(folder), "\"is_there\":true"));
 }
 
-// A speech program that writes the texts into a file.
+// Returns the path of a speech program that writes the texts into the file `heard`.
 std::string voice_of(const TemporaryFolder& folder) {
   written(folder, "heard", "");
   const std::string voice = written(folder, "voice", "#!/bin/sh\ncat >> " + (folder / "heard") + "\n");
@@ -260,7 +261,7 @@ struct Person : AtPlate {
     start({"--speak-with", voice, "--registered", folder / "plate.json"}, path.script(R"("clock": "real-time", )"),
           terminal.descriptor());
   }
-  // Since the last key, the text was spoken and printed; the output fits the screen.
+  // Expects that since the last key, the text is spoken and printed, and that the output fits the screen.
   void expect_asked(const std::string& text) {
     EXPECT_TRUE(plate::eventually([&] {
       screen += terminal.take();
@@ -280,7 +281,7 @@ struct Person : AtPlate {
     screen.clear();
     terminal.type(keys);
   }
-  // Stops the plate in the state that asks for `text`. After the stop, it asks again, or for `then`.
+  // Stops the plate in the state with the request `text`. After the stop, expects this request again, or `then`.
   void stop(const std::string& text, const std::string& key = "s", const std::string& then = "") {
     SCOPED_TRACE(text);
     expect_asked(text);
@@ -338,7 +339,7 @@ TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
   EXPECT_FALSE(has(person.all + read_file(person.folder / "heard"), "secret"));
 }
 
-// The key n means no here, not a note. The last text is spoken completely.
+// At the question of consent, the key n means no, not a note. The last text is spoken completely.
 TEST(ExperimentProgram, WithoutConsentTheSessionIsStopped) {
   const TemporaryFolder folder;
   const plate::Pty terminal(80);

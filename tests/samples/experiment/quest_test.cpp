@@ -63,7 +63,7 @@ TEST(ExperimentQuest, AgreesWithAPublishedImplementation) {
                        {19.46203, 17.671312, 24.680209, 20.809271, 22.091236, 22.514258}});
 }
 
-// The example of Watson (2017) with threshold, slope and lapse rate, from the tests of that package.
+// The example of Watson (2017) with threshold, slope and lapse rate, from the tests of questplus.
 TEST(ExperimentQuest, AgreesWithTheExampleOfThePaper) {
   QuestPlus::Grid grid{.slopes = {2, 3, 4, 5}, .lapses = {0, 0.01, 0.02, 0.03, 0.04}};
   for (int db = -40; db <= 0; ++db) grid.gaps.push_back(std::pow(10.0, db / 20.0));
@@ -87,7 +87,8 @@ TEST(ExperimentQuest, AgreesWithTheExampleOfThePaper) {
                        16, means});
 }
 
-// 300 observers drawn from the prior, with lapse rates up to 3 %; HRT_EXPERIMENT_OBSERVERS sets another number.
+// 300 simulated observers drawn from the prior, with lapse rates up to 3 %; HRT_EXPERIMENT_OBSERVERS sets another
+// number.
 TEST(ExperimentQuest, RecoversThresholds) {
   const char* const wanted = std::getenv("HRT_EXPERIMENT_OBSERVERS");
   const unsigned observers = wanted != nullptr ? static_cast<unsigned>(std::stoi(wanted)) : 300;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const char* const session_name = "sub-01/ses-01";
 
-// trials.csv without the columns that a crash may change: attempt, began_utc and recording.
+// Returns trials.csv without the columns that a crash may change: attempt, began_utc and recording.
 std::string lasting_columns(const Design& design, const fs::path& study) {
   std::istringstream lines(export_study(design, study, false).files.at("trials.csv"));
   std::string text, line;
@@ -73,8 +73,8 @@ void expect_recordings_replay(const Design& design, const fs::path& study) {
   EXPECT_GE(whole, counted_rows(lasting_columns(design, study)));
 }
 
-// A kill before and after every write, sync, link and change of state. The session has 4 trials and a practice trial,
-// or 40 with HRT_EXPERIMENT_REPEATS=10.
+// The session is killed before and after every write, sync, link and change of state. It has a practice trial and 4
+// trials, or 40 trials with HRT_EXPERIMENT_REPEATS=10.
 TEST(ExperimentCrash, NoFinishedTrialIsLostOrRepeated) {
   const char* const repeats = std::getenv("HRT_EXPERIMENT_REPEATS");
   const Design design = small_design(repeats != nullptr ? static_cast<unsigned>(std::stoi(repeats)) : 1);
@@ -135,7 +135,7 @@ TEST(ExperimentCrash, JournalTruncatedAtEveryByte) {
   }
 }
 
-// A cut within a set-up, whose slides are passed to the plugin again.
+// The journal is cut within a set-up, whose slides are passed to the plugin again.
 TEST(ExperimentCrash, AnInterruptedSetUpContinues) {
   const Design design = small_design(1, [](json& study) { study["set_up"] = "calibration"; });
   const TemporaryFolder whole;
@@ -204,7 +204,7 @@ TEST(ExperimentJournal, ErrorsNameAFolderThatCannotBeCreated) {
   EXPECT_TRUE(has(refusal_of([&] { run_simulated(small_design(1), folder.path / "file"); }), "cannot be created"));
 }
 
-// A session whose experimenter quits after some reaches, and whose clock jumps before the session is resumed.
+// A participant whose experimenter quits after `reaches` reaches, and whose clock jumps before the session is resumed.
 class Leaving : public SimulatedSubject {
  public:
   Leaving(const Design& design, unsigned reaches, std::int64_t jump_ms)
@@ -223,8 +223,8 @@ class Leaving : public SimulatedSubject {
   std::int64_t jump_ms_;
 };
 
-// After a pause of an hour, or if the clock was set back, the block restarts, and the journal records it; after a
-// minute it continues.
+// After a pause of an hour, or if the clock was set back, the block restarts, and the journal records the restart.
+// After a pause of a minute, the block continues.
 TEST(ExperimentSession, ALongPauseRestartsTheBlock) {
   const Design design = small_design(2);
   struct {
@@ -319,7 +319,7 @@ TEST(ExperimentSession, LettersRevealNoCondition) {
   EXPECT_EQ(letters.size(), 2U);
 }
 
-// A session that is resumed after a restart of the computer, whose monotonic clock starts again.
+// A participant whose session is resumed after a restart of the computer, where the monotonic clock starts again.
 class Rebooted : public SimulatedSubject {
  public:
   Rebooted(const Design& design, bool again) : SimulatedSubject(design, 1, 7), again_(again) {}

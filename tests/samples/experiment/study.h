@@ -16,7 +16,7 @@
 namespace hrt::experiment {
 
 /// Returns a design with two conditions, `repeats` trials of each of two pairs in a block, and no set-up. `change`
-/// alters it.
+/// alters its JSON.
 inline Design small_design(unsigned repeats, const std::function<void(nlohmann::json&)>& change = {}) {
   nlohmann::json study = {
       {"title", "small"},
