@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
 mid-line (straight away from the participant), counter-clockwise positive seen from above.
 Exit codes: 0 success, 1 failure, 2 invalid argument.)");
   app.set_version_flag("--version", HRT_STUDY_VERSION, "Print the version and exit.");
-  app.set_help_flag("-h,--help", "Print this and exit.");
+  app.set_help_flag("-h,--help", "Print this help and exit.");
   app.require_subcommand(1);
   add_table1(app);
   add_ridges(app);

@@ -56,7 +56,7 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name, Value& value, co
       ->default_str(standard);
 }
 
-// Parses comma-separated names of different values; nullopt if `find` does not know one.
+// Parses comma-separated names; returns nullopt if `find` does not know a name, or if two names have the same value.
 template <typename Value>
 std::optional<std::vector<Value>> parse_names(const std::string& names,
                                               const std::function<std::optional<Value>(std::string_view)>& find) {
@@ -197,7 +197,7 @@ CLI::Option* add_trials(CLI::App& app, std::uint64_t& trials, const std::string&
 CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>& families, const std::string& standard,
                           const std::string& help) {
   return add_parsed<std::vector<const PeopleFamily*>>(
-      app, "--family", families, "different families, separated by commas (robustness --help shows them)", standard,
+      app, "--family", families, "families, each once, separated by commas (robustness --help shows them)", standard,
       help, [](const std::string& names) { return parse_names<const PeopleFamily*>(names, family_of); });
 }
 
@@ -206,7 +206,7 @@ CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<Pers
   std::vector<std::string> names;
   for (const StateVariable& trait : std::span(person_state, PersonState::traits)) names.emplace_back(trait.name);
   return add_parsed<std::vector<PersonState::Index>>(
-      app, name, traits, fmt::format("from {}", fmt::join(names, ",")), standard, help,
+      app, name, traits, fmt::format("one or more from {}, each once", fmt::join(names, ",")), standard, help,
       [](const std::string& names) { return parse_names<PersonState::Index>(names, trait_of); });
 }
 
@@ -220,7 +220,7 @@ std::string tuning_names() {
 
 CLI::Option* add_tuning(CLI::App& app, Tuning& tuning) {
   return add_parsed<Tuning>(app, "--tune", tuning, "NAME=VALUE[,NAME=VALUE...] (robustness --help shows the ranges)",
-                            "core/person/tuning.h", "Parameters of our controller to change.",
+                            "values of core/person/tuning.h", "Parameters of our controller to change.",
                             [](const std::string& text) { return tuned({}, text); });
 }
 

@@ -25,7 +25,7 @@ struct NumberRange {
   double high;
   bool low_allowed = true;
   bool high_allowed = true;
-  bool infinity_allowed = false;  ///< "inf" as well
+  bool infinity_allowed = false;  ///< "inf" is allowed, too
   bool whole = false;             ///< whole numbers only
 
   bool contains(double value) const;

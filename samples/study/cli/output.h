@@ -1,5 +1,4 @@
-// Output of the subcommands: atomic files, progress bar. fmt prints a double with "{}" so that it restores the same
-// bits.
+// Output of the subcommands: atomic files, progress bar.
 #pragma once
 
 #include <fmt/format.h>
@@ -30,7 +29,7 @@ std::string cell(double value, int decimals);
 /// Returns "0.38-0.47" with `dash` between the bounds; "?" for a bound that is NaN (unknown).
 std::string between(double low, double high, int decimals, const std::string& dash = "-");
 
-/// write_whole_file() (samples/app/text/whole_file.h). Throws std::runtime_error if that fails.
+/// Writes a file like write_whole_file() (samples/app/text/whole_file.h). Throws std::runtime_error on failure.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
 /// Destination of a result: a file, or standard output for an empty path. Construct it before the computation, so that
@@ -47,7 +46,7 @@ class Output {
   std::filesystem::path path_;
 };
 
-/// A progress bar on standard error, shown after one second if that is a terminal.
+/// A progress bar on standard error, shown after one second if standard error is a terminal.
 class Progress {
  public:
   Progress();

@@ -56,14 +56,15 @@ std::string fit_text(const Calibration& calibration) {
     Eigen::Index part = 0;
     (slide.parts_deg - slide.fitted_deg).cwiseAbs().maxCoeff(&part);
     text += fmt::format(
-        "  excluded: trial {}, an outlier: part {} of its path has a direction of {:.1f} deg, the fit {:.1f}\n",
+        "  excluded: trial {}, an outlier: part {} of its path has a direction of {:.1f} deg, the fit has {:.1f} deg\n",
         slide.trial + 1, part + 1, slide.parts_deg(part), slide.fitted_deg(part));
   }
   if (const std::size_t along = calibration.count(SlideVerdict::along_ridges); along > 0)
     text += fmt::format("  excluded: {} slides nearly along the ridges, where the illusion changes sign\n", along);
   if (calibration.max_plate_deg > 60.0)
-    text += fmt::format("  the slides have plate angles up to {:.0f} deg; published human data cover 60 deg\n",
-                        calibration.max_plate_deg);
+    text +=
+        fmt::format("  the slides have plate angles up to {:.0f} deg; published human data cover angles up to 60 deg\n",
+                    calibration.max_plate_deg);
   for (const std::string& advice : calibration.advice()) text += "Next: " + advice + ".\n";
   return text;
 }
@@ -89,7 +90,7 @@ std::string calibration_text(const CalibrationReport& report) {
     text += trait.interval.known
                 ? value_row(trait.words, trait.interval, trait.decimals)
                 : row(trait.words, "not determined", "best fit " + cell(trait.interval.value, trait.decimals));
-  return text + row("plate to motion at the largest gap, °", cell(calibration.peak_offset_deg, 0), "") +
+  return text + row("plate minus motion, largest gap, °", cell(calibration.peak_offset_deg, 0), "") +
          fit_text(calibration) + "\nThe method has been tested with simulated people only; there was no human trial.\n";
 }
 
@@ -130,7 +131,7 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
   return page;
 }
 
-// JSON for hrt_profile_load(), without fields that the data cannot determine.
+// Returns JSON for hrt_profile_load(), without fields that the data cannot determine.
 std::string calibration_profile(const Calibration& calibration) {
   nlohmann::ordered_json profile{{"format", "haptic retargeting profile"}, {"version", 1}};
   const Interval& weight = calibration.tactile_weight;
@@ -227,7 +228,7 @@ std::string retest_text(const std::string& names, const std::vector<ComparedValu
     if (difference.differs) text.insert(text.size() - 1, ", differs");
   }
   return text + conclusion(values) +
-         ". Of pairs of calibrations of an unchanged person, 5 % have a significant difference in any value.\n";
+         ". Of pairs of calibrations of an unchanged person, 5 % differ significantly in at least one value.\n";
 }
 
 nlohmann::ordered_json retest_json(const std::vector<ComparedValue>& values) {
@@ -277,8 +278,9 @@ void add_calibrate(CLI::App& app) {
       add_command(app, "calibrate", "Estimate a participant's parameters from slides over a fixed plate.",
                   "FILE is CSV with a header that names " + std::string(calibration_header) +
                       R"(:
-one row per tracked position of the fingertip (to the right of the mid-line, and away along it). The rows of
-a trial are contiguous, with increasing times. Lines that start with # and other columns are ignored.
+one row per tracked position of the fingertip: right_m to the right of the plate's mid-line, away_m along it,
+away from the person. The rows of a trial are contiguous, with increasing times. Lines that start with # and
+other columns are ignored.
 
 Protocol: the person slides to one target, twice at each plate orientation from -75 to 75 in steps of 7.5, in
 random order. A slide is at least 30 mm long, after half a second at rest. The minimum is ten such slides at
@@ -296,7 +298,8 @@ Examples:
   add_path(command, "--retest", options->retest,
            "Data of a second calibration, with which FILE is compared: differences, intervals and significance.\n"
            "--plot and --profile use FILE.");
-  add_number(command, "--goal", options->goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
+  add_number(command, "--goal", options->goal_direction_deg, {-45.0, 45.0},
+             "Direction of the target of the slides, deg.");
   add_choice(command, "--format", options->format, {"text", "json"}, "Format of the output.");
   add_plot(command, options->plot,
            "SVG file for a figure of curve, directions and residuals. Needs python3-matplotlib.");

@@ -152,8 +152,8 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   double bias_deg = person.bias_deg - person.own_bias_deg;
   double habit_deg = person.habit_deg;
   if (person.steering == Steering::place) {
-    // Such people aim past the position until they are near: at the fraction s of the path, the goal is bias (1 + log(1
-    // - s)).
+    // Such people aim past the target's position until they are near: at the fraction s of the path, the goal is bias
+    // (1 + log(1 - s)).
     habit_deg = -0.5 * bias_deg * logarithm(0.15);
     bias_deg *= 1.0 + logarithm(0.5);
   }
@@ -215,7 +215,7 @@ std::string text(const CoverageStudy& study) {
       "Calibrations of simulated people; there was no human trial. {} people of each kind, {} slides at the angles of "
       "a set-up, {} s each.\n"
       "known: % of people for whom the calibration determines the value\n"
-      "cover: % of these whose 95 % interval contains the true value, and the 95 % interval of this percentage\n"
+      "cover: % of the known 95 % intervals that contain the true value, and the 95 % interval of this percentage\n"
       "error: mean of estimate minus true value; width: mean width of the interval\n\n"
       "{:14}  {:34}  {:34}  {:34}  {:34}\n{:14}",
       options.people, options.slides, options.duration_s, "", "w_T", "bias, deg", "habit, deg", "largest gap, deg", "");

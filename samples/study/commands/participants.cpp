@@ -26,8 +26,9 @@ void check_size(const ParticipantsOptions& options) {
   if (rows > max_rows)
     throw UsageError(not_allowed(
         "--trials", fmt::to_string(options.session.trials_per_angle),
-        fmt::format("small enough for at most {:.0f} rows; with these angles, rate and times there are {:.0f}",
-                    max_rows, rows)));
+        fmt::format(
+            "small enough for at most {:.0f} rows; with --angles, --rate, --duration and --rest there are {:.0f}",
+            max_rows, rows)));
 }
 
 void run(ParticipantsOptions options) {
@@ -45,7 +46,7 @@ void add_participants(CLI::App& app) {
       add_command(app, "participants", "Simulate calibration data as CSV: slides over a fixed plate, for 'calibrate'.",
                   "Each row is a tracked position: " + std::string(calibration_header) +
                       R"(.
-Time 0 is when the finger starts to move; before it the finger rests on the plate.
+The finger rests on the plate until time 0, when it starts to move.
 
 Examples:
   hrt-study participants --tactile-weight 0.2 --bias 2 --out me.csv && hrt-study calibrate me.csv
@@ -55,8 +56,9 @@ Examples:
   add_number(command, "--tactile-weight", condition.participant.tactile_weight, tactile_weight_range,
              "Tactile weight w_T: fraction of touch in the perceived direction.");
   add_number(command, "--bias", condition.participant.bias_deg, {-45.0, 45.0},
-             "Perceptual bias: perceived minus true goal direction, deg.");
-  add_number(command, "--goal", condition.goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
+             "Perceptual bias: perceived minus true direction of the target, deg.");
+  add_number(command, "--goal", condition.goal_direction_deg, {-45.0, 45.0},
+             "Direction of the target of the slides, deg.");
   add_numbers(command, "--angles", options->session.plate_angles_deg, {-360.0, 360.0}, "Plate orientations, deg.");
   add_integer(command, "--trials", options->session.trials_per_angle, 1, 1'000, "Number of slides at each angle.");
   add_number(command, "--duration", condition.duration_s, {0.1, 60.0}, "Duration of a slide, s.");

@@ -26,7 +26,7 @@ void run(const ReportOptions& options) {
       {.name = "table1",
        .title = "Table I: paper and model",
        .caption =
-           "Share of trials that end within 1.5° of the real direction, for the six pairs of each condition. Bars: "
+           "Percentage of trials that end within 1.5° of the real direction, for six pairs in each condition. Bars: "
            "95 % intervals (Wilson) of the paper's 50 trials and of the model's " +
            fmt::to_string(table.options.trials) +
            " per cell. Dashed: limit of any controller, as the plate cannot correct the noise of the last step.",

@@ -12,7 +12,7 @@ namespace hrt::study {
 namespace {
 
 struct RidgeOptions {
-  std::vector<double> plate_angles_deg{-60.0, -30.0, 0.0, 30.0, 60.0};  // those of reference [2] of the paper
+  std::vector<double> plate_angles_deg{-60.0, -30.0, 0.0, 30.0, 60.0};  // angles of reference [2] of the paper
   double tactile_weight = 0.15;
   double motor_variance_deg2 = 0.5;
   std::uint64_t trials = 50;
@@ -117,7 +117,8 @@ void add_ridges(CLI::App& app) {
   const auto options = std::make_shared<RidgeOptions>();
   CLI::App& command = add_command(
       app, "ridges", "The paper's Fig. 1c: slides straight ahead over a fixed plate at five angles.",
-      R"(Paths approach the direction P that is perceived as straight ahead: w_T T + (1 - w_T) P = 0 for a plate at T.
+      R"(Paths approach the direction P that is perceived as straight ahead: w_T T + (1 - w_T) P = 0, where T is the
+plate orientation.
 
 Examples:
   hrt-study ridges --plot fig1c.svg

@@ -14,7 +14,7 @@ namespace hrt::study {
 namespace {
 
 struct Options {
-  RobustnessOptions robustness;               // except durations
+  RobustnessOptions robustness;               // without the durations
   std::vector<double> durations_s;            // empty: not given
   std::vector<const PeopleFamily*> families;  // empty: not given
   std::string person;
@@ -23,7 +23,7 @@ struct Options {
   Writing writing;
 };
 
-// The person of the file; the repetitions differ in their random noise.
+// Returns the person of --person; repetitions differ in their random noise.
 SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
   const PersonFile file = read_person("--person", options.person);
   if (file.has_duration && options.durations_s.empty()) study.options.durations_s = {file.condition.person.duration_s};
@@ -98,11 +98,11 @@ Examples:
   hrt-study robustness --recorded my_lab --durations 1.5 --people 300
   hrt-study robustness --person me.json --people 1000
 
---recorded replaces the path statistics of the families "recorded" by recorded reaches. Each .csv file of
-the folder has the reaches of one person to one target, in the columns reach, time_s, right_mm and
-away_mm: the fingertip from rest to rest, at 40 Hz or more, in any fixed frame. Each simulated reach uses
-one of them, scaled to --durations and rotated to the target. The response to touch and the scatter of
-the ends (0.9 deg) are simulated as in the other families.
+--recorded simulates people with the paths and speeds of your own recorded reaches. Each .csv file of the
+folder has the reaches of one person to one target, in the columns reach, time_s, right_mm and away_mm:
+the fingertip from rest to rest, at 40 Hz or more, in any fixed coordinate system. Each simulated reach
+uses one of these reaches, scaled to --durations and rotated to the target. The response to touch and the
+scatter of the ends (0.9 deg) are simulated as in the families.
 
 --person simulates a person whom you define: JSON, {"tactile_weight": 0.18, "illusion": "sine"}. --people
 is then the number of repetitions, each without knowledge from the others. Parameters (missing ones have
@@ -128,7 +128,7 @@ void add_robustness(CLI::App& app) {
   add_integer(command, "--reaches", robustness.reaches, 2, 99,
               "Number of reaches of each person under our controller; the first and the last are reported.");
   add_number(command, "--within", robustness.points, {0.0, 50.0},
-             "Stopping rule: half width of the 95 % interval at which a cell ends, in percentage points; 0: none.");
+             "Stopping rule: half width of the 95 % interval at which a cell ends, in percentage points; 0: no stop.");
   add_numbers(command, "--durations", options->durations_s, {0.3, 20.0}, "Durations of a reach without pauses, s.")
       ->default_str("0.8,1,1.5,2,3, or that of --person");
   add_families(command, options->families, "all, or none with --person or --recorded", "People to simulate.");

@@ -35,7 +35,7 @@ GapFeasibility gap_feasibility_of(const Scene& scene, const SceneTarget& virtual
   return paper_gap_feasibility(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
 }
 
-// Text with `decimals` digits; avoids "-0" for a value that rounds to zero.
+// Returns text with `decimals` digits; avoids "-0" for a value that rounds to zero.
 std::string rounded(double value, int decimals) {
   return fmt::format("{:.{}f}", std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value, decimals);
 }
@@ -127,7 +127,7 @@ Examples:
   add_numbers(command, "--tactile-weight", options->tactile_weights, tactile_weight_range,
               "Tactile weights w_T; the table has a column for each.");
   add_number(command, "--plate-bound", options->plate_bound_deg, plate_bound_range,
-             "Largest angle between plate and virtual direction, deg.");
+             "Largest angle between plate orientation and virtual direction, deg.");
   options->writing.add_options(command);
 }
 

@@ -34,7 +34,7 @@ Examples:
   add_number(command, "--sensory-variance", options->table.sensory_variance_deg2, positive_variance_range,
              "Variance of the combined measurement of touch and proprioception, deg^2; the paper does not give it.");
   add_number(command, "--plate-bound", options->table.plate_bound_deg, plate_bound_range,
-             "Largest angle between plate and virtual direction, deg; the paper has 90.");
+             "Largest angle between plate orientation and virtual direction, deg; the paper has 90.");
   add_integer(command, "--steps", options->table.steps, 1, max_trial_steps, "Model steps of a reach.");
   add_threads(command, options->table.threads);
   options->writing.add_options(command);

@@ -31,7 +31,7 @@ const char* name(ActiveBound bound) {
   return names[static_cast<std::size_t>(bound)];
 }
 
-// One row per step; the last row has only the direction after the last step.
+// Returns one row per step; the last row has only the direction after the last step.
 std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome) {
   Results found;
   for (const TrialStep& step : steps)
@@ -98,9 +98,9 @@ the last step. Numbers have full precision. A trial has the same random numbers 
 'table1' with the same seed, condition and trial number.
 
 --trace simulates a reach of a person under our controller instead: --family, --duration, --reach, --trial
-(number of the person), --seed, --real and --virtual select it. Files in the folder: trace.csv, the states of
-the filter with their SDs at each sample; trace.svg, their figure; reach.svg, an animation of the reach from
-above.
+(number of the person), --seed, --real and --virtual select the reach. Files in the folder: trace.csv, the
+states of the filter with their SDs at each sample; trace.svg, a figure of these; reach.svg, an animation of
+the reach from above.
 
 Examples:
   hrt-study trial --trace reach --family bias-3 --reach 5
@@ -124,7 +124,7 @@ Examples:
                  "Variance of the perceived direction before the first step, deg^2."),
       add_integer(command, "--horizon", mpc.horizon, 1, max_horizon, "Prediction horizon of the controller, steps."),
       add_number(command, "--plate-bound", mpc.plate_bound_deg, plate_bound_range,
-                 "Largest angle between plate and virtual direction, deg."),
+                 "Largest angle between plate orientation and virtual direction, deg."),
       add_number(command, "--plate-rate-bound", mpc.plate_rate_bound_deg, {0.0, 360.0, false, true, true},
                  "Largest rotation of the plate in one step, deg; inf: no limit."),
       add_integer(command, "--steps", condition.steps, 1, max_trial_steps, "Model steps of a reach, 0.1 s each."),

@@ -28,8 +28,7 @@ StagingFolder::StagingFolder(const std::string& argument, const std::string& out
     : out_(out), was_made_(!fs::exists(out)) {
   if (std::system("/usr/bin/python3 -c 'import matplotlib' >/dev/null 2>&1") != 0)
     throw std::runtime_error(
-        "matplotlib draws the figures, and /usr/bin/python3 does not have it; on Debian: apt-get install "
-        "python3-matplotlib");
+        "/usr/bin/python3 has no matplotlib, which draws the figures; on Debian: apt-get install python3-matplotlib");
   std::error_code error;
   fs::create_directories(out_, error);
   folder_ = out_ / fmt::format(".hrt-study.{}.tmp", getpid());
@@ -40,7 +39,7 @@ StagingFolder::StagingFolder(const std::string& argument, const std::string& out
 StagingFolder::~StagingFolder() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
-  if (was_made_) fs::remove(out_, ignored);  // only if it is empty
+  if (was_made_) fs::remove(out_, ignored);  // fails if the folder is not empty
 }
 
 void StagingFolder::draw(const std::vector<Figure>& figures) {

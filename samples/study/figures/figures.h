@@ -28,10 +28,9 @@ std::vector<Figure> path_figures(std::uint64_t seed);
 /// Returns an HTML page with `text` and then each figure (NAME.svg in the same folder) with its caption.
 std::string html_page(const std::string& text, const std::vector<Figure>& figures);
 
-/// Simulates reach number `reach`, from 1, of a person under our controller, with the estimates from those before.
-/// Returns one row per sample, with the mean and SD of each state of the filter. figures.py draws "reach", an animation
-/// of the reach from above (plate and ridges, true and perceived path), and "trace", the states over time, from
-/// page_of().
+/// Simulates reach number `reach`, from 1, of a person under our controller, with the estimates from the reaches
+/// before. Returns one row per sample, with the mean and SD of each state of the filter. From page_of() of the result,
+/// figures.py draws "reach", an animation of the reach from above, and "trace", the states over time.
 Results trace_reach(const PersonCondition& condition, int reach, std::uint64_t seed, std::uint32_t index);
 
 /// A staging folder for the files of one result, which are published together when complete, or not at all.
@@ -62,7 +61,7 @@ class StagingFolder {
   bool was_made_;
 };
 
-/// Draws a figure for the file `path`. Throws like StagingFolder.
+/// Draws a figure in the folder of the file `path`, and returns its SVG. Throws like StagingFolder.
 std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure);
 
 }  // namespace hrt::study

@@ -14,7 +14,7 @@ struct PaperFigure {
   double motor_variance_deg2;
   double tactile_weight;
   bool is_plate_fixed;
-  const char* paper;  ///< its result in the paper
+  const char* paper;  ///< result in the paper
 };
 
 constexpr PaperFigure paper_figures[] = {
@@ -38,7 +38,7 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
            {"bound_deg", paper.is_plate_fixed ? Row() : Row(bound_deg)},
            {"sustaining_deg",
             paper.is_plate_fixed || !feasibility.reachable ? Row() : Row(feasibility.plate_orientation_deg)},
-           {"plate_deg", {condition.plate_orientation_deg}}};  // of the first trial
+           {"plate_deg", {condition.plate_orientation_deg}}};  // plate orientations in the first trial
   int hits = 0;
   for (std::uint32_t trial = 0; trial < static_cast<std::uint32_t>(paper_trials); ++trial) {
     std::vector<TrialStep> steps;

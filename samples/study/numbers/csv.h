@@ -17,8 +17,8 @@ class CsvReader {
   /// `name` is the file's name in errors. The first line is a header, which must name each of `columns` ("a,b,c") once.
   CsvReader(std::string name, std::string_view text, const char* columns);
 
-  /// Advances to the next row; skips blank lines and comments (#). Returns false after the last one. Throws UsageError
-  /// if the header is wrong, or the row has another number of fields.
+  /// Advances to the next row; skips blank lines and comments (#). Returns false after the last row. Throws UsageError
+  /// if the header is wrong, or if the row has another number of fields than the header.
   bool next();
 
   /// Returns the field of the current row in a column. number() throws UsageError outside `range`.

@@ -35,12 +35,13 @@ inline constexpr std::array<PaperCondition, 4> paper_table1{{
     {1.0, 0.10, 77.8, 3.5, {{{-5, 5, 76}, {5, -5, 72}, {0, 10, 80}, {-10, 0, 82}, {10, 0, 78}, {0, -10, 79}}}},
 }};
 
-/// Section III-B: the mean of the six pairs with w_T = 0.05.
+/// Mean percentage of the six pairs with w_T = 0.05, of section III-B.
 inline constexpr double paper_impaired_touch_percent = 40;
-/// Section III-B and Fig. 7: P_R = 0, theta_V = 12, variance 2.
+/// Percentage with the real target at 0, the virtual one at 12 degrees and a motor variance of 2 (section III-B, Fig.
+/// 7).
 inline constexpr double paper_wide_gap_percent = 60;
 
-/// Condition 1 of Table I with these values, which are known to the controller.
+/// Returns condition 1 of Table I with these values, which the controller knows.
 inline Condition make_condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
                                 double virtual_direction_deg) {
   Condition condition{.real_direction_deg = real_direction_deg, .virtual_direction_deg = virtual_direction_deg};

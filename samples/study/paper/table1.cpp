@@ -24,7 +24,7 @@ Condition condition(double motor_variance_deg2, double tactile_weight, double re
   return condition;
 }
 
-// The pairs of Table I, scaled from 10 degrees to `gap_deg`.
+// Returns the pairs of Table I, with their gaps of 10 degrees scaled to `gap_deg`.
 CellGroup six_pairs(const std::string& name, const std::string& title, double motor_variance_deg2,
                     double tactile_weight, const Table1Options& options, double gap_deg = 10.0) {
   CellGroup group{.name = name, .title = title};
@@ -50,7 +50,7 @@ CellGroup paper_condition(std::size_t index, const Table1Options& options) {
 std::vector<CellGroup> paper_claims(const Table1Options& options) {
   std::vector<CellGroup> claims{
       six_pairs("tactile_weight_0.05", "Tactile weight 0.05", 0.5, 0.05, options),
-      six_pairs("tactile_weight_0.05_gap_6", "The same, gap of 6 deg", 0.5, 0.05, options, 6.0)};
+      six_pairs("tactile_weight_0.05_gap_6", "Tactile weight 0.05, gap of 6 deg", 0.5, 0.05, options, 6.0)};
   for (CellGroup& claim : claims) claim.paper_percent = paper_impaired_touch_percent;
   for (const double weight : {0.2, 0.3, 0.45}) {
     claims.push_back(six_pairs(fmt::format("tactile_weight_{}", weight), fmt::format("Tactile weight {}", weight), 0.5,
@@ -65,8 +65,8 @@ std::vector<CellGroup> paper_claims(const Table1Options& options) {
     claims.push_back({.name = name, .title = title, .cells = {cell}, .paper_percent = paper_wide_gap_percent});
   };
   add_wide("gap_12", "Gap 12 deg, motor variance 2 deg^2", 2.0, Condition{}.tolerance_deg);
-  add_wide("gap_12_deviation_2", "The same, standard deviation 2 deg", 4.0, Condition{}.tolerance_deg);
-  add_wide("gap_12_within_5", "Variance 2, counted within 5 deg", 2.0, 5.0);
+  add_wide("gap_12_deviation_2", "Gap 12 deg, motor SD 2 deg", 4.0, Condition{}.tolerance_deg);
+  add_wide("gap_12_within_5", "Gap 12 deg, counted within 5 deg", 2.0, 5.0);
 
   Cell uncontrolled{.condition = condition(0.1, 0.15, 5.0, -5.0, options)};
   uncontrolled.condition.controller.mode = ControlMode::fixed_plate;
@@ -81,7 +81,7 @@ std::vector<CellGroup> paper_claims(const Table1Options& options) {
   return claims;
 }
 
-// For each condition of Table I and each gap of `amplitudes_deg`: the six pairs with that gap.
+// Returns the six pairs with each gap of `amplitudes_deg`, for each condition of Table I.
 std::vector<CellGroup> amplitude_groups(const Table1Options& options) {
   std::vector<CellGroup> groups;
   for (std::size_t i = 0; i < paper_table1.size(); ++i)
@@ -130,7 +130,7 @@ void judge_uncontrolled(CellGroup& claim) {
   claim.reproduced = result.hit_percent() < 5.0 &&
                      std::abs(final_deg - first.virtual_direction_deg) < std::abs(final_deg - first.real_direction_deg);
   claim.verdict =
-      fmt::format("{}: the finger ends at {:.1f} deg on average, the real target at {}, the virtual one at {}",
+      fmt::format("{}: the finger ends at {:.1f} deg on average; the real target is at {}, the virtual one at {} deg",
                   reproduced_words(claim.reproduced), final_deg, first.real_direction_deg, first.virtual_direction_deg);
 }
 

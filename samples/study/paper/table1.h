@@ -16,7 +16,7 @@ struct Table1Options {
   std::uint64_t seed = 1;
   std::uint64_t horizon = 3;
   double sensory_variance_deg2 = 0.1;
-  double plate_bound_deg = 84.5;  ///< largest angle between plate and virtual direction
+  double plate_bound_deg = 84.5;  ///< largest angle between plate orientation and virtual direction
   std::uint64_t steps = 30;       ///< number of steps of a reach
   std::uint64_t threads = 1;
 };
@@ -25,7 +25,7 @@ struct Table1Options {
 struct Cell {
   Condition condition;
   BatchResult result;
-  std::optional<double> paper_percent;  ///< if the paper has a value for this cell
+  std::optional<double> paper_percent;  ///< nullopt: the paper has no value for this cell
 };
 
 /// A group of cells with the paper's mean over them.
@@ -65,9 +65,8 @@ struct Table1 {
   double p_value;
 };
 
-/// Limitations of the chi-squared test, for reports.
 inline constexpr const char* in_sample_words =
-    "The p value is biased upwards, because the default bound on the plate (84.5 deg; section III has 90) and the "
+    "The p value is biased upwards, because the default bound on the plate (84.5 deg; the paper has 90) and the "
     "default sensory variance (0.1 deg^2; the paper gives none) were fitted to these same cells. --plate-bound 90 uses "
     "the paper's bound; samples/study/paper/README.md compares the possible interpretations of the paper.";
 
@@ -76,7 +75,7 @@ struct BestAmplitude {
   double gap_deg;
   double percent;
   double paper_amplitude_percent;
-  bool by_chance;  ///< the difference from 10 degrees is not significant
+  bool by_chance;  ///< the difference from the percentage at 10 degrees is not significant
 };
 BestAmplitude best_amplitude(const Table1& table, std::size_t condition);
 

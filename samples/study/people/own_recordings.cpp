@@ -15,7 +15,7 @@ constexpr std::size_t max_reaches_bytes = 1U << 28;
 constexpr double moving_share = 0.05;    // fraction of the largest speed above which the finger moves
 constexpr double min_reach_mm = 20.0;    // the direction of a shorter reach is too uncertain
 constexpr std::size_t min_samples = 20;  // minimum number of samples in motion
-constexpr double smoothing_s = 0.05;     // half width of the mean; without it, tracker noise looks like motion
+constexpr double smoothing_s = 0.05;     // half width of the moving average, against the tracker's noise
 constexpr double max_position_mm = 1e5;
 
 using Samples = std::vector<TimedPoint>;
@@ -91,13 +91,12 @@ RecordedReach checked_reach(const std::string& name, double number, const Sample
   const Samples motion = motion_of(smoothed(samples));
   if (motion.size() < min_samples)
     throw UsageError(
-        fmt::format("{} has {} samples in motion; at least {} are needed: record at 40 Hz or more, from rest to "
-                    "rest",
+        fmt::format("{} has {} samples in motion; at least {} are needed: record at 40 Hz or more, from rest to rest",
                     which, motion.size(), min_samples));
   const double length_mm = distance_mm(motion.front().position, motion.back().position);
   if (length_mm < min_reach_mm)
     throw UsageError(
-        fmt::format("{} ends {:.0f} mm from its start; at least {} mm are needed: positions are in millimetres", which,
+        fmt::format("{} ends {:.0f} mm from its start; at least {} mm are needed. Are positions in millimetres?", which,
                     length_mm, min_reach_mm));
   return reach_of(motion);
 }

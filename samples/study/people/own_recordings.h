@@ -14,14 +14,15 @@ namespace hrt::study {
 ///
 ///   reach     whole number; contiguous rows with the same number are one reach
 ///   time_s    increases within a reach
-///   right_mm, away_mm   position of the fingertip, in any fixed frame of the plane
+///   right_mm, away_mm   position of the fingertip, in any fixed coordinate system of the plane
 ///
 /// A reach lasts from the first to the last time at which the finger is faster than 5 % of its largest speed. `name` is
 /// the file's name in errors. Throws UsageError naming the line or reach and what is allowed.
 std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_view text);
 
 /// Returns simulated people with the paths and speeds of the files in `folder`. Person i repeats the reaches of file i
-/// modulo the number of files, in random order. Their response to touch is drawn as in the family "linear".
+/// modulo the number of files, in random order. The response to touch is drawn as in the family "linear". `argument` is
+/// the option's name in errors.
 SimulatedPeople people_of_recordings(const std::string& argument, const std::string& folder);
 
 }  // namespace hrt::study

@@ -13,7 +13,7 @@ namespace {
 // Random stream of the order of trials, separate from those of the steps and the tracker.
 constexpr std::uint32_t order_draw = 1U << 31;
 
-// Balanced, randomised order of plate angles.
+// Returns the plate angle of each slide: all angles equally often, in random order.
 std::vector<double> angles_in_order(const Session& session) {
   std::vector<double> angles_deg;
   for (std::uint64_t i = 0; i < session.trials_per_angle; ++i)

@@ -94,7 +94,7 @@ std::string all_names() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// `where`: file and parameter, for errors.
+// Sets one parameter. `where`: file and parameter, for errors.
 void take(const std::string& where, std::string_view parameter, const Json& value, PersonFile* file) {
   for (const WordParameter& known : word_parameters) {
     if (parameter != known.name) continue;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t people_between_tests = 100;
 
-// w_T at the end of a reach, as hrt_command defines it: perceived shift divided by the angle of the ridges, at 60
+// Returns w_T at the end of a reach: perceived shift divided by the angle between ridge normal and motion, at 60
 // degrees to the side that steers the finger to the real target.
 double true_weight(const PersonCondition& condition) {
   SimulatedIllusion illusion = condition.person.illusion;
@@ -47,7 +47,7 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
                        covered(summary.bearing_error_deg - outcome.bearing_error_deg, summary.bearing_error_sd_deg))};
 }
 
-// Simulates all reaches up to the requested one.
+// Simulates the reaches of a person up to the one that `kind` reports.
 std::vector<ReachResult> simulate(const PersonCondition& condition, ControllerKind kind,
                                   const RobustnessOptions& options, std::uint32_t index) {
   const RetargeterConfig controller = kind == ControllerKind::paper ? paper_controller()
@@ -152,7 +152,7 @@ std::vector<RobustnessRow> simulate_robustness(
       const std::uint64_t index = before + i % now;
       const auto is = [&](ControllerKind controller) { return all_controllers[cell % columns] == controller; };
       if (is(ControllerKind::first) && results[cell + 1].size() > index)
-        return;  // the column of the last reach simulates it too
+        return;  // the column of the last reach also simulates the first
       const RobustnessRow& row = rows[cell / columns];
       const auto person = static_cast<std::uint32_t>(index);
       const std::vector<ReachResult> reached = simulate(row.people.draw(row.duration_s, options.seed, person),

@@ -1,5 +1,5 @@
-// Tests the controllers on people who differ from their models: each family of core/simulation/people.h at several
-// durations, without a controller, with the paper's and with ours. All results are simulation.
+// Tests the controllers on people who differ from the controllers' models: each family of core/simulation/people.h at
+// several durations, without a controller, with the paper's, and with the plugin's default (ours). All is simulation.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace hrt::study {
 
-/// Column of the results: a controller, and for ours how much it knows of the person.
+/// Column of the results: a controller, and how much it knows about the person.
 enum class ControllerKind {
   none,      ///< no controller: the plate stays at 0
   paper,     ///< the paper's controller, which assumes w_T = 0.15
@@ -39,8 +39,8 @@ struct ReachResult {
   double bearing_error_deg;    ///< true bearing error of the end
   double miss_mm;              ///< true distance of the end across the real direction; >= 0
   double peak_felt_error_deg;  ///< largest perceived-direction error, ground truth
-  bool unreachable = false;    ///< flags of the reach's summary
-  bool found = false;          ///< unreachable in this reach or an earlier one of the person
+  bool unreachable = false;    ///< flag of the reach's summary, as are misfit and off_target
+  bool found = false;          ///< flagged unreachable in this reach or an earlier one of the person
   bool misfit = false;
   bool off_target = false;
   // True if the 95 % interval of the estimate contains the true value; nullopt without an estimate.
@@ -49,7 +49,7 @@ struct ReachResult {
   std::optional<bool> habit_covered;   ///< mean habit over the person's reaches to this target
   std::optional<bool> miss_covered;    ///< bearing error at the end
 
-  bool near() const;         ///< ends within near_deg of the real target's bearing
+  bool near() const;         ///< ends within near_deg (1.5) of the real target's bearing
   bool silent() const;       ///< misses, and no flag is raised
   bool false_alarm() const;  ///< is near, and flagged unreachable or off target
 };
@@ -85,7 +85,7 @@ RobustnessCell summarise(std::span<const ReachResult> results);
 struct SimulatedPeople {
   std::string name;
   std::string description;
-  bool tuned = false;  ///< as in PeopleFamily
+  bool tuned = false;  ///< the family was used to tune our controller
   FamilyKind kind = FamilyKind::invented;
   std::function<PersonCondition(double duration_s, std::uint64_t seed, std::uint32_t index)> draw;
 };
@@ -133,7 +133,7 @@ Share pooled(std::span<const RobustnessRow> rows, ControllerKind controller,
 struct RobustnessStudy {
   RobustnessOptions options;
   std::vector<SimulatedPeople> people;
-  std::vector<RobustnessRow> rows;  ///< simulate_robustness() of both
+  std::vector<RobustnessRow> rows;  ///< result of simulate_robustness()
 };
 
 /// Returns the name of the people with its mark: * not used to tune the controller, + systematic error of tracker or

@@ -74,7 +74,7 @@ std::string near_table(const RobustnessStudy& study) {
          mean_line("mean of both", invented) + mean_line("mean, error +", of_kind(rows, FamilyKind::misplaced));
 }
 
-// "0.42 (0.38-0.47)"; a bound that the sample does not determine is "?".
+// Returns "0.42 (0.38-0.47)"; a bound that the sample does not determine is "?".
 std::string with_interval(const Quantile& quantile, int decimals) {
   if (std::isnan(quantile.value)) return "-";
   return fmt::format("{:.{}f} ({})", quantile.value, decimals, between(quantile.low, quantile.high, decimals));
@@ -118,7 +118,7 @@ std::string flags_table(const Rows& all, std::uint64_t reaches) {
   return page;
 }
 
-// All numbers of one kind of people.
+// Returns all numbers of one kind of people.
 std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   std::string page = people.name + ": " + people.description + '\n';
   for (const bool is_feasible : {true, false}) {
@@ -127,7 +127,7 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
     if (some.empty()) continue;
     page += fmt::format(
         "\nPeople for whom the gap is {}: reaches within 1.5 deg, quantiles of the miss, median of the largest\n"
-        "perceived-direction error, misses without a flag. 95 % intervals; ?: too few reaches determine this bound\n"
+        "perceived-direction error, misses without a flag. 95 % intervals; ?: too few reaches for this bound\n"
         "{:>4}  {:18}{:>19}{:>18}{:>18}{:>18}{:>19}\n",
         is_feasible ? "feasible" : "infeasible", "s", "controller", "within, %", "median miss, mm", "95 % miss, mm",
         "error, deg", "unflagged, %");
@@ -145,7 +145,7 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   return page;
 }
 
-// The numbers of a cell. Without a controller there are no flags.
+// Adds the numbers of a cell to a row. Without a controller there are no flags.
 void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
   const auto put_flag = [&](const std::string& name, const Share& share) { put(row, name, flags ? share : Share{}); };
   row["feasible"] = cell.feasible.near.of;
@@ -171,7 +171,7 @@ void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
     put_flag(name, share);
 }
 
-// Description of the conditions of all reaches.
+// Describes the conditions of all reaches.
 std::string condition_words(const RobustnessStudy& study) {
   const bool has_families = std::any_of(study.people.begin(), study.people.end(),
                                         [](const SimulatedPeople& each) { return people_family(each.name.c_str()); });
@@ -179,8 +179,7 @@ std::string condition_words(const RobustnessStudy& study) {
       "At most {} people of each family at each duration, seed {}. {} Our controller does not know the duration.",
       study.options.people, study.options.seed,
       has_families ? "Unless the description of a family states otherwise: reaches of 100 mm, a gap of 10°, w_T from "
-                     "0.12 to 0.30, "
-                     "tracker noise of 1.2 mm at 90 Hz, a servo with 400°/s and a latency of 30 ms."
+                     "0.12 to 0.30, tracker noise of 1.2 mm at 90 Hz, a servo with 400°/s and a latency of 30 ms."
                    : "The file of --person defines the person.");
 }
 
@@ -210,14 +209,14 @@ std::string robustness_text(const RobustnessStudy& study) {
   std::string page = fmt::format(
       "{}\n\n{}\n\n"
       "no: no controller. pap: the paper's controller.\n"
-      "1, {}: our controller in a person's first reach, and in reach {}, with its estimates from the earlier "
-      "ones.\n{}\n"
+      "1, {}: our controller in a person's first reach, and in reach {}, with its estimates from the reaches "
+      "before.\n{}\n"
       "*: family that was not used to tune our controller. ~: paths and speeds of recorded reaches.\n"
       "+: systematic error of the tracker or of the plate, which no controller can detect within a reach.\n\n",
       wrapped("Simulated reaches; there was no human trial. " + condition_words(study), 110),
       wrapped(fmt::format(
                   "The table has the percentage of reaches that end within 1.5 deg of the real target's bearing, of "
-                  "people for whom the gap is feasible (-: of none). The 95 % interval of a cell is at most +-{:.1f} "
+                  "people for whom the gap is feasible (-: no one). The 95 % interval of a cell is at most +-{:.1f} "
                   "points. A cell takes no more people once its interval is at most +-{} points (--within); cells have "
                   "{:.0f} people on average (--format csv has the number of each).",
                   widest, study.options.points, people),

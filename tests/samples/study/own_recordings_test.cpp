@@ -14,7 +14,8 @@
 namespace hrt::study {
 namespace {
 
-// A reach of 300 mm in 0.8 s, with rests of 0.3 s before and after. Its direction is turn + habit (1 - 2 s).
+// Returns a reach of 300 mm in 0.8 s, with rests of 0.3 s before and after. At the fraction s of the path, its
+// direction is turn + habit (1 - 2 s).
 std::string reach(int number, double turn_deg, double habit_deg) {
   std::string rows;
   PlatePoint place{40.0, -20.0};

@@ -141,7 +141,7 @@ TEST(StudyRobustness, LinearPeopleReachTheTargetAndAreEstimated) {
   EXPECT_LT(row.cell(ControllerKind::last).feasible.miss_95_mm.value, 2.6);  // 100 mm sin 1.5 deg
   EXPECT_GE(row.cell(ControllerKind::last).weight_covered.percent(), 85.0);
   EXPECT_EQ(row.cell(ControllerKind::last).weight_covered.of, 100U);
-  EXPECT_EQ(row.cell(ControllerKind::paper).weight_covered.of, 0U);  // it does not estimate w_T
+  EXPECT_EQ(row.cell(ControllerKind::paper).weight_covered.of, 0U);  // the paper's controller does not estimate w_T
 }
 
 // With an illusion of w 45 sin 2t, a gap of 10 degrees is feasible for w_T > 10 / 45.
@@ -192,13 +192,13 @@ TEST(StudyRobustness, InformedOfSelectsTheKnownTraits) {
 }
 
 TEST(StudyRobustness, TuneSetsParametersByName) {
-  const auto led = [](const std::string& tune) {
+  const auto output_with = [](const std::string& tune) {
     return expect_exit(0, run_study({"robustness", "--people", "4", "--durations", "1", "--family", "linear", "--tune",
                                      tune, "--format", "csv"}))
         .out;
   };
-  EXPECT_EQ(led("gain.mean=14,last_phase=0.97"), led("max_outliers=4"));
-  EXPECT_NE(led("direction_density_deg2_s=1000"), led("max_outliers=4"));
+  EXPECT_EQ(output_with("gain.mean=14,last_phase=0.97"), output_with("max_outliers=4"));
+  EXPECT_NE(output_with("direction_density_deg2_s=1000"), output_with("max_outliers=4"));
   for (const std::string refused : {"gains=14", "gain.mean", "gain.mean=a", "gain.mean=1e9", "last_phase=0.9,", ""}) {
     const std::string error = expect_exit(2, run_study({"robustness", "--tune", refused})).err;
     EXPECT_TRUE(has(error, {"--tune", "NAME=VALUE"})) << refused;

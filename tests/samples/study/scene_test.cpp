@@ -11,8 +11,9 @@ namespace {
 
 const std::string scenes = HRT_SCENES;
 
-// The real cylinder is straight ahead, so w T = theta_V. For w = 0.1, T is 6 / 0.1 = 60 and -8 / 0.1 = -80; 12 needs
-// 120, which is 108 degrees from the virtual direction, above the limit of 84.5. For w = 0.15, 12 needs 80.
+// The real cylinder is straight ahead, so w T = theta_V for the plate orientation T and the virtual direction theta_V.
+// For w = 0.1, T is 6 / 0.1 = 60 and -8 / 0.1 = -80; 12 needs 120, which is 108 degrees from the virtual direction,
+// above the limit of 84.5. For w = 0.15, 12 needs 80.
 TEST(StudyScene, DeskByHand) {
   const StudyRun run = expect_exit(0, run_study({"scene", scenes + "/desk.gltf"}));
   const auto rows = lines(run.out);

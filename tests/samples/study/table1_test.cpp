@@ -33,7 +33,7 @@ std::vector<json> cells_of(const json& table, const std::string& group) {
   return cells;
 }
 
-// Percentages of the model: within one point in each of the paper's 24 cells.
+// Expects the model's percentages, within one point in each of the paper's 24 cells.
 void expect_the_models_numbers(const json& table) {
   ASSERT_GT(table["rows"].size(), 24U);
   const double model_percent[] = {92.8, 86.6, 81.1, 77.2};
@@ -83,8 +83,8 @@ void expect_claims(const json& table) {
     EXPECT_NEAR(claim(table, name)["mean_percent"].get<double>(), 92.8, 0.5) << name;
 }
 
-// Under condition 1, all amplitudes are feasible and have the same percentage; with a lower tactile weight, wide ones
-// are infeasible.
+// Under condition 1, all gaps are feasible and have the same percentage; with a lower tactile weight, wide gaps are
+// infeasible.
 void expect_amplitudes(const json& table) {
   const auto mean = [&](const std::string& gap, const char* condition) {
     const std::vector<json> cells = cells_of(table, "amplitude_" + gap + "_condition_" + condition);
@@ -108,7 +108,7 @@ void expect_amplitudes(const json& table) {
 // Binomial SD of cells of 50 trials: sqrt(0.928 * 0.072 / 50) is 3.7 %.
 void expect_deviations(const json& table) {
   const double sd_percent[] = {3.7, 4.8, 5.6, 6.0};
-  const double paper_percent[] = {3.3, 3.0, 3.0, 3.5};  // as its text has them
+  const double paper_percent[] = {3.3, 3.0, 3.0, 3.5};  // as the paper's text has them
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(table["conditions"][i]["sd_percent"].get<double>(), sd_percent[i], 0.3) << i;
     EXPECT_EQ(table["conditions"][i]["paper_sd_percent"], paper_percent[i]);

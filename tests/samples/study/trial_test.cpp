@@ -74,7 +74,7 @@ TEST(StudyTrial, TheFileReplacesAnExistingOneAndEqualsStandardOutput) {
   EXPECT_EQ(written.out, "");
   const std::string shown = run_study({"trial", "--steps", "3"}).out;
   EXPECT_EQ(read_file(folder / "trial.csv"), shown);
-  // An invalid argument leaves it unchanged.
+  // An invalid argument leaves the file unchanged.
   ASSERT_EQ(run_study({"trial", "--steps", "0", "--out", folder / "trial.csv"}).exit_code, 2);
   EXPECT_EQ(read_file(folder / "trial.csv"), shown);
   EXPECT_EQ(entries(folder.path), std::vector<std::string>{"trial.csv"});
