@@ -1,4 +1,4 @@
-// Predicates on texts for tests.
+// Searches in texts, for tests.
 #pragma once
 
 #include <gtest/gtest.h>

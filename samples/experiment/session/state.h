@@ -12,7 +12,6 @@
 
 namespace hrt::experiment {
 
-/// Outcome of a trial.
 struct TrialRecord {
   enum class End { open, counted, missing } end = End::open;
   unsigned attempts = 0;   ///< attempts that were started

@@ -52,8 +52,9 @@ Action::Action(ActionSet* set, const XrActionCreateInfo& info)
     : Object(object_type, set), name(text_in(info.actionName)), action_type(info.actionType) {}
 
 void require_type(const Action& action, XrActionType type) {
-  require(action.action_type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "action \"{}\" is {}; the function needs {}",
-          action.name, name_of(action.action_type), name_of(type));
+  require(action.action_type == type, XR_ERROR_ACTION_TYPE_MISMATCH,
+          "action \"{}\" has the type {}; the function needs {}", action.name, name_of(action.action_type),
+          name_of(type));
 }
 
 void xrCreateActionSet(Instance& instance, const XrActionSetCreateInfo* info, XrActionSet* set) {

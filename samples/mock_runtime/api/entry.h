@@ -132,7 +132,7 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
       record.why = error.what();
     }
     const XrResult result = record.result;
-    // Not logged for xrGetInstanceProcAddr, because a loader looks up every function.
+    // xrGetInstanceProcAddr is not logged, because a loader looks up every function.
     if constexpr (id != FunctionId::xrGetInstanceProcAddr) log(shared, std::move(record));
     return result;
   }

@@ -14,7 +14,7 @@ Session& running_session(XrSession handle) {
 }
 
 // With the real-time clock, waits until `time`; advances a manual clock to `time`. The session may end, be lost or be
-// destroyed during the wait, so it is looked up again.
+// destroyed during the wait, so the handle is looked up again.
 void wait_until(XrSession handle, XrTime time) {
   Clock& clock = running_session(handle).instance().clock;
   if (clock.kind() == Clock::Kind::manual) return clock.advance_to(time);

@@ -12,7 +12,7 @@
 
 namespace hrt::mock {
 
-/// Id of the only XrSystemId, a head-mounted display.
+/// Id of the only system, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
 
 /// Vulkan objects and functions that the application passes before it creates a session.

@@ -1,4 +1,3 @@
-// XR_HRTX_ridged_plate.
 #include <cmath>
 
 #include "samples/mock_runtime/api/space.h"
@@ -43,8 +42,8 @@ void xrGetPlateOrientationHRTX(Session& session, XrTime time, double* orientatio
 void xrInstructReachHRTX(Session& session, const XrReachInstructionHRTX* instruction) {
   require_hand(instruction->hand);
   const Eigen::Vector3d start_m = from_xr(instruction->start);
-  require_valid(start_m.allFinite() && start_m.norm() <= 10.0, "start is {} m from the plate's centre; at most 10",
-                start_m.norm());
+  require_valid(start_m.allFinite() && start_m.norm() <= 10.0,
+                "start is {} m from the plate's centre; must be at most 10", start_m.norm());
   require_angle(instruction->goalDirection, 180.0, "goalDirection");
   require_length(instruction->pathLength, "pathLength");
   World& world = session.world();

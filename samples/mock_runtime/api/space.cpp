@@ -124,7 +124,7 @@ void xrCreateHandTrackerEXT(Session& session, const XrHandTrackerCreateInfoEXT* 
   require_valid(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, "handJointSet is {}; must be 0, the default set",
                 static_cast<int>(info->handJointSet));
   require(runtime().script.hand_tracking, XR_ERROR_FEATURE_UNSUPPORTED,
-          "the script sets hand_tracking to false; XrSystemHandTrackingPropertiesEXT reports it");
+          "the script sets hand_tracking to false; check XrSystemHandTrackingPropertiesEXT before this call");
   *tracker = handle_of<XrHandTrackerEXT>(runtime().registry.create<HandTracker>(&session, info->hand));
 }
 

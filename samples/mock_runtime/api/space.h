@@ -24,7 +24,7 @@ class Space : public Object {
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  /// Returns the pose in the world at a time. Unset for the space of an action, since there are no controllers.
+  /// Returns the pose in the world at a time; nullopt for the space of an action, since there are no controllers.
   std::optional<Pose> in_world(XrTime time) const;
 
   /// True for a reference space other than VIEW. Positions in it are inferred, not tracked, while head tracking is
@@ -37,7 +37,7 @@ class Space : public Object {
   Pose offset_;
 };
 
-/// Returns the space of a handle. Throws XR_ERROR_VALIDATION_FAILURE if it belongs to another session.
+/// Returns the space of a handle. Throws XR_ERROR_VALIDATION_FAILURE if the space belongs to another session.
 Space& space_of(const Session& session, XrSpace handle);
 
 /// Throws XR_ERROR_VALIDATION_FAILURE unless `hand` is left or right.

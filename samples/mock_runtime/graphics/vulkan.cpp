@@ -260,10 +260,11 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
   VkImageFormatProperties limits{};
   const VkResult possible = vk.vkGetPhysicalDeviceImageFormatProperties(
       physical_, image.format, image.imageType, image.tiling, image.usage, image.flags, &limits);
-  require(possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels && info.arraySize <= limits.maxArrayLayers,
-          XR_ERROR_FEATURE_UNSUPPORTED,
-          "the Vulkan device has no images of format {} with usageFlags {:#x}, {} mips and {} layers; request others",
-          info.format, info.usageFlags, info.mipCount, info.arraySize);
+  require(
+      possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels && info.arraySize <= limits.maxArrayLayers,
+      XR_ERROR_FEATURE_UNSUPPORTED,
+      "the Vulkan device has no images of format {} with usageFlags {:#x}, {} mips and {} layers; change one of these",
+      info.format, info.usageFlags, info.mipCount, info.arraySize);
   return std::make_unique<VulkanImages>(shared_from_this(), image, count);
 }
 

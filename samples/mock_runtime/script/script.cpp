@@ -44,7 +44,7 @@ PlateSettings read_plate(const Json& plate) {
           plate.value("terminal", "")};
 }
 
-// Reads `position_m` and `orientation`; without the latter the pose has the default orientation.
+// Reads a pose from `position_m` and "orientation", if `object` has the latter key; otherwise uses `orientation`.
 Pose read_pose(const Json& object, const std::string& where, const Eigen::Quaterniond& orientation) {
   Pose pose{orientation, read_vector(object["position_m"])};
   if (object.contains("orientation")) {
@@ -68,7 +68,7 @@ std::vector<Keyframe> read_path(const Json& path, const std::string& where, cons
   return keyframes;
 }
 
-// `tracked`: default for a hand that has neither a path, nor slides, nor a member "tracked".
+// Reads a hand. `tracked`: default for a hand that has neither a path, nor slides, nor a key "tracked".
 HandSettings read_hand(const Json& object, const std::string& where, bool tracked) {
   HandSettings hand;
   hand.path = read_path(object["path"], where + ".path", resting_hand_orientation());

@@ -6,7 +6,7 @@ namespace hrt::mock {
 namespace {
 
 // A right hand with the palm down and the wrist at the origin: +X right, +Y up, -Z to the fingers. The other fingers
-// are bent further than the index finger, so that only the latter touches a surface.
+// are bent further than the index finger, so that only the index finger touches a surface.
 struct Rest {
   Eigen::Vector3d position_m;
   double radius_m;
@@ -44,7 +44,7 @@ const std::array<Rest, XR_HAND_JOINT_COUNT_EXT>& rest_hand() {
   return rest;
 }
 
-// Rotation whose -Z axis is along `forward` and whose +X axis is as close to `right` as possible.
+// Returns the rotation whose -Z axis is along `forward` and whose +X axis is as close to `right` as possible.
 Eigen::Quaterniond axes(const Eigen::Vector3d& forward, const Eigen::Vector3d& right) {
   Eigen::Matrix3d columns;
   const Eigen::Vector3d back = -forward.normalized();

@@ -27,11 +27,11 @@ class Reach {
   Reach(const DrawnPerson& person, const ReachInstruction& instruction, std::uint64_t seed, std::uint32_t number,
         XrTime start);
 
-  /// Simulates all whole milliseconds up to `time`. The participant feels the plate orientation at the end of each. The
-  /// caller must not advance `plate` to `time` before this call.
+  /// Simulates all whole milliseconds up to `time`. The participant feels the plate orientation at the end of each
+  /// millisecond. The caller must not advance `plate` to `time` before this call.
   void advance(XrTime time, const PlateModel& plate);
 
-  /// Returns x and z of the fingertip at any time; for a future time, a prediction without further plate commands.
+  /// Returns x and z of the fingertip at any time; a future position is predicted as if no further command arrived.
   Eigen::Vector2d position_m(XrTime time, const PlateModel& plate) const;
 
   double tactile_weight() const { return simulated_.illusion.tactile_weight; }

@@ -16,7 +16,6 @@ namespace hrt::mock {
 /// Orientation of the wrist of a hand at rest, which points straight ahead and 20 degrees down.
 Eigen::Quaterniond resting_hand_orientation();
 
-/// State of a hand at one time.
 struct HandState {
   Eigen::Vector3d index_tip_m;
   Eigen::Quaterniond orientation;  ///< of the wrist; zero if the rotation is lost
@@ -85,8 +84,8 @@ class World {
   /// Advances the simulation to `now`. Commands that the caller gives later take effect at `now`.
   void advance(XrTime now);
 
-  /// Returns the state that the tracker reports for `time`; nothing while the hand is not tracked. A future state is
-  /// predicted without further plate commands.
+  /// Returns the state that the tracker reports for `time`; nullopt while the hand is not tracked. A future state is
+  /// predicted as if no further plate command arrived.
   std::optional<HandState> hand(XrHandEXT hand, XrTime time) const;
 
  private:

@@ -1,4 +1,3 @@
-// hrt-study calibrate: estimates a person's parameters from slides over a fixed plate.
 #include <fmt/ranges.h>
 
 #include <algorithm>

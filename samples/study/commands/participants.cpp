@@ -1,4 +1,3 @@
-// hrt-study participants: simulates calibration data, slides over a fixed plate.
 #include "samples/study/people/participants.h"
 
 #include <memory>

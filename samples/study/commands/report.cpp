@@ -1,4 +1,3 @@
-// hrt-study report: the paper's figures from the model, and an HTML page with all of them.
 #include <memory>
 
 #include "samples/study/cli/arguments.h"

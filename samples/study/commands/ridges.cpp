@@ -1,4 +1,3 @@
-// hrt-study ridges: the paper's Fig. 1c, slides straight ahead over a plate that rests at each of five angles.
 #include <cmath>
 #include <memory>
 

@@ -1,4 +1,3 @@
-// hrt-study scene: contents of a glTF scene, and the plate orientation that sustains the gap of each pair.
 #include "scene/scene.h"
 
 #include <algorithm>

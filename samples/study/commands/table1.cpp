@@ -1,4 +1,3 @@
-// hrt-study table1: compares the paper's Table I and its other claims with the model.
 #include "samples/study/paper/table1.h"
 
 #include <memory>

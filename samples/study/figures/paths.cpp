@@ -1,4 +1,3 @@
-// Figs. 4 to 8 of the paper.
 #include "core/paper/participant.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/figures/figures.h"

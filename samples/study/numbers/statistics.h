@@ -8,7 +8,6 @@
 
 namespace hrt::study {
 
-/// An interval of percentages.
 struct PercentInterval {
   double low;
   double high;

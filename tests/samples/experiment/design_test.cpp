@@ -12,7 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-// The example of FIPS 180-4.
 TEST(ExperimentDesign, Sha256OfTheExampleOfTheStandard) {
   EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }

@@ -433,7 +433,6 @@ TEST(ExperimentSession, ConditionsSetTheConfigurationAndTheGap) {
   EXPECT_EQ(occurrences(trials, ",6.0,3.0,"), 1U) << trials;
 }
 
-// Each recording has a .json file that describes it.
 TEST(ExperimentSession, RecordingsAreDescribed) {
   const Design design = small_design(1, [](json& study) { study["set_up"] = "calibration"; });
   const TemporaryFolder folder;

@@ -113,8 +113,7 @@ TEST_F(MockHand, UntrackedHandAndSessionWithoutFocusHaveNoValidBit) {
   }
 }
 
-// Derived by hand: a space 2 m to the right, rotated 90 degrees to the left, is located in a space 1 m ahead, and the
-// latter in the former.
+// Derived by hand. One space is 2 m to the right and rotated 90 degrees to the left; the other space is 1 m ahead.
 TEST_F(MockHand, RotatedSpaceIsLocatedInAShiftedSpaceAndViceVersa) {
   const float half = std::sqrt(0.5F);
   const XrSpace turned = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0.0F, half, 0.0F, half}, {2.0F, 0.0F, 0.0F}});

@@ -129,7 +129,7 @@ TEST_F(MockScript, FrozenHandRepeatsItsPositionAndAJumpAddsItsOffset) {
   EXPECT_NEAR(tips[7].z - tips[6].z, -0.030F - step_m, 1e-6F);
 }
 
-// Each state is reported once, including those in between. A hand is inactive in a session without focus.
+// Each state is reported once, including the states in between. A hand is inactive in a session without focus.
 TEST_F(MockScript, ScriptedStateIsReachedByWayOfTheStatesInBetween) {
   begin_with(R"({"events": [{"frame": 2, "do": "session_state", "state": "SYNCHRONIZED"},
                             {"frame": 3, "do": "session_state", "state": "SYNCHRONIZED"},
@@ -151,7 +151,7 @@ TEST_F(MockScript, ScriptedStateIsReachedByWayOfTheStatesInBetween) {
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
 }
 
-// Some runtimes violate the specification in these ways.
+// Some runtimes violate the specification by repeating a state or by display times of 0.
 TEST_F(MockScript, ScriptRepeatsAStateAndOmitsDisplayTimes) {
   begin_with(R"({"frame_times": false, "events": [{"frame": 2, "do": "repeat_session_state"}]})");
   EXPECT_XR(XR_SUCCESS, begin_frame());

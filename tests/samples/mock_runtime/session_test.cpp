@@ -101,7 +101,7 @@ TEST_F(MockScope, EventWithSession2OccursInTheSecondSessionOnly) {
   }
 }
 
-// Calls are counted within a session. Calls between two sessions count for the next one.
+// Calls are counted within a session. Calls between two sessions count for the next session.
 TEST_F(MockScope, CallFaultWithSession2AffectsTheSecondSessionOnly) {
   apply(R"({"calls": [{"session": 2, "function": "xrPollEvent", "call": 2, "count": 2,
                        "result": "XR_ERROR_RUNTIME_FAILURE"}]})");

@@ -37,7 +37,7 @@ XrResult result_of(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std:
   if constexpr (Typed<Output>) made.type = structure_type<Output>.type;
   return call(object, &info, &made);
 }
-/// Calls such a function, expects success and returns the output.
+/// Calls a function like result_of(), expects success and returns the output.
 template <typename Object, typename Info, typename Output>
 Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type_identity_t<Object> object,
               const std::type_identity_t<Info>& info) {
@@ -46,7 +46,7 @@ Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type
   return made;
 }
 
-/// Returns the creation info of an instance with these extensions, which must outlive it.
+/// Returns the creation info of an instance with these extensions. `extensions` must outlive the info.
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions);
 
 /// The extensions for headless tests under the manual clock.

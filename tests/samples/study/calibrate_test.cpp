@@ -61,7 +61,6 @@ TEST(StudyCalibrate, ReadsOtherOrdersCommentsAndLineEndings) {
   EXPECT_EQ(trials[1].plate_orientation_deg, -30.0);
 }
 
-// The plate orientation changes within a trial, so its slide is excluded.
 TEST(StudyCalibrate, SlidesOverARotatingPlateAreExcluded) {
   const TemporaryFolder folder;
   std::string csv = session_csv({.trials_per_angle = 1});
@@ -135,7 +134,6 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   EXPECT_EQ(entries(folder.path), (std::vector<std::string>{"me.csv", "me.svg", "profile.json"}));
 }
 
-// Two calibrations of the same person, and one of another person.
 TEST(StudyCalibrate, RetestShowsSignificantDifferences) {
   const TemporaryFolder folder;
   const auto data = [&](const char* name, const char* weight, const char* seed) {

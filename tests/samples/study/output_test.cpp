@@ -1,4 +1,3 @@
-// Properties of the output of every command.
 #include <gtest/gtest.h>
 
 #include <algorithm>

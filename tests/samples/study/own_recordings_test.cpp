@@ -1,4 +1,3 @@
-// Recorded reaches as input of hrt-study robustness --recorded.
 #include "samples/study/people/own_recordings.h"
 
 #include <gtest/gtest.h>

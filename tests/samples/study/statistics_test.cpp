@@ -50,7 +50,6 @@ TEST(StudyStatistics, SquaredDifferenceByHand) {
   EXPECT_TRUE(std::isfinite(squared_difference(100.0, 50, 0.0, 1)));
 }
 
-// 68.27 % of a normal distribution are within 1 SD.
 TEST(StudyStatistics, PercentWithin) {
   EXPECT_NEAR(percent_within(1.0, 1.0), 68.2689, 1e-4);
   EXPECT_EQ(percent_within(1.5, 0.0), 100.0);

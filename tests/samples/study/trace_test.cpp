@@ -1,4 +1,3 @@
-// The trace of a reach: samples, table and figures.
 #include "samples/study/figures/figures.h"
 
 #include <gtest/gtest.h>

@@ -313,8 +313,8 @@ class MockHelloXr : public ::testing::Test {
   static Outcome run_hello_xr(const std::string& script, const std::string& pictures) {
     const std::vector<std::string> words{HRT_MOCK_RUN, "--script",          script, "--frames", pictures,
                                          "--",         "/usr/bin/hello_xr", "-g",   "Vulkan2"};
-    // With some C libraries hello_xr waits for a key after the session has ended: its input is closed then, not
-    // earlier, because it exits at the end of its input.
+    // With some C libraries hello_xr waits for a key after the session has ended. Then its input is closed; not
+    // earlier, because hello_xr exits when its input ends.
     int input[2];
     EXPECT_EQ(pipe2(input, O_CLOEXEC), 0);
     const Process process(words, {"PATH=/usr/bin:/bin", "HOME=" + pictures}, -1, input[0]);
