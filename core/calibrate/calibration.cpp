@@ -12,15 +12,15 @@ namespace {
 
 constexpr double min_plate_span_deg = 40.0;
 constexpr int min_plate_angles = 3;
-// If the settled offsets of the slides end below this, the largest gap is extrapolated and unknown.
+// If no slide on one side has a settled offset this large, the largest gap is extrapolated and unknown.
 constexpr double min_offset_deg = 60.0;
 // Wider intervals are reported as unknown.
 constexpr double max_weight_width = 0.1;
 constexpr double max_angle_width_deg = 10.0;
 constexpr int band_steps = 15;  // steps of 5 degrees to either side
-// SD of the largest gap, as a fraction of curve_bend_deg() at its offset: the curve may have a kink between two knots.
+// Additional SD of the largest gap, as a fraction of curve_bend_deg(): the curve may have a kink between two knots.
 constexpr double peak_fraction = 0.25;
-// SD of the habit as a fraction of the habit, because the goal need not rotate evenly over the path.
+// Additional SD of the habit as a fraction of the habit: the goal direction need not change evenly over the path.
 constexpr double uneven_fraction = 0.2;
 // Excluded end of a rest, in which a slow start may look like noise.
 constexpr double before_onset_s = 0.05;
@@ -167,10 +167,10 @@ std::vector<std::string> Calibration::advice() const {
         "one even motion, slower and longer, and repeat the calibration");
   if (fits() && !max_gap_deg.known)
     sentences.emplace_back(
-        "the largest gap is extrapolated: add slides with the plate farther from the goal, on "
+        "the largest gap is extrapolated: add slides with plate angles farther from the target direction, on "
         "both sides");
   if (slides_turned > 0)
-    sentences.emplace_back("the plate turned within slides, which were left out: let it rest while the person slides");
+    sentences.emplace_back("the plate turned within slides, which were excluded: let it rest while the person slides");
   if (5 * count(SlideVerdict::outlying) > slides.size())
     sentences.emplace_back("more than a fifth of the slides are outliers: check the tracker and repeat");
   return sentences;
@@ -229,7 +229,7 @@ bool CalibrationFit::describe() {
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight))
     return refuse("w_T is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) + " to " +
                   decimal(w.upper, 3) +
-                  "; it must be within 0.02 to 0.48: add slides; if that does not help, the hand does not feel ridges");
+                  "; allowed: within 0.02 to 0.48. Add slides; if that does not help, the hand does not feel ridges");
   calibration.slides_turned = slides_.turned;
   result_ = std::move(calibration);
   rests_.emplace();

@@ -28,18 +28,19 @@ struct CurvePoint {
   Interval shift_deg;
 };
 
-/// Result. `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not determine it.
+/// Result. `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not determine the
+/// estimate. An offset is the angle from the motion to the ridge normal.
 struct Calibration {
-  /// shift of the perceived direction divided by the offset at 60 degrees, mean of both sides
+  /// shift of the perceived direction divided by the offset, at offsets of 60 degrees, mean of both sides
   Interval tactile_weight;
   Interval bias_deg;     ///< goal direction at the middle of the path minus target direction, left positive
   Interval habit_deg;    ///< goal direction at the start of the path minus that at its end, halved
-  Interval max_gap_deg;  ///< largest shift within an offset of 75 degrees, on the side where it is smaller
+  Interval max_gap_deg;  ///< largest shift for offsets up to 75 degrees, on the side where it is smaller
   double peak_offset_deg = curve_bound_deg;  ///< smallest offset that causes max_gap_deg
   Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2 over the offset t
   Interval curve;                            ///< b of that curve
   double slope_curve_correlation = 0.0;
-  RestNoise noise;  ///< noise of the tracker, from the finger at rest before each slide
+  RestNoise noise;  ///< noise of the tracker, from the rests before the slides
 
   std::vector<CurvePoint> band;  ///< illusion curve from -75 to 75 degrees
   LackOfFit lack_of_fit;

@@ -18,7 +18,7 @@ struct Prior {
 // SD of the error of the steering law in each part: large at the start, where people differ, and small at the end,
 // where the direction has settled.
 constexpr std::array<double, slide_parts> law_deviation_deg{2.0, 0.7, 0.25, 0.1};
-// Part of that SD that is common to all slides of a person and proportional to the plate angle.
+// Fraction of that SD that is common to all slides of a person, at a plate angle of common_angle_deg.
 constexpr double common_fraction = 0.45;
 constexpr double common_angle_deg = 60.0;
 // Limits: k from 1.6 to 37 /s, D up to 0.2 s, L within 0.15 s (slide_model.h).
@@ -34,7 +34,7 @@ constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
 constexpr double first_slope = 0.18;
-// Lower bound of the prior SD of the change of slope at a knot, which otherwise equals the slope.
+// Lower bound of the prior SD of the change of slope at a knot. Above the bound, the SD equals the slope.
 constexpr double min_steepness = 0.02;
 
 // Step of the one-sided differences, relative to fit_step().

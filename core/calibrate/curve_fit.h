@@ -38,7 +38,7 @@ struct CurveFit {
 FitVector fit_vector(const SlidingPersonModel& person);
 SlidingPersonModel fitted_person(const FitVector& parameters);
 
-/// Returns the SD of the error of the steering law in a part, as far as it is common to all slides, deg.
+/// Returns the SD of the steering law's error that is common to all slides, in one part of the path, deg.
 double common_deviation_deg(int part);
 
 /// Runs the fit in steps of bounded time.
@@ -85,8 +85,8 @@ auto fit_derivative(const FitVector& middle, int parameter, const Function& func
   return Value((function(fitted_person(above)) - function(fitted_person(below))) / (2.0 * step));
 }
 
-/// A function of the fitted person, and its SD to first order: the larger of those from `covariance` and from
-/// `information`, since the jackknife fails if few slides determine the number.
+/// Value of a function of the fitted person, and its SD to first order: the larger of the SDs from `covariance` and
+/// from `information`, since the jackknife fails if few slides determine the value.
 struct FitValue {
   double value;
   double deviation;

@@ -1,6 +1,6 @@
 // The illusion curve that slides determine: shift of the perceived direction of motion as a function of the offset t
-// from the direction of motion to the ridge normal. It has no assumed form; the controller uses the nearest curve of
-// its own form (core/person/illusion.h).
+// from the direction of motion to the ridge normal. The curve has no assumed form; the controller uses the nearest
+// curve of its own form (core/person/illusion.h).
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct IllusionCurve {
   std::array<double, knots> shift_deg{};  ///< shift at each knot, from -75 to 75 degrees
 };
 
-/// Alternative parameters: the slope w at 0 (mean of both sides), and `bend_deg`, its change at each inner knot times
-/// the spacing.
+/// Alternative parameters: the slope w at 0 (mean of both sides), and the changes of the slope at the inner knots, each
+/// times the spacing (`bend_deg`).
 inline constexpr int curve_bends = IllusionCurve::knots - 2;
 using CurveBends = std::array<double, curve_bends>;
 IllusionCurve bent_curve(double slope, const CurveBends& bend_deg = {});
@@ -38,7 +38,7 @@ struct CurvePeak {
 };
 CurvePeak curve_peak(const IllusionCurve& curve, double sign);
 
-/// Returns the change of the slope at the offset of a maximum, times the spacing, on the side where it is larger.
+/// Returns the change of the slope at this offset, times the spacing; the larger of the changes on both sides.
 double curve_bend_deg(const IllusionCurve& curve, double offset_deg);
 
 /// The nearest curve of the form weight t - curve t (t / 75)^2, by least squares at the knots.

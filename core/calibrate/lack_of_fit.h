@@ -13,10 +13,10 @@ namespace hrt {
 struct LackOfFit {
   double angle_p = 1.0;  ///< polynomials over the plate angle
   double order_p = 1.0;  ///< linear trend of direction or weight over the order of the slides
-  double path_p = 1.0;   ///< a constant for each part of the path, or one in proportion to the plate angle
+  double path_p = 1.0;   ///< for each part of the path, a constant and a term in proportion to the plate angle
 };
 
-/// Significance level of each test; a smaller p-value is reported. The three tests have no correction for multiplicity,
+/// Significance level of each test: smaller p-values are reported. The three tests have no correction for multiplicity,
 /// so at most about 3 % of people whom the model fits get a report (Bonferroni bound).
 inline constexpr double min_fit_p = 0.01;
 
@@ -34,7 +34,7 @@ class LackOfFitTests {
  private:
   struct Pattern {
     Eigen::MatrixXd columns;
-    Eigen::VectorXd allowed_deg;  // SD of each column's coefficient that an error of the steering law explains
+    Eigen::VectorXd allowed_deg;  // SD of each column's coefficient due to errors of the steering law
     double allowed = 0.0;         // the same as an expected sum of squares
     double p = 1.0;
   };

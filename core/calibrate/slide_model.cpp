@@ -41,9 +41,10 @@ class SteeringDelay {
 
   struct Answer {
     double felt_deg;
-    double share;  // fraction of the step during which the person responds; below 1 only after the delay
+    // Fraction of the step during which the person responds; below 1 only in the first step after the delay.
+    double share;
   };
-  // Stores `felt_deg`, and returns the response of this step; nullopt before the first.
+  // Stores `felt_deg`, and returns the response of this step; nullopt during the delay.
   std::optional<Answer> feel(double felt_deg) {
     felt_deg_[felt_ % felt_deg_.size()] = felt_deg;
     const std::size_t now = felt_++;

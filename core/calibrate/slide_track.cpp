@@ -30,7 +30,7 @@ constexpr double min_outlier_mm = 1.0;
 constexpr std::size_t min_places = 6;
 // Minimum number of positions of a smoothing line.
 constexpr std::size_t min_line_places = 4;
-// Rotations of the plate within this fraction of the path from its ends do not count, since the finger hardly moves.
+// At the ends of the path, within this fraction of it, rotations of the plate do not count: the finger hardly moves.
 constexpr double end_fraction = 0.02;
 // Minimum length of a part as a fraction of the path.
 constexpr double min_part_fraction = 0.02;

@@ -15,14 +15,14 @@ constexpr double near_share = 0.3;
 constexpr double max_near_mm = 30.0;
 constexpr double max_unseen_s = 0.5;
 constexpr double max_raised_s = 0.1;
-// Largest deviation of one slide from the mean of its object: beyond it, the finger was not at the end of the guide.
+// Largest distance of a measured vector from the mean of the three: beyond it, the finger was not at the guide's end.
 constexpr double max_deviation_mm = 4.8;
-// Prior SD of a coordinate of a slide, and the number of observations that the prior counts as.
+// Prior SD of a coordinate of a measured vector, and the number of observations that the prior counts as.
 constexpr double expected_sd_mm = 1.0;
 constexpr double expected_count = 6.0;
-// SD of the end of a slide, and of the difference in the tracker's error between a resting and a moving finger.
+// Additional SD of a vector: the end of a slide, and the tracker's error, which differs between rest and motion.
 constexpr double hold_sd_mm = 0.8;
-// Prior SD of an entry of the frame's matrix D.
+// Prior SD of an entry of the matrix D (core/plate/touched_frame.h).
 constexpr double stretch_sd = 0.05;
 
 }  // namespace

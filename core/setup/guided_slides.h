@@ -1,5 +1,5 @@
-// Slides back and forth along guides, from the start to each object, without lifting. They measure the vector from the
-// start to an object, which is independent of the point of contact on the skin and of a shift of the tracker's frame.
+// Slides back and forth along guides, from the start to each object, without lifting. They measure the vectors from the
+// start to the objects, which do not depend on the point of contact on the skin or on a shift of the tracker's frame.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace hrt {
 
-/// Detects the slides and fits the tracker's frame. Uses no heap, lock or exception.
+/// Detects the slides and fits the correction of the tracker's frame. Uses no heap, lock or exception.
 class GuidedSlides {
  public:
   static constexpr int max_objects = 8;
@@ -37,7 +37,7 @@ class GuidedSlides {
   const PlatePoint& next() const;
   SetupProblem problem() const { return problem_; }
 
-  /// Returns the tracker's frame about the start; nullopt if the slides are inconsistent. Requires complete().
+  /// Returns the correction of the tracker's frame; nullopt if the slides are inconsistent. Requires complete().
   std::optional<TouchedFrame> fit() const;
 
  private:

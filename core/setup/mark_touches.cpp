@@ -5,7 +5,7 @@ namespace {
 
 constexpr double touch_s = 0.7;
 constexpr double holding_s = 0.2;
-// Distance from the position at the request at which the finger counts as moved.
+// A finger this far from its position at the request has moved.
 constexpr double min_moved_mm = 15.0;
 
 }  // namespace

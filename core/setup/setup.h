@@ -17,9 +17,9 @@ struct SetupConfig {
   static constexpr int max_marks = 8;
 
   std::uint32_t parts = 0;  ///< SetupPart flags of the parts to do
-  /// True: skips parts that need fields which the samples do not have.
+  /// True: skips a part if the samples lack a field that it requires.
   bool only_possible = false;
-  /// Marks in plate coordinates. The first one is also touched to determine the fingertip's offset.
+  /// Marks in plate coordinates. The first mark is also touched to determine the fingertip's offset.
   std::array<Eigen::Vector3d, max_marks> marks_mm;
   int mark_count = 0;  ///< 3 to max_marks
   int touches_per_mark = 1;
@@ -31,7 +31,7 @@ struct SetupConfig {
   double slide_distance_mm = 100.0;  ///< length of a slide straight ahead
   double lower_plate_deg = -75.0;
   double upper_plate_deg = 75.0;
-  double enough_weight_width = 0.04;  ///< a calibration is complete if the 95 % interval of w_T is not wider
+  double enough_weight_width = 0.04;  ///< a calibration ends when the 95 % interval of w_T is this narrow
   int max_slides = 40;                ///< at least `first_slides`
   double plate_orientation_deg = 0.0;
 };
@@ -121,11 +121,11 @@ class Setup {
   double plate_orientation_deg_;
 };
 
-/// Returns the plate angle for slide `i` as a fraction of half of the configured range, about its middle. Sides
-/// alternate; the first `first_slides` angles are different.
+/// Returns the plate angle of slide `i`, measured from the middle of the configured range, as a fraction of half of the
+/// range. Sides alternate; no angle repeats within `first_slides` slides.
 double planned_share(int i);
 
-/// Number of touches of one mark, each with another orientation of the finger, about two axes.
+/// Number of touches for the fingertip's offset: of one mark, each with another orientation of the finger.
 inline constexpr int finger_attitudes = 6;
 
 }  // namespace hrt

@@ -10,7 +10,7 @@
 namespace hrt {
 namespace {
 
-// Limit of the ratio of distances between touches and between marks; beyond it, positions are in another unit.
+// Limit of the ratio of the touches' spread to the marks' spread; beyond it, positions are in another unit.
 constexpr double max_unit_ratio = 3.0;
 
 void reject(SetupProblem problem, std::string reason, SetupFit* fit) {
@@ -36,9 +36,9 @@ void fit_fingertip_of(const Setup& setup, SetupFit* fit) {
     fit->fingertip = found;
   else
     reject(SetupProblem::undetermined,
-           "the orientation of the finger differed too little: the SD of its offset is " +
+           "the finger's orientation differed too little: the SD of the tip's offset is " +
                decimal(found.sd_mm.maxCoeff(), 0) +
-               " mm; it must be below 5. Touch again, and tilt the finger differently each time",
+               " mm; allowed: below 5 mm. Touch again, and tilt the finger differently each time",
            fit);
 }
 
@@ -75,7 +75,7 @@ void fit_registration_of(const Setup& setup, SetupFit* fit) {
            "the touches are " + decimal(found.residual_mm, 0) + " mm from their marks (root mean square)", fit);
 }
 
-// A single touch that disagrees may be wrong: the check fails if the second one disagrees, too.
+// The first touch that disagrees may be a mistake of the user: the check fails only if a second touch disagrees too.
 void check_of(const Setup& setup, const Registration& registered, SetupFit* fit) {
   const SetupConfig& config = setup.config();
   const RegistrationCheck found = check_registration(

@@ -23,7 +23,7 @@ struct SetupFit {
   std::int64_t touched_ns = 0;  ///< time of the last touch
 };
 
-/// Fits the current part in steps of less than 1 ms, which a frame loop can distribute over frames. Allocates.
+/// Fits the current part in steps of about 1 ms, which a frame loop can distribute over frames. Allocates.
 class PartFit {
  public:
   /// Requires finish_is_due() and a pending part. `setup` must outlive the fit and must not change. `registered`:

@@ -1,5 +1,5 @@
-// Detects a set-up that does not progress, and diagnoses the cause from its samples. Without a diagnosis, the user sees
-// a mistake of the host only as a request that is repeated.
+// Detects a set-up that does not progress, and diagnoses the cause from the samples. Without a diagnosis, a mistake of
+// the host would only look like a request that is repeated.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class SetupProgress {
   /// Restarts after a completed step.
   void restart() { *this = {}; }
   void observe(const SetupSample& sample);
-  /// Returns false if observed() cannot have a diagnosis yet. Times may be far apart: their difference is unsigned.
+  /// Returns false if observed() cannot have a diagnosis yet.
   bool may_be_stuck() const {
     const auto passed_ns =
         static_cast<std::uint64_t>(now_ns_) - static_cast<std::uint64_t>(since_ns_.value_or(now_ns_));

@@ -14,8 +14,8 @@ namespace hrt {
 enum SetupPart : std::uint32_t {
   setup_fingertip = 1,     ///< offset of the skin from the tracked joint
   setup_registration = 2,  ///< the plate's pose, from touches of marks
-  setup_check = 4,         ///< check of that pose by one touch
-  setup_guides = 8,        ///< frame error of the tracker about the start, from slides along guides
+  setup_check = 4,         ///< check of the plate's pose by one touch
+  setup_guides = 8,        ///< error of the tracker's frame about the start, from slides along guides
   setup_calibration = 16,  ///< parameters of the user, from slides
   setup_retest = 32,       ///< as calibration; compared with the former values
 };
@@ -48,10 +48,10 @@ struct SetupSample {
   std::int64_t time_ns = 0;  ///< not earlier than in the previous sample
   /// Position of the finger in the tracker's frame; nullopt: tracking is lost.
   std::optional<Eigen::Vector3d> tracked_mm;
-  /// True: that frame is the plate's, so no registration is needed.
+  /// True: tracked_mm is in plate coordinates, so no registration is needed.
   bool in_plate = false;
   std::optional<Eigen::Matrix3d> joint_rotation;
-  FingerSample on_plate;  ///< the sample in plate coordinates, by the registration so far
+  FingerSample on_plate;  ///< the sample in plate coordinates, converted by the registration so far
   bool off_plate = false;
 };
 
@@ -85,7 +85,7 @@ struct SetupStep {
   std::string_view reason;  ///< reason of a rejected fit; valid until the set-up changes
 };
 
-/// Reason for dropping a part: that of its last fit, or the problem of its last slides.
+/// A dropped part: the problem and reason of its last fit, or the problem of its last slides.
 struct SetupDrop {
   SetupPart part;
   SetupProblem problem;

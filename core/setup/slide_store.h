@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Allocates at construction; add(), drop() and begin() do not. Stores at most 250 positions per second.
+/// Allocates at construction and in trials() only. Stores at most 250 positions per second.
 class SlideStore {
  public:
   SlideStore(int max_slides, std::size_t max_samples);
@@ -28,7 +28,7 @@ class SlideStore {
   /// Number of completed slides.
   int count() const { return static_cast<int>(slides_.size()) - (under_way_ ? 1 : 0); }
   bool full() const { return samples_.size() == samples_.capacity(); }
-  /// Returns the completed slides. Allocates.
+  /// Returns the completed slides.
   std::vector<CalibrationTrial> trials() const;
 
  private:

@@ -1,4 +1,4 @@
-// Detects one slide: the plate rotates, the finger rests at the start, leaves it, and rests ahead; or what went wrong.
+// Detects one slide, or its problem: the plate turns; the finger rests at the start, leaves it, and rests ahead of it.
 #pragma once
 
 #include "core/setup/setup_step.h"
@@ -13,8 +13,7 @@ class SlideWatch {
 
   /// Waits for a slide straight ahead.
   void begin(const PlatePoint& start, double distance_mm, double plate_orientation_deg);
-  /// Returns true if the sample belongs to the rest before the slide or to the slide. If is_first(), earlier ones do
-  /// not.
+  /// Returns true if the sample belongs to the slide or to the rest before it. If is_first(), no earlier sample does.
   bool observe(const SetupSample& sample);
 
   Phase phase() const { return phase_; }
@@ -23,9 +22,9 @@ class SlideWatch {
   SetupProblem problem() const { return problem_; }
   /// Number of rejected slides since begin().
   int failed() const { return failed_; }
-  /// Bearing of the last slide if it was rejected because it was more than 90 degrees from straight ahead.
+  /// Bearing of the last rejected slide, if it was more than 90 degrees from straight ahead.
   const std::optional<double>& wrong_way_deg() const { return wrong_way_deg_; }
-  /// True if the plate has reported another orientation than the commanded one for a minute.
+  /// True if the plate has reported other orientations than the commanded one for a minute.
   bool plate_is_stuck() const { return plate_is_stuck_; }
 
  private:

@@ -67,7 +67,7 @@ TEST(Calibration, RepeatedPositions_GiveTheResultWithoutThem) {
   EXPECT_GT(found.noise.white_mm.value, 0.5);
 }
 
-// Slopes that no w_T causes, with so much scatter that the interval includes possible ones.
+// Slopes that no w_T causes, with so much scatter that the interval includes possible values of w_T.
 TEST(Calibration, SlopesBeyondAnyWeight_AreRejected) {
   std::vector<CalibrationTrial> trials;
   for (const double angle_deg : {-20.0, -10.0, 0.0, 10.0, 20.0}) {
