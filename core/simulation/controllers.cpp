@@ -8,7 +8,7 @@
 namespace hrt {
 namespace {
 
-// Wander of people without an own path, due to motor noise: 8 deg^2/s over 0.3 s, its time constant.
+// SD of the wander of people without an own path: motor noise of 8 deg^2/s with a time constant of 0.3 s.
 constexpr double steady_wander_deg = 1.1;
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace hrt {
 /// Returns a controller for people with the dynamics of a usual plate and the prior of an unknown person.
 RetargeterConfig people_controller(const Tuning& tuning = {});
 
-/// Returns the same with the declared latency and accuracy of the condition's tracker.
+/// Returns the same controller with the declared latency and accuracy of the condition's tracker.
 RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning = {});
 
 /// Traits that an informed controller is given. If gain and fading were given too, fewer reaches would end on target.
@@ -19,8 +19,8 @@ inline constexpr PersonState::Index informed_traits[] = {
     PersonState::weight,  PersonState::curve,      PersonState::bias,    PersonState::habit,
     PersonState::scatter, PersonState::log_wander, PersonState::log_rate};
 
-/// Returns an informed controller: it is given the true dynamics of plate and tracker, and the true values of `traits`
-/// as far as its model can describe them. It shows how many misses are due to unknown traits.
+/// Returns an informed controller, which is given the true dynamics of plate and tracker, and the true values of
+/// `traits` as far as its model can describe them. The controller shows how many misses are due to unknown traits.
 RetargeterConfig informed_controller(const PersonCondition& condition,
                                      std::span<const PersonState::Index> traits = informed_traits,
                                      const Tuning& tuning = {});

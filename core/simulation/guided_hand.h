@@ -17,9 +17,9 @@ class GuidedHand {
 
   /// Sets the person who makes the following slides.
   void set_person(const Person& person) { person_ = person; }
-  /// Gives an instruction. Repeating the last one has no effect.
+  /// Gives an instruction. Repeating the last instruction has no effect.
   void ask(const SetupStep& step);
-  /// Advances by one millisecond. `plate_orientation_deg`: plate orientation at its end.
+  /// Advances by one millisecond. `plate_orientation_deg`: plate orientation at the end of the millisecond.
   void advance(double plate_orientation_deg);
 
   /// Position of the skin in plate coordinates.

@@ -26,12 +26,12 @@ struct RecordedReach {
 
 struct OwnPath {
   PathShape mean_deg{};  ///< mean for this person and target
-  PathShape sd_deg{};    ///< SDs from reach to reach, independent of one another
+  PathShape sd_deg{};    ///< SDs from reach to reach; the coefficients are independent
   bool returns = true;   ///< false: o(s) is reduced to 0 between 0.4 and 0.5 of the path, so the deflection stays
   bool lags = false;     ///< false: the hand follows o(s) without delay; true: o(s) is added to the goal of steering
   double log_duration_sd = 0.0;  ///< SD of the log of the duration from reach to reach
-  /// Recordings: each reach uses path and pace of one of them; null: none. mean_deg and sd_deg then have their
-  /// statistics, for an informed controller.
+  /// Recordings: each reach uses path and pace of one of them; null: none. mean_deg and sd_deg then describe the
+  /// recordings, for an informed controller.
   std::shared_ptr<const std::vector<RecordedReach>> recorded;
 
   bool any() const { return recorded || mean_deg != PathShape{} || sd_deg != PathShape{}; }
@@ -58,7 +58,6 @@ double mean_habit_deg(const OwnPath& path);
 /// Returns the SD of o(s) from reach to reach, as root mean square over the path.
 double wander_sd_deg(const OwnPath& path);
 
-/// Draws the coefficients of one reach.
 PathShape draw_shape(const OwnPath& path, Draws& draws);
 
 /// Returns o(s), for s clamped to [0, 1].
@@ -71,7 +70,7 @@ struct RecordedPace {
   double first_part = 1.0;  ///< fraction of the path in the first submovement
   /// fraction of the time in motion after which the finger stops once; above 1: it does not stop
   double stop_at = 2.0;
-  double time_scale = 1.0;  ///< duration of this reach over the mean of the person
+  double time_scale = 1.0;  ///< duration of this reach divided by the person's mean duration
 
   /// Returns the fraction of the path after `fraction` of the duration.
   double path_fraction(double fraction) const;

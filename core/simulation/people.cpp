@@ -58,7 +58,7 @@ void recorded(PersonCondition& condition, Draws& draws, double size) {
   move_as_recorded(condition, draw_own_path(size, draws));
 }
 
-// An infrared touch frame: 0.5 mm at 100 Hz, latency 15 ms.
+// An infrared touch frame; move_as_recorded() has set its rate of 100 Hz.
 void on_touch_frame(PersonCondition& condition) {
   TrackerModel& tracker = condition.tracker;
   tracker.white_mm = 0.5;
@@ -66,8 +66,7 @@ void on_touch_frame(PersonCondition& condition) {
   tracker.bearing_sd_deg = tracker.declared_bearing_sd_deg = 0.2;
 }
 
-// A headset of 2021, as measured against a marker on the fingertip: correlated noise whose size varies threefold, an
-// error of 5 mm across the path in each reach, a rotated frame, creep after a stop, lost tracking near the end.
+// A headset of 2021, as measured against a marker on the fingertip; see the table in README.md.
 void by_headset(PersonCondition& condition, Draws& draws) {
   TrackerModel& tracker = condition.tracker;
   tracker.rate_hz = 71.0;
@@ -170,7 +169,7 @@ constexpr PeopleFamily all_families[] = {
     {"noise-3", "tracker noise of 3 mm", true, [](PersonCondition& c, Draws&) { c.tracker.white_mm = 3.0; }},
     {"wild-rest", "one or two positions off by 10 to 300 mm while the finger rests", true,
      [](PersonCondition& c, Draws& d) { outlier_burst(c, d, 0.1, 0.4); }},
-    {"wild-moving", "the same in motion", false,
+    {"wild-moving", "one or two positions off by 10 to 300 mm during the motion", false,
      [](PersonCondition& c, Draws& d) { outlier_burst(c, d, 0.8, 0.5 + c.person.duration_s); }},
     {"outliers", "3 % of positions off by 30 mm", false,
      [](PersonCondition& c, Draws&) { c.tracker.outlier_share = 0.03; }},
@@ -262,7 +261,7 @@ constexpr PeopleFamily all_families[] = {
      },
      FamilyKind::misplaced},
     {"linear-quest", "linear by the same headset", false, by_headset, FamilyKind::misplaced},
-    {"marks", "turned by 1.2° (SD), as after a registration by six touches of 3 mm", false,
+    {"marks", "tracker frame turned by 1.2° (SD), as after a registration by six touches of 3 mm", false,
      [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = 1.2 * d.normal(); }, FamilyKind::misplaced},
     {"marks-touch3", "marks, and a contact known to 3 mm after each reach", false,
      [](PersonCondition& c, Draws& d) {

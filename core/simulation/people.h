@@ -14,8 +14,8 @@ namespace hrt {
 
 /// A move of both targets during a reach.
 struct TargetMove {
-  double at_share =
-      1.0;  ///< the targets move when the finger has covered this fraction of the distance to the real target
+  /// the targets move when the finger has covered this fraction of the distance to the real target
+  double at_share = 1.0;
   PlatePoint by;
 };
 
@@ -28,7 +28,7 @@ struct PersonCondition {
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
   double distance_mm = 100.0;
-  std::optional<TargetMove> move;  ///< move of the targets in each reach
+  std::optional<TargetMove> move;
   /// SD of the error of the position at which an object is touched after each reach; 0: no contacts.
   double contact_sd_mm = 0.0;
   bool random_side = false;  ///< the real target of each reach is on a random side of the virtual one
@@ -63,7 +63,7 @@ const PeopleFamily* people_family(const char* name);
 /// ms, an initial direction between the mid-line and the virtual target, a gap of 10 degrees to either side.
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index);
 
-/// Sets the own path, the pace of recorded reaches, and a marker-based tracker: 0.2 mm, 100 Hz.
+/// Sets the own path, the pace of recorded reaches, and a marker-based tracker of 100 Hz with a noise of 0.2 mm.
 void move_as_recorded(PersonCondition& condition, OwnPath path);
 
 /// Applies one of the families of faults, or no fault, with equal probabilities.
@@ -74,8 +74,8 @@ namespace PersonStream {
 enum : std::uint32_t { drawn, steering, tracking, touching, faults };
 }
 
-/// Returns true if the gap is feasible for this person with a plate within 75 degrees of the motion: the largest shift
-/// exceeds the gap, which includes the biases.
+/// Returns true if the gap is feasible for this person: if the largest shift for plate orientations within 75 degrees
+/// of the motion exceeds the gap with the biases.
 bool gap_is_feasible(const PersonCondition& condition);
 
 }  // namespace hrt

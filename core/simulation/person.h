@@ -1,6 +1,5 @@
-// A simulated person who slides a fingertip over the plate: illusion, goal, steering and pace, each chosen
-// independently. None of these is the model of the controller, so the results show how the controller performs with
-// people who differ from its model.
+// A simulated person who slides a fingertip over the plate. Illusion, goal, steering and pace are chosen independently.
+// None of them is the controller's model, so results show how the controller performs with people who differ from it.
 //
 // Angles are degrees counter-clockwise from the mid-line; t is the angle from the direction of motion to the ridge
 // normal, folded to within 90 degrees.
@@ -39,7 +38,7 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg);
 double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign);
 
 enum class Steering {
-  steps,        ///< paper section II-A, every 100 ms
+  steps,        ///< in steps of 100 ms: paper section II-A
   continuous,   ///< d(direction)/dt = -k (perceived direction(time - delay) - goal) + noise
   predictive,   ///< as continuous, but the own direction is known without delay
   place,        ///< as continuous, towards the position of the virtual target as seen from the perceived position
@@ -70,16 +69,16 @@ struct Person {
   double start_direction_deg = 0.0;  ///< initial direction
   double bias_deg = 0.0;             ///< goal minus virtual direction
   double own_bias_deg = 0.0;         ///< bias of the perceived direction of the own motion
-  double habit_deg = 0.0;            ///< the goal has the additional direction habit (1 - 2 s) over the path s
-  double scatter_deg = 0.0;          ///< SD of the bias from reach to reach
-  double touch_s = 0.0;              ///< time constant with which a shift is perceived; 0: immediately
-  double mass_kg = 1.0;              ///< mass of a heavy arm
-  double muscle_s = 0.04;            ///< time constant of a heavy arm's force
-  double weight_drift = 0.0;         ///< change of w from the start of a reach to its end
+  double habit_deg = 0.0;     ///< the goal direction includes habit (1 - 2 s), where s is the fraction of the path
+  double scatter_deg = 0.0;   ///< SD of the bias from reach to reach
+  double touch_s = 0.0;       ///< time constant with which a shift is perceived; 0: immediately
+  double mass_kg = 1.0;       ///< mass of a heavy arm
+  double muscle_s = 0.04;     ///< time constant of a heavy arm's force
+  double weight_drift = 0.0;  ///< change of w from the start of a reach to its end
   Pace pace = Pace::minimum_jerk;
   double duration_s = 1.5;  ///< > 0, without pauses
   double path_scale = 1.0;  ///< length of the path over the distance to the target
-  OwnPath own_path;         ///< own path
+  OwnPath own_path;
 };
 
 /// Distance between ridges, and time constant with which the cue from a crossed ridge decays.
@@ -97,15 +96,15 @@ inline constexpr double reaction_s = 0.2;
 class SlidingPerson {
  public:
   /// Begins at rest at `start`, before a motion over `distance_mm` towards `virtual_direction_deg`. `feels_place`:
-  /// compute felt_position(), which retarget() and steering to a position require.
+  /// computes felt_position(), which retarget() and steering to a position require.
   SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg, double distance_mm,
                 Draws draws, bool feels_place = true);
 
   /// Moves the virtual target to `place`. After `reaction_s` the person aims from the perceived position at the new
-  /// target. If more than 10 % of the path remains, it is rescaled; otherwise another motion begins.
+  /// target. If more than 10 % of the path remains, the rest of the path is rescaled; otherwise another motion begins.
   void retarget(const PlatePoint& place);
 
-  /// Advances by one millisecond. `plate_orientation_deg`: plate orientation at its end.
+  /// Advances by one millisecond. `plate_orientation_deg`: plate orientation at the end of the millisecond.
   void advance(double plate_orientation_deg);
 
   bool done() const { return done_ && answers_in_ms_ == 0; }
@@ -114,7 +113,7 @@ class SlidingPerson {
   const PlatePoint& felt_position() const { return felt_position_; }
   double speed_mm_s() const { return speed_mm_s_; }
   double direction_deg() const { return direction_deg_; }
-  /// Perceived direction minus the sum of virtual direction and own path.
+  /// Perceived direction minus the sum of virtual direction and own path's direction.
   double felt_error_deg() const { return felt_deg_ - virtual_direction_deg_ - own_deg_; }
   /// Perceived minus intended direction.
   double intended_error_deg() const { return felt_deg_ - goal_deg_; }

@@ -12,13 +12,13 @@
 
 namespace hrt {
 
-/// Ground truth at the end of a reach.
+/// Result of a reach: ground truth, and the summary of the controller.
 struct PersonOutcome {
-  double bearing_error_deg;            ///< bearing of the end from the start, minus that of the real target
-  double miss_mm;                      ///< distance across the real direction, signed as bearing_error_deg
-  PlatePoint finger;                   ///< final position
-  double peak_felt_error_deg;          ///< largest size of SlidingPerson::felt_error_deg() while the finger moves
-  ReachSummary summary;                ///< summary of the controller; zero without a controller
+  double bearing_error_deg;    ///< bearing of the end minus that of the real target
+  double miss_mm;              ///< distance of the end from the line to the real target, signed as bearing_error_deg
+  PlatePoint finger;           ///< final position
+  double peak_felt_error_deg;  ///< largest size of SlidingPerson::felt_error_deg() while the finger moves
+  ReachSummary summary;        ///< summary of the controller; zero without a controller
   std::optional<PersonBelief> learnt;  ///< prior of the next reach; nullopt if this reach changes nothing
 };
 
@@ -31,11 +31,11 @@ struct PersonMoment {
   PlateCommand command;
   const PersonFilter* filter;  ///< filter of the controller; null under the paper's
 };
-/// Called with the number of the reach, from 0, for each sample.
 using PersonWatch = std::function<void(int, const PersonMoment&)>;
 
-/// Simulates `reaches` successive reaches of one person. Each is controlled by `controller` with the estimates of the
-/// reaches before it; if it is null, the plate stays at 0. `watch` is called for each processed sample. Any thread.
+/// Simulates `reaches` successive reaches of one person. `controller` controls each reach with the estimates of the
+/// reaches before it; if `controller` is null, the plate stays at 0. `watch` is called with the number of the reach,
+/// from 0, for each processed sample. Any thread.
 std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, const RetargeterConfig* controller,
                                            int reaches, std::uint64_t seed, std::uint32_t index,
                                            const PersonWatch& watch = {});

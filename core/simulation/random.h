@@ -1,5 +1,5 @@
-// Random numbers of simulations. They are counter-based: each is a function of its counter, so that results do not
-// depend on threads, order or the split of a batch.
+// Random numbers of simulations. Each number is a function of a counter, so that results do not depend on threads,
+// order or the split of a batch.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ inline double standard_normal(const RandomCounter& counter) {
 }
 
 /// Sequence of normal and uniform draws for one reach of a simulated person. Word 3 of the counter is `stream` + 1, so
-/// that it differs from that of NormalDraws. One thread at a time.
+/// that no counter equals one of NormalDraws. One thread at a time.
 class Draws {
  public:
   Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach)

@@ -25,8 +25,8 @@ class SimulatedHand {
 
   /// Begins a set-up: the person rests until the first instruction.
   void begin_setup();
-  /// Moves to `time_ns` like move(), but follows the instruction `step`, if any. Returns the skin's position on the
-  /// plate. Requires is_guided().
+  /// Advances to `time_ns` like move(), but the person follows the instruction `step`, if any. Returns the skin's
+  /// position on the plate. Requires is_guided().
   Eigen::Vector3d follow(std::int64_t time_ns, double plate_orientation_deg, const std::optional<SetupStep>& step);
   bool is_guided() const { return guided_.has_value(); }
   /// Rotation of the tracked joint relative to the plate's axes. Requires is_guided().

@@ -21,9 +21,9 @@ struct TrackerModel {
   double correlated_log_sd = 0.0;   ///< SD of the log of the correlated noise's size from reach to reach
   double latency_s = 0.0;           ///< time from a motion to its sample
   double declared_latency_s = 0.0;  ///< part of the latency that the controller knows
-  double late_s = 0.0;              ///< additional latency of a sample, uniform from 0 to this; below the sample period
-  double outlier_share = 0.0;       ///< fraction of samples with an error of 30 mm (SD)
-  double burst_mm = 0.0;  ///< burst of outliers: burst_samples samples from burst_at_s on are displaced by this
+  double late_s = 0.0;  ///< additional latency of a sample: uniform from 0 to this value, which is below the period
+  double outlier_share = 0.0;  ///< fraction of samples with an error of 30 mm (SD)
+  double burst_mm = 0.0;       ///< displacement of a burst of outliers: burst_samples samples from burst_at_s on
   double burst_at_s = 0.0;
   int burst_samples = 0;
   double dropout_share = 0.0;            ///< fraction of samples at which tracking is lost, for ten samples on average
@@ -33,9 +33,9 @@ struct TrackerModel {
   double shear = 0.0;                    ///< displacement to the right per millimetre away from the start
   double bearing_sd_deg = 0.0;           ///< SD of an additional rotation of the frame in each reach
   double declared_bearing_sd_deg = 0.0;  ///< value of bearing_sd_deg that the controller is given
-  double creep_mm = 0.0;                 ///< error while the finger moves; decays after the stop within 0.2 s (1 / e)
-  double end_loss_share = 0.0;           ///< fraction of reaches in which tracking is lost as the finger brakes
-  double excursions_hz = 0.0;            ///< rate of excursions at rest: 10 to 16 mm for 50 to 100 ms
+  double creep_mm = 0.0;        ///< error while the finger moves; decays after the stop with a time constant of 0.2 s
+  double end_loss_share = 0.0;  ///< fraction of reaches in which tracking is lost as the finger brakes
+  double excursions_hz = 0.0;   ///< rate of excursions at rest: 10 to 16 mm for 50 to 100 ms
 };
 
 /// Errors that depend on the motion: creep after a stop, lost tracking at the end, excursions at rest.
