@@ -1,6 +1,6 @@
 """The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Hosts have no nested structs:
-the fields of a nested struct become fields of the outer one, with its name as prefix, also in texts. For example,
-plate.max_speed_deg_s becomes plate_max_speed_deg_s."""
+the fields of a nested struct become fields of the outer struct, also in texts, with the name of the nested struct as
+prefix. For example, plate.max_speed_deg_s becomes plate_max_speed_deg_s."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Type:
 
     name: str
     pointer: bool = False
-    const: bool = False  # of the type that a pointer points to
+    const: bool = False  # true if a pointer points to a const type
 
     def __str__(self) -> str:
         return ("const " if self.const else "") + self.name + ("*" if self.pointer else "")
@@ -50,7 +50,7 @@ class Value:
     unit: str = ""
     min: Decimal | None = None
     max: Decimal | None = None
-    zero: bool = False  # 0 is allowed too, below `min`
+    zero: bool = False  # true if 0 is allowed too, although `min` is greater
     norm: tuple[Decimal, ...] = ()
     unbounded: bool = False
     default: Any = None  # name of a constant, or the numbers of the elements

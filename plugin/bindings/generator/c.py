@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from abi import Abi, Struct
 
-# Headers of haptic_retargeting.h, whose structs are initialised in init.h. Another header x.h includes its own x_init.h.
+# Headers that haptic_retargeting.h includes; init.h initialises their structs. Any other header x.h includes x_init.h.
 CORE = ("base.h", "reach.h", "session.h", "target.h")
 
 
@@ -20,7 +20,7 @@ def _render_init(abi: Abi, notice: str, name: str, headers: tuple[str, ...]) -> 
     cycle = "" if headers is CORE else "  /* NOLINT(misc-header-include-cycle) */"
     guard = f"HAPTIC_RETARGETING_{name.upper().replace('.', '_')}"
     return (f"/*\n * {notice}\n *\n"
-            " * Functions that return structs that are ready for use: with their defaults, or with zeros and their size.\n"
+            " * Functions that return initialised structs: configurations with defaults, other structs with zeros.\n"
             f" *\n *   {structs[0].name} value = {structs[0].name}_init();\n */\n"
             f"/* clang-format off */\n#ifndef {guard}\n#define {guard}\n\n"
             + "".join(f'#include "{header}"{cycle}\n' for header in headers)
@@ -31,7 +31,7 @@ def _render_init(abi: Abi, notice: str, name: str, headers: tuple[str, ...]) -> 
 
 def _init(struct: Struct) -> str:
     name = struct.name
-    what = "Returns the struct with the default of every field" if struct.has_default else "Returns the struct with its size; all other fields are zero"
+    what = "Returns the struct with the default of every field" if struct.has_default else "Returns the struct with struct_size set; all other fields are zero"
     return (f"/** {what}. [any-thread] */\n"
             f"static inline {name} {name}_init(void) {{\n  {name} value = HRT_EMPTY;\n{fill(struct)}  return value;\n}}\n")
 
@@ -58,11 +58,11 @@ def render_functions(abi: Abi, notice: str) -> str:
             + "\n/** Pointers to all functions, named without hrt_. */\ntypedef struct hrt_functions {\n"
             + "".join(f"  PFN_{f.name} {member};\n" for f, member in members)
             + "} hrt_functions;\n\n"
-            "/** Function that returns the address of a symbol, or null: dlsym(); on Windows, one that calls\n"
+            "/** A function that returns the address of a symbol, or null: dlsym() or, on Windows, a function that calls\n"
             " *  GetProcAddress(). */\n"
             "typedef void* (*hrt_get_proc)(void* library, const char* name);\n\n"
-            "/** Fills the table. Returns null, or the name of the first function that the library lacks. Functions that\n"
-            " *  it lacks are null in the table. [any-thread] */\n"
+            "/** Fills the table. Returns null, or the name of the first function that the library lacks. All functions\n"
+            " *  that the library lacks are null in the table. [any-thread] */\n"
             "static inline const char* hrt_functions_load(hrt_get_proc get_proc, void* library,\n"
             "                                             hrt_functions* out_functions) {\n"
             "  const char* missing = NULL;\n  void* address = NULL;\n"

@@ -13,7 +13,7 @@ from abi import Abi, Enumeration, Function, Names, Struct, Type, Value, pascal
 # Enumerations with other names in C#.
 _ENUMS = {"HRT_ERROR": "Result", "HRT_LOG": "LogLevel", "HRT_TARGET": "TargetRole"}
 _HANDLES = {"hrt_target": "TargetId"}
-# Handles that their classes keep as numbers.
+# Handles that C# classes keep as numbers.
 _OWNED = ("hrt_session", "hrt_person", "hrt_plate")
 _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong", "double": "double",
           "hrt_result": "Result", "size_t": "UIntPtr", "void": "void"}
@@ -34,7 +34,7 @@ def camel(name: str) -> str:
 
 class Renderer(Names):
     def __init__(self, abi: Abi, plugin: Renderer | None = None) -> None:
-        """`plugin`: renderer of the plugin's interface if `abi` is libhrt_plate's, whose texts refer to it."""
+        """`plugin`: renderer of the plugin's interface, to which the texts refer if `abi` is that of libhrt_plate."""
         self.abi, self.library, self.native = abi, "hrt_plate" if plugin else "haptic_retargeting", "PlateNative" if plugin else "Native"
         super().__init__({s.name: _HANDLES.get(s.name) or pascal(s.name.removeprefix("hrt_")) + "Handle" * s.is_handle for s in abi.structs}
                          | {c.name: pascal(c.name.removeprefix("hrt_")) for c in abi.callbacks},
@@ -43,7 +43,7 @@ class Renderer(Names):
         self.callbacks = [c.name for c in abi.callbacks]
         self.constants = {c.name: f"Constants.{pascal(c.name.removeprefix('HRT_'))}" for c in abi.constants} | {"HRT_OK": "Result.Ok"}
         self.constants |= {c.name: f"{self.enumerations[e.name]}.{pascal(e.short(c))}" for e in abi.enumerations for c in e.members}
-        # The type of an array is named after its field (PersonMean), with the struct if that is one word (RegistrationCovariance).
+        # The type of an array is named after its field (PersonMean), and also after the struct if the field's name is one word.
         self.arrays = {(s.name, f.name): _ARRAYS.get((f.type.name, f.count)) or self.types[s.name] * ("_" not in f.name) + pascal(f.name)
                        for s in abi.structs for f in s.fields if f.count}
         if plugin:
@@ -126,7 +126,6 @@ class Renderer(Names):
                 + f"    public override string ToString() => {shown};\n}}\n")
 
     def callback(self, function: Function) -> str:
-        # Parameters of callbacks are read through pointers only.
         parameters = ", ".join(f"{self.value(p.type)} {camel(p.name)}" for p in function.params)
         return (self.doc(function.text, "") + "[UnmanagedFunctionPointer(CallingConvention.Cdecl)]\n"
                 f"internal delegate {self.value(function.result)} {self.types[function.name]}({parameters});\n")

@@ -124,7 +124,7 @@ class _Call:
         self.passed.append(f"(ulong){name}.Length")
 
     def filled(self, p: Value) -> None:
-        """Declares an array for the function to fill. Its length is that of an input array, or what a first call returns."""
+        """Declares an array for the function to fill. Its length is that of an input array, or the count that a first call returns."""
         text = p.type.name == "char"
         name, element = camel(p.name.removeprefix("out_")), "byte" if text else self.element(p)
         given = next((taken.split("[] ")[1] for taken in self.taken if "[] " in taken), "")

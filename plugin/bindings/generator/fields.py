@@ -52,7 +52,7 @@ def _results(abi: Abi) -> str:
 
 
 def _calls(abi: Abi) -> str:
-    """Renders the names of the arguments that errors can report."""
+    """Renders a table of functions, and of the names of their parameters, which error texts can contain."""
     handles = {s.name for s in abi.structs if s.is_handle}
     rows = "".join(f'    {{"{f.name}", "{" ".join(p.name for p in f.params)}"}},\n' for f in abi.functions if f.returns_result
                    and any(p.type.pointer or p.type.name in handles for p in f.params))
@@ -65,7 +65,7 @@ def _fields(abi: Abi, struct: Struct) -> str:
     for f in fields:
         attributes = "".join(f", .{name} = {value}" for name, value in _attributes(abi, struct, f).items())
         text += f'  static constexpr Field<S, {_kind(f)}> {f.name}{{.name = "{f.name}", .offset = offsetof(S, {f.member}){attributes}}};\n'
-        # Elements of an array that have their own constants and ranges.
+        # Ranges of the elements of an array, if each has its own constant and range.
         if elements := [e for e in abi.constants if f.elements and e.name.startswith(f"{f.elements}_") and e.min is not None]:
             rows = "".join(f'      {{"{f.name}[{e.name}]", {f.literal(e.min)}, {f.literal(e.max)}}},\n' for e in elements)
             text += f"  static constexpr Element {f.name}_elements[] = {{\n{rows}  }};\n"

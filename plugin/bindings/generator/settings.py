@@ -1,5 +1,5 @@
-"""The settings that an engine's inspector shows: numbers and choices of hrt_session_config. The plate's pose is the
-transform of the object in the scene, and fixed arrays are stored in profiles and registrations."""
+"""The settings that an engine's inspector shows: numbers, choices and vectors of hrt_session_config. It does not show the
+plate's pose, which an object of the scene gives, and the larger arrays, which set-ups, reaches and profiles write."""
 
 from __future__ import annotations
 

@@ -29,21 +29,21 @@ def render(abi: Abi, notice: str) -> str:
             taken += f"    config.{member} = {value};\n"
             changed += f"    if (!now.{member}.Equals(before.{member})) config.{member} = now.{member};\n"
     text += f"SessionConfig Configuration()\n{{\n    SessionConfig config = SessionConfig.Default;\n{taken}    return config;\n}}\n\n"
-    text += ("// Settings that differ, which the inspector or a script has changed since.\n"
+    text += ("// Returns `config` with the settings that differ between `before` and `now`.\n"
              f"static SessionConfig Changed(SessionConfig config, SessionConfig before, SessionConfig now)\n{{\n{changed}    return config;\n}}\n")
     return (f"// {notice}\nusing System;\nusing UnityEngine;\n\nnamespace Hrt\n{{\n"
-            "    // The fields of SessionConfig; a Transform of the scene gives its plate's pose and its start.\n"
+            "    // The fields of SessionConfig, except the plate's pose and the start, which Transforms of the scene give.\n"
             "    public sealed partial class HapticRetargeting\n    {\n"
             + textwrap.indent(text, " " * 8, lambda line: line.strip() != "") + "    }\n}\n")
 
 
 def _type(names: Renderer, field: Value) -> tuple[str, str]:
-    """Renders a field, with its default if that is not 0."""
+    """Returns the C# type of a field and its default, which is empty if it is 0."""
     if field.values:
         return names.enumerations[field.values], names.constants.get(str(field.default), "")
     kind = "double" if field.unit == "ns" else "Double3" if field.count else _TYPES.get(field.type.name)
     if kind is None or field.type.pointer:
-        raise HostError(f"hrt_session_config::{field.name} is of a type that generator/unity.py does not show")
+        raise HostError(f"hrt_session_config::{field.name} is of a type that generator/unity.py does not support")
     default = ", ".join(_shown(field, n) for n in field.defaults)
     return kind, f"new Double3({default})" if field.count and default else default
 

@@ -1,5 +1,5 @@
 """Haptic retargeting by touch: a ridged plate under the user's finger turns so that the hand arrives at a real target
-while the user feels that it goes to a virtual one.
+while the user perceives that it moves to a virtual one.
 
     import haptic_retargeting as hrt
 
@@ -11,7 +11,7 @@ while the user feels that it goes to a virtual one.
 Units are in the names: metres, degrees, nanoseconds. Directions are measured from the plate's mid-line, which points
 straight away from the user, counter-clockwise positive seen from above. Plate coordinates: x right, y up, z towards the user.
 
-The system's loader finds the C library, unless the environment variable HRT_LIBRARY names its file.
+The C library is the file that the environment variable HRT_LIBRARY names, that in the wheel, or the installed one.
 """
 
 try:

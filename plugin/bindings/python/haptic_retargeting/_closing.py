@@ -1,4 +1,4 @@
-"""Resources of the library that belong to a Python object, until that is closed or collected."""
+"""Handles of the library that a Python object owns until it is closed or collected."""
 
 from __future__ import annotations
 

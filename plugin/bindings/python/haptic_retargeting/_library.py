@@ -23,12 +23,12 @@ class Error(RuntimeError):
     def __init__(self, code: int, text: str) -> None:
         super().__init__(text)
         self.code: _abi.ErrorCode | int = _abi.ErrorCode(code) if code in set(_abi.ErrorCode) else code
-        """Result of the call; a plain number if this package does not define it."""
+        """Result of the call; a plain number if this package does not define a name for it."""
 
 
 def load(name: str, variable: str, functions: dict[str, tuple[Any, ...]]) -> ctypes.CDLL:
-    """Loads a library and declares its functions. The file is the one that the environment variable `variable` names, the
-    wheel's, or the one that the system's loader finds."""
+    """Loads a library and declares its functions. The file is, in this order, the one that the environment variable
+    `variable` names, the one in the wheel, or the one that the system's loader finds."""
     major, minor = _abi.VERSION[:2]
     version = f"{major}.{minor}" if major == 0 else f"{major}"
     names = {"win32": f"{name}.dll", "darwin": f"lib{name}.{version}.dylib"}

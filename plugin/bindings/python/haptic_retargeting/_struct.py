@@ -205,7 +205,7 @@ def _converted(kind: Any, value: Any) -> Any:
         except TypeError:
             raise TypeError("a whole number is needed") from None
         if kind(number).value != number:
-            raise ValueError(f"beyond {kind.__name__[2:]}")
+            raise ValueError(f"the number does not fit into {kind.__name__[2:]}")
         return number
     if kind is ctypes.c_double:
         if isinstance(value, (str, bytes)):
@@ -246,7 +246,7 @@ def _text(kind: Any, value: Any) -> bytes:
     if not isinstance(text, bytes):
         raise TypeError("a text is needed")
     if len(text) >= kind._length_:
-        raise ValueError(f"{len(text)} bytes; fewer than {kind._length_} are allowed")
+        raise ValueError(f"the text has {len(text)} bytes; allowed: up to {kind._length_ - 1}")
     if b"\0" in text:
         raise ValueError("the text contains a NUL character: remove it")
     return text

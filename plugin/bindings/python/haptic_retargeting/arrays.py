@@ -38,7 +38,7 @@ def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, posit
         plate_orientation_deg: orientation of the plate, if it is measured.
         lifted: True for samples in which the finger is above the plate.
 
-    A number that is NaN or masked is unknown. A finger without position and direction is a dropout.
+    A number that is NaN or masked is unknown. A sample without position and direction is a dropout.
     """
     times = np.asarray(time_ns)
     if np.any(getattr(time_ns, "mask", False)):
@@ -77,7 +77,7 @@ def _put(out: Array, field: str, values: ArrayLike | None, flag: SampleFlag) -> 
 
 
 def known(rows: Array) -> Array:
-    """Returns the samples, or a copy in which fields with NaN are marked as missing; a finger with NaN is a dropout."""
+    """Returns the samples, or a copy in which fields with NaN are marked as missing: in the finger's fields, as a dropout."""
     flags = rows["flags"].copy()
     for flag, field in _READ_BY:
         unknown = ((flags & np.uint32(flag)) != 0) & np.isnan(rows[field].T).any(axis=tuple(range(rows[field].ndim - 1)))

@@ -30,13 +30,13 @@ class Person(PersonKeywords, Closing):
         self._own(self.handle, library().hrt_person_destroy)
 
     def begin(self, session: Session, virtual: Target | None = None) -> None:
-        """Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target. Without one,
-        the person follows the instructions of the session's set-up."""
+        """Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target. Without a
+        target, the person follows the instructions of the session's set-up."""
         target = _abi.TargetHandle() if virtual is None else virtual.handle
         check(library().hrt_person_begin(self.handle, session.handle, target))
 
     def move(self, time_ns: int, plate_orientation_deg: float) -> Sample:
-        """Commands the servo of the plate, advances to `time_ns`, and returns the report of tracker and servo."""
+        """Commands the plate's servo, advances the simulation to `time_ns`, and returns what tracker and servo report."""
         return output(Sample, library().hrt_person_move, self.handle, time_ns, plate_orientation_deg)
 
     @property

@@ -40,18 +40,18 @@ class Plate(Closing):
 
     def __init__(self, device: str, host_timeout_s: float = 0.3, homing: PlateHoming = PlateHoming.REFUSED) -> None:
         """Starts to open a plate: "serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
-        commission` writes. The plate stops if there is no call for `host_timeout_s`."""
+        commission` writes. The plate stops if there is no call for `host_timeout_s` (0.05 to 10)."""
         self._handle = _plate_abi.PlateHandle()
         options = _plate_abi.PlateOptions(homing=homing, host_timeout_ns=round(host_timeout_s * 1e9))
         _check(_library().hrt_plate_open(device.encode(), ctypes.byref(options), ctypes.byref(self._handle)))
         self._own(self._handle, _library().hrt_plate_close)
 
     def set(self, orientation_deg: float) -> None:
-        """Turns the plate to an orientation, or to an equivalent one."""
+        """Turns the plate to an orientation, or to the nearest one with the same ridges."""
         _check(_library().hrt_plate_set(self._handle, orientation_deg))
 
     def stop(self) -> None:
-        """Stops the plate."""
+        """Stops the plate, which holds its present orientation."""
         _check(_library().hrt_plate_stop(self._handle))
 
     def get(self) -> PlateReport:
@@ -71,7 +71,7 @@ class Plate(Closing):
                 "plate_upper_stop_deg": report.upper_stop_deg if has_stops else 0.0}
 
     def wait_until_ready(self) -> PlateReport:
-        """Waits until the plate is open. Raises RuntimeError with the reason if that fails."""
+        """Waits until the plate is open. Raises RuntimeError with the reason if it cannot be opened."""
         while (report := self.get()).state == PlateState.OPENING:
             time.sleep(0.01)
         if report.state == PlateState.FAILED:

@@ -69,8 +69,8 @@ def _draw_plate(axes: Any, record: ReachRecord, spacing_mm: float = 5.0) -> None
 
 
 def over_time(axes: Any, record: ReachRecord) -> None:
-    """Draws bearings of the finger seen from the start (left) and plate orientation (right) over time; grey while the finger
-    is not tracked or lifted. A reach without positions shows the directions of its motion instead."""
+    """Draws bearings of the finger from the start (left axis) and plate orientation (right axis) over time; grey while the
+    finger is lifted or not tracked. Without positions, draws directions of motion instead of bearings."""
     time, commands = record.time_s, record.commands
     moving = np.nan_to_num(commands["bearing_deg"]) != 0
     plate_axes = axes.twinx()

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .session import Session, Target
 
 
-_ROWS = 4096  # between two waits for the disk of a recording; the library holds 8192
+_ROWS = 4096  # rows between two waits for the disk of a recording; the library's buffer holds 8192
 
 
 def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> int:
@@ -71,9 +71,8 @@ class Reach:
         return Command.from_buffer_copy(self._command)
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
-        """Processes an array of SAMPLE and returns an array of COMMAND: `out` if it is given, which after an error contains
-        the commands before it. The arrays are not copied, unless samples have NaN, which makes them dropouts.
-        """
+        """Processes an array of SAMPLE and returns an array of COMMAND, which is `out` if given. After an error, `out` has
+        the commands of the samples before. Arrays are not copied, except if samples have NaN, which makes them dropouts."""
         expect_rows(samples, "samples", SAMPLE)
         if out is None:
             out = commands(len(samples))
@@ -84,7 +83,7 @@ class Reach:
         # Rows are passed by address, which is faster than by objects.
         update, samples_at, commands_at = _update_at(), samples.ctypes.data, out.ctypes.data
         for row in range(len(samples)):
-            if row % _ROWS == 0:  # a recording waits for the disk; the result without one is not an error
+            if row % _ROWS == 0:  # waits for the disk of a recording; without a recording, the call fails without effect
                 library().hrt_recording_flush(self._session, byref(RecordingStatus()))
             result = update(self._session, samples_at + row * SAMPLE.itemsize, commands_at + row * COMMAND.itemsize)
             if result != _abi.OK:
@@ -98,8 +97,8 @@ class Reach:
     def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
                 world_position_m: Numbers | None = None) -> None:
         """Reports contact of the finger with the real object: at the near side of the real target, or at a position on the
-        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). Later
-        reaches use it to correct the tracker's frame. Requires a registration. Allowed once per reach, also after its end."""
+        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). It corrects the
+        tracked positions of later reaches. Requires a registration. Allowed once per reach, also after its end."""
         contact = Contact(sd_m=sd_m)
         contact.flags = ContactFlag(_given(contact, "position_m", position_m, ContactFlag.PLATE_POSITION)
                                     | _given(contact, "position_m", world_position_m, ContactFlag.WORLD_POSITION))
@@ -118,7 +117,7 @@ class Reach:
         return self._summary
 
     def _log(self) -> None:
-        """Writes the log of events in a reach, in which no call may block."""
+        """Logs the warnings that the reach has stored, because its calls may not block."""
         check(library().hrt_host_set_log(self._session, byref(LOG)))
 
     def __enter__(self) -> Reach:

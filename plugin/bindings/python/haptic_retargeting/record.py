@@ -15,10 +15,10 @@ Numbers = NDArray[np.float64]
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ReachRecord:
-    """One reach that was run or read from a recording. Equal rows of the three arrays belong together."""
+    """One reach that was run or read from a recording. A row of `samples`, `commands` and `results` is one update."""
 
     config: SessionConfig
-    """Configuration at the beginning of the reach. The next four fields are also those at its beginning."""
+    """Configuration at the beginning of the reach. The next four fields are also from the beginning, before any retarget."""
     real_direction_deg: float
     virtual_direction_deg: float
     real_distance_m: float
@@ -86,13 +86,13 @@ class ReachRecord:
         return out
 
     def bearing_deg(self, position_m: ArrayLike, least_m: float = 0.02) -> Numbers:
-        """Returns directions of positions in plate coordinates, seen from the start; NaN within `least_m` of it."""
+        """Returns bearings of positions in plate coordinates, seen from the start; NaN within `least_m` of the start."""
         right, _, towards = (np.asarray(position_m, np.float64) - self.start_position_m).T
         return np.where(np.hypot(right, towards) < least_m, np.nan, np.degrees(np.arctan2(-right, -towards)))
 
     @property
     def measured_plate_deg(self) -> Numbers:
-        """Measured plate orientation; NaN for samples without one."""
+        """Measured plate orientation; NaN for samples that have no measured orientation."""
         known = (self.samples["flags"] & SampleFlag.PLATE_ORIENTATION) != 0
         return np.where(known, self.samples["plate_orientation_deg"], np.nan)
 

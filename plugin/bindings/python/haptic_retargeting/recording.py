@@ -24,7 +24,7 @@ class Recording:
 
     reaches: list[ReachRecord]
     complete: bool
-    """True if the file has its end and no calls were lost. replay() also checks that nothing was altered."""
+    """True if the file has its last line and no calls were lost. replay() also checks that nothing was altered."""
     targets: list[TargetConfig]
     """Targets as they were added or changed, in this order."""
 
@@ -63,7 +63,7 @@ class _Rows:
     over: bool = False
 
     def record(self) -> ReachRecord:
-        # A reach that starts at the first finger position has its targets in the first update.
+        # The geometry of a reach that starts at the finger is in the first update with a position.
         aimed = next((row for row in self.updates if row.get("real_distance_m") is not None), self.begin)
         start = np.array(self.config.start_position_m)
         start[0], start[2] = aimed["start_right_m"], -aimed["start_away_m"]
@@ -162,7 +162,7 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
         raise ValueError("a row before the configuration")
     call, done = row["call"], row["result"] == _abi.OK
     if call.startswith("setup_"):
-        return  # replay() repeats them
+        return  # calls of set-ups are only repeated, by replay()
     if call not in _CALLS:
         raise ValueError(f"the row's call is {call!r}; allowed: {', '.join(_CALLS)}")
     if call == "begin" and done:

@@ -13,7 +13,7 @@ from .session import Session, Target, own_targets
 
 
 class Scene(Closing):
-    """A scene from a glTF file. Targets that it has registered remain in the session when it is closed.
+    """A scene from a glTF file. The targets that register() adds remain in the session after the scene is closed.
 
         with Scene("desk.gltf") as scene:
             targets = scene.register(session)

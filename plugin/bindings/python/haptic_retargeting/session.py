@@ -51,7 +51,7 @@ class Target(TargetKeywords):
 
     @property
     def role(self) -> Role:
-        """Real or virtual."""
+        """The role of the target: real or virtual."""
         return self.config.role
 
     def _configure(self, fields: dict[str, Any]) -> None:
@@ -63,7 +63,7 @@ class Target(TargetKeywords):
         check(library().hrt_target_set(self.session.handle, self.handle, byref(config)))
 
     def remove(self) -> None:
-        """Removes the target. A reach in progress keeps it."""
+        """Removes the target. A reach in progress keeps its copy."""
         check(library().hrt_target_remove(self.session.handle, self.handle))
 
     def __eq__(self, other: object) -> bool:
@@ -193,8 +193,8 @@ class Session(SessionKeywords, Closing):
         return output(Gap, library().hrt_gap_query, self.handle, real.handle, virtual.handle).belongs_to(self)
 
     def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Gap]:
-        """Assigns a real target to each virtual one, so that the largest gap, as a fraction of the feasible gap, is minimal.
-        With `exclusive`, each real target is assigned to at most one virtual target. A virtual target without a feasible
+        """Assigns real targets to as many virtual ones as possible, so that the largest ratio of gap to feasible gap is
+        minimal. With `exclusive`, each real target is assigned to at most one virtual target. A virtual target without a
         real target is not `reachable`."""
         out = (Gap * len(virtuals))(*(Gap() for _ in virtuals))
         check(library().hrt_gap_assign(
@@ -224,7 +224,7 @@ class Session(SessionKeywords, Closing):
 
     def run_reach(self, real: Target, virtual: Target, samples: Array, *,
                   plate_orientation_deg: float | None = None) -> RunRecord:
-        """Runs a whole reach over an array of SAMPLE, without copying it."""
+        """Runs a whole reach over an array of SAMPLE, as Reach.run() does."""
         expect_rows(samples, "samples", SAMPLE)
         config = self.config
         real_deg, real_distance_m = target_place(real.config, config)
@@ -270,17 +270,18 @@ class Session(SessionKeywords, Closing):
         return dict(json.loads(text.value))
 
     def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
-        """Sets the current plate, tracker and time (seconds since 1970). A set-up stores these conditions, and profiles are
-        compared with them. Empty and 0 mean unknown."""
+        """Sets the current plate, tracker and time (seconds since 1970). A calibration stores these conditions, and those of
+        profiles are compared with them. Empty and 0 mean unknown."""
         check(library().hrt_profile_set_conditions(self.handle, byref(Conditions(plate=plate, tracker=tracker, time_s=time_s))))
 
     @property
     def conditions(self) -> Conditions:
-        """Returns the conditions under which the person of the profile was measured. `differing` flags those that have changed."""
+        """Returns the conditions under which the user was measured. `differing` flags those that differ from the present ones."""
         return output(Conditions, library().hrt_profile_get_conditions, self.handle)
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:
-        """Copies a profile, a mapping or JSON text, into the configuration. Fields that it does not have are kept."""
+        """Copies a profile, a mapping or JSON text, into the configuration. Of the fields that the profile lacks, those of the
+        user's traits and of correlated noise are reset to their defaults, and the others are kept."""
         if isinstance(profile, Mapping):
             profile = json.dumps(dict(profile))
         text = profile.encode() if isinstance(profile, str) else profile

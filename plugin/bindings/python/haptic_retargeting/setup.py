@@ -33,8 +33,8 @@ class SetUp:
         check(library().hrt_setup_begin(self._session, what, byref(SetupConfig(**fields))))
 
     def update(self, sample: Sample) -> SetupStep:
-        """Processes one sample and returns the next instruction. At Step.FINISH the user waits for a fit, of which each update
-        computes less than 1 ms."""
+        """Processes one sample and returns the next instruction. At Step.FINISH the user waits for a fit, which each update
+        continues for at most a few milliseconds."""
         step = output(SetupStep, library().hrt_setup_update, self._session, byref(known_sample(sample)))
         if step.instruction == Step.FINISH:
             self.result = output(SetupResult, library().hrt_setup_finish, self._session)
@@ -42,7 +42,7 @@ class SetUp:
         return step
 
     def residual(self, slide: int) -> SetupResidual:
-        """Returns measured and fitted direction, and use, of slide `slide` (from 0) of the last fit of a calibration."""
+        """Returns measured and fitted direction of slide `slide` (from 0) of the last calibration, and whether it was used."""
         return output(SetupResidual, library().hrt_setup_get_residual, self._session, slide)
 
     def cancel(self) -> None:

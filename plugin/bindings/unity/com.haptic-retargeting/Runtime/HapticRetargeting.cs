@@ -31,7 +31,7 @@ namespace Hrt
         [Tooltip("The tracked fingertip. While it is inactive, or FingerTracked is false, the plate keeps its orientation.")]
         public Transform finger;
 
-        [Tooltip("The finger is a tracked joint: a set-up measures the offset of the skin from it.")]
+        [Tooltip("The finger is a tracked joint: a set-up measures the offset of the skin from the joint.")]
         public bool fingerIsJoint;
 
         [Tooltip("Start of reaches. None: on the plate, 5 cm from its centre towards the user.")]
@@ -57,7 +57,7 @@ namespace Hrt
         public event Action<CommandFlags> FlagsChanged;
 
         /// <summary>Raised when the finger has arrived: once per reach, and again after <see cref="RetargetReach"/>. Call
-        /// <see cref="EndReach"/>, here or later. With the flag OffTarget, the finger rests elsewhere.</summary>
+        /// <see cref="EndReach"/>, here or later. With the flag OffTarget, the finger rests beside the target.</summary>
         public event Action<Command> Arrived;
 
         /// <summary>Raised by <see cref="EndReach"/>.</summary>
@@ -150,7 +150,7 @@ namespace Hrt
         }
 
         /// <summary>Begins a set-up, which measures the pose of the plate, the offset of the skin from a tracked joint, and
-        /// the user. It uses the samples of the frames until it is over.</summary>
+        /// the user. Each frame passes a sample to the set-up until it is over.</summary>
         public void BeginSetup(SetupFlags what = SetupFlags.AllMissing)
         {
             HapticRetargetingSession session = EnabledSession();
@@ -260,7 +260,7 @@ namespace Hrt
             if (fits && IsSettingUp) TakeResult(result);
         }
 
-        // A registration moves the plate to its measured pose.
+        // A registration moves the plate's Transform to the measured pose.
         void TakeResult(SetupResult result)
         {
             IsSettingUp = result.left != 0;
@@ -329,7 +329,7 @@ namespace Hrt
         TargetId IdOf(Transform target, Dictionary<Transform, TargetId> ids, string argument)
         {
             if (target != null && ids.TryGetValue(target, out TargetId id)) return id;
-            throw new ArgumentException($"{name}: not one of the component's targets of this role; add it to the list and begin a reach", argument);
+            throw new ArgumentException($"{name}: the Transform is not a target of this role; add it to the component's list, and begin a reach", argument);
         }
 
         // Sets plate and start from the Transforms, and the settings that have changed.

@@ -38,8 +38,8 @@ namespace Hrt
             }
         }
 
-        /// <summary>Must precede each call of the library. The first time, throws if the library is missing or has another
-        /// version, and connects its log.</summary>
+        /// <summary>Must precede each call of the library. The first Load() throws if the library is missing or has another
+        /// version, and connects the library's log.</summary>
         internal static void Load()
         {
             if (loaded) return;
@@ -93,8 +93,8 @@ namespace Hrt
             catch (DllNotFoundException e)
             {
                 throw new DllNotFoundException(
-                    $"The native library {Native.Library} was not found. The package needs it for " +
-                    "the platform that it runs on: see \"The native libraries\" in its manual.",
+                    $"The native library {Native.Library} was not found. The package needs the library for " +
+                    "each platform on which it runs: see \"The native libraries\" in the manual.",
                     e);
             }
             if (major != Constants.VersionMajor || minor != Constants.VersionMinor)

@@ -5,7 +5,7 @@ namespace Hrt
 {
     /// <summary>
     /// The device that turns the plate, driven by libhrt_plate: a plate with the line protocol, or a Dynamixel servo. A
-    /// thread of that library communicates with it, so that calls do not wait, except <see cref="WaitUntilReady"/> and
+    /// thread of that library communicates with the plate, so calls do not wait, except <see cref="WaitUntilReady"/> and
     /// <see cref="NativeObject.Dispose"/>, which stops the plate within half a second. The plate stops if there is no call
     /// for <see cref="PlateOptions.hostTimeoutNs"/>. For Linux and Windows on x64.
     ///
@@ -29,7 +29,7 @@ namespace Hrt
         }
 
         /// <summary>Waits up to 6 s until the plate is open. Throws <see cref="InvalidOperationException"/> with the reason
-        /// if that fails. A frame loop should call <see cref="Get"/> instead.</summary>
+        /// if it cannot be opened. A frame loop should call <see cref="Get"/> instead.</summary>
         public PlateReport WaitUntilReady()
         {
             PlateReport report = Get();
@@ -54,8 +54,8 @@ namespace Hrt
             catch (DllNotFoundException e)
             {
                 throw new DllNotFoundException(
-                    $"The native library {PlateNative.Library} was not found. The package has it for Linux and " +
-                    "Windows on x64: see \"The native libraries\" in its manual.",
+                    $"The native library {PlateNative.Library} was not found. The package has this library for Linux and " +
+                    "Windows on x64: see \"The native libraries\" in the manual.",
                     e);
             }
         }

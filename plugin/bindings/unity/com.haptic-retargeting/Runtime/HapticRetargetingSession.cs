@@ -8,8 +8,8 @@ namespace Hrt
     /// samples of the finger, and end it. Dispose of the session, which ends its reach and its recording.
     ///
     /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>, <see cref="TryUpdate"/> and
-    /// <see cref="EndReach"/> allocate no managed memory. In them, the library takes no lock, allocates nothing and makes
-    /// no system call.
+    /// <see cref="EndReach"/> allocate no managed memory. In these methods, the library takes no lock, allocates nothing
+    /// and makes no system call.
     /// </summary>
     public sealed partial class HapticRetargetingSession : NativeObject
     {
@@ -63,7 +63,7 @@ namespace Hrt
         }
 
         /// <summary>Sets plate and start from a glTF file and adds its targets by their positions on the plate. Returns
-        /// their ids in the order of the file.</summary>
+        /// the targets' ids in the order of the file.</summary>
         public TargetId[] LoadScene(string path)
         {
             Check(Native.hrt_scene_load(Utf8.NullTerminated(path, nameof(path)), null, 0, out SceneHandle scene));

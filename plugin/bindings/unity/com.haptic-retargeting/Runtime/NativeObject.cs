@@ -17,8 +17,8 @@ namespace Hrt
 
         ~NativeObject() => Destroy();
 
-        /// <summary>Destroys the object. Throws <see cref="Result.Busy"/> while another thread is in a call of it; then
-        /// call it again.</summary>
+        /// <summary>Destroys the object. Throws with <see cref="Result.Busy"/> while another thread is in a call of the
+        /// object; call Dispose() again then.</summary>
         public void Dispose()
         {
             Check(Destroy());

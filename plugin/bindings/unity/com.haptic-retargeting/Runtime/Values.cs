@@ -22,8 +22,8 @@ namespace Hrt
 
     internal static class Utf8
     {
-        /// <summary>Encodes a text as UTF-8 with a terminating NUL. Throws for a text that contains a NUL, where C
-        /// would end it.</summary>
+        /// <summary>Encodes a text as UTF-8 with a terminating NUL. Throws if the text contains a NUL, which would end
+        /// it in C.</summary>
         internal static byte[] NullTerminated(string text, string argument)
         {
             byte[] bytes = Bytes(text, argument);

@@ -5,7 +5,7 @@ namespace HrtSamples
 {
     /// <summary>
     /// Creates a plate, a real cylinder and three virtual objects. The centre of the plate is the position of this object.
-    /// SimulatedReach moves a simulated finger over it.
+    /// SimulatedReach moves a simulated finger over the plate.
     /// </summary>
     public sealed class Desk : MonoBehaviour
     {
@@ -16,7 +16,7 @@ namespace HrtSamples
 
         public HapticRetargeting Retargeting { get; private set; }
 
-        /// <summary>Called by the editor when the component is added. Places it at the height of a table, within reach.</summary>
+        /// <summary>Called by the editor when the component is added. Places the plate at the height of a table, within reach.</summary>
         void Reset() => transform.position = new Vector3(0, 0.75f, 0.4f);
 
         void Awake()

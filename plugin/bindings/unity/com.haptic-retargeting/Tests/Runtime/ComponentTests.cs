@@ -363,7 +363,7 @@ namespace Hrt.Tests
             return sample;
         }
 
-        // Converts metres from the start, which is 5 cm from the centre towards the user.
+        // Converts a position in metres from the start, which is 5 cm from the centre towards the user, to the world.
         Vector3 OnPlate(double right, double away) =>
             component.plate.position + component.plate.rotation * new Vector3((float)right, 0, (float)(away - 0.05));
 
