@@ -33,7 +33,7 @@ _CALLS = {
 _SETUP = "hrt_setup_config"
 _UNITS = {"deg": "°", "deg/s": "°/s", "deg/s^2": "°/s²", "deg^2": "°²", "1/s": "/s", "1": ""}
 _GODOT = Path(__file__).parent.parent / "godot"
-_PARTS = {"": "value", "_lower": "lower", "_upper": "upper", "_known": "known"}  # of an interval
+_PARTS = {"": "value", "_lower": "lower", "_upper": "upper", "_known": "known"}  # fields of an interval, by the end of their key
 
 
 def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
@@ -141,7 +141,7 @@ def _shown(abi: Abi) -> list[Enumeration]:
 
 
 def _choices(enumeration: Enumeration) -> str:
-    """Returns the inspector's choices: "MPC,Fixed Plate"; flags, and values that are not their index, have a number: "Real:1"."""
+    """Returns the inspector's choices: "MPC,Fixed Plate". Flags, and constants that differ from their index, have a number: "Real:1"."""
     texts = []
     for i, member in enumerate(enumeration.members):
         short = enumeration.short(member)

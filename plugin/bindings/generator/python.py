@@ -54,7 +54,7 @@ else:
     Target = object
 
 '''
-_KEYWORDS_HEAD = '''"""Methods whose keywords are fields of a struct, declared for type checkers and editors. A keyword that is None is not given."""
+_KEYWORDS_HEAD = '''"""Methods whose keywords are fields of a struct, declared for type checkers and editors. Default None: not given."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand",
             "hrt_setup_step": "FHapticSetupStep", "hrt_setup_result": "FHapticSetupResult"}
 _OUTPUTS = [name for name in _STRUCTS if name != settings.STRUCT]
 _TO_CONFIG = "hrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, const hrt_session_config& Before)"
-# plate_rotation is given by the component's transform; the plugin keeps the other fields.
+# Fields that Unreal's structs lack: the component's transform gives plate_rotation; the plugin keeps the other fields.
 _NOT_SHOWN = (*HIDDEN, "plate_rotation", "covariance", "sd_m")
 # Enumerations of the component's arguments.
 _ENUMERATIONS = ("HRT_TARGET",)
@@ -101,7 +101,7 @@ class _Renderer(Names):
         for end, of in (("Lower", "upper"), ("Upper", "lower")) if field.ccw else (("Lower", "lower"), ("Upper", "upper")):
             part = replace(field, name=f"{field.name}_{end.lower()}", text=f"{end} end of its 95 % interval.")
             members.append(_Member(part, "double", name + end, "", value.format(field.member, of), "0.0"))
-        part = replace(field, name=f"{field.name}_known", text="True if the data determine it.")
+        part = replace(field, name=f"{field.name}_known", text="True if the data determine the value.")
         return [*members, _Member(part, "bool", f"b{name}Known", "", f"C.{field.member}.known != 0", "false")]
 
     def conversion(self, field: Value) -> tuple[str, str, str, str]:
@@ -118,7 +118,7 @@ class _Renderer(Names):
         if kind == "char" and field.count:
             return "FString", "", "FString(UTF8_TO_TCHAR({}))", ""
         if field.type.pointer or field.count:
-            raise HostError(f"{field.name} is of a type that generator/unreal.py does not show")
+            raise HostError(f"{field.name} is of a type that generator/unreal.py does not support")
         if kind == "hrt_target":
             return "FHapticTarget", "ToTarget({})", "FromTarget({})", ""
         if field.boolean:
@@ -184,7 +184,7 @@ class _Renderer(Names):
         return ", ".join(items)
 
     def struct(self, name: str) -> str:
-        doc = {settings.STRUCT: "A session's assumptions of user, plate and tracker."}.get(name, self.abi.struct(name).text)
+        doc = {settings.STRUCT: "Assumptions of a session about user, plate and tracker."}.get(name, self.abi.struct(name).text)
         return (self.doc(doc, "") + f"USTRUCT(BlueprintType)\nstruct {_STRUCTS[name]}\n{{\n\tGENERATED_BODY()\n"
                 + "".join(self.property(name, m) for m in self.members[name]) + "};\n")
 
@@ -228,7 +228,7 @@ def _literal(number: Decimal) -> str:
 
 def render_types(abi: Abi, notice: str) -> str:
     r = _Renderer(abi)
-    target = ("/** Names a target of one component. */\nUSTRUCT(BlueprintType)\nstruct FHapticTarget\n{\n\tGENERATED_BODY()\n\n"
+    target = ("/** Id of a target of one component. */\nUSTRUCT(BlueprintType)\nstruct FHapticTarget\n{\n\tGENERATED_BODY()\n\n"
               '\tUPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")\n\tint64 Id = 0;\n};\n')
     return (f"// {notice}\n//\n"
             "// Types of the plugin for Blueprints, in Unreal's terms: centimetres, seconds, and yaw, which is\n"

@@ -8,7 +8,7 @@ from abi import Abi, HostError, Struct, Type
 
 _ELEMENTS = {"char": "u8", "int32_t": "i32", "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64",
              "double": "f64", "size_t": "u32", "hrt_result": "i32"}
-# Structs that numbers.mjs reads and writes without creating objects.
+# For each type of a field: code that writes and reads the field in each frame without creating objects (numbers.mjs).
 _FRAME_TYPES = {"double": ("view.setFloat64(at + {0}, {1}, true)", "view.getFloat64(at + {0}, true)"),
                 "uint32_t": ('writeU32(view, at + {0}, "{1}", {1})', "view.getUint32(at + {0}, true)"),
                 "int64_t": ('writeI64(view, at + {0}, "{1}", {1})', "readI64(view, at + {0})")}

@@ -98,7 +98,7 @@ const T& as(const void* value) {
 
 Value from_variant(const gde_variant* variant);
 
-/** Converts an engine value; null for a type that no method of the class accepts. */
+/** Converts an engine value. Returns null for a type that no method of the class accepts. */
 Value decode(Type type, const void* value) {
   if (type == Type::kBool) return as<gde_bool>(value) != 0;
   if (type == Type::kInt) return as<int64_t>(value);
@@ -116,7 +116,7 @@ Value decode(Type type, const void* value) {
   return text;
 }
 
-/** Constructs an engine value, which the caller destroys; nothing for null. */
+/** Constructs an engine value, which the caller destroys. Does nothing if `value` is null. */
 void encode(const Value& value, void* out) {
   std::visit(
       [&]<typename T>(const T& each) {
@@ -147,7 +147,7 @@ void assign(gde_variant* variant, const Value& value) {
   destroy(type, &storage);
 }
 
-/** Converts a variant; null for a type that no method of the class accepts. */
+/** Converts a variant. Returns null for a type that no method of the class accepts. */
 Value from_variant(const gde_variant* variant) {
   Type type{engine.variant_get_type(variant)};
   if (type == Type{GDE_STRING_NAME}) type = Type::kString;  // for example the name of a node
@@ -252,7 +252,7 @@ struct Callable {
 /** All callables. The engine keeps pointers to the elements, so they must not move. */
 std::deque<Callable> callables;
 
-/** Runs a callable. Shows an exception and returns null. `argument(i)` returns argument i. */
+/** Runs a callable. If it throws, shows the exception and returns null. `argument(i)` returns argument i. */
 Value run(const Callable& callable, void* instance, size_t count, auto argument) noexcept try {
   if (!instance) return {};
   std::array<Value, kArgumentsMax> values;
@@ -280,7 +280,7 @@ void ptrcall(void* data, void* instance, const void* const* arguments, void* out
   encode(result, out_return);
 }
 
-/** Registers the class. Keeps names and texts, to which the engine's descriptions point, until that is done. */
+/** Registers the class. Its lifetime is that of the names and texts to which the engine's descriptions point. */
 class Registration {
  public:
   void add_class() {

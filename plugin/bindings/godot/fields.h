@@ -45,7 +45,9 @@ struct Property {
 };
 extern const std::span<const Property> properties;
 
-/** Empty if struct_size is 0. An interval NAME has the keys NAME, NAME_lower, NAME_upper and NAME_known. */
+/** Converts a struct to a Dictionary, which is empty if struct_size is 0. An interval NAME has the keys NAME,
+ * NAME_lower,
+ *  NAME_upper and NAME_known. */
 Record to_record(const hrt_command& of), to_record(const hrt_reach_summary& of), to_record(const hrt_gap& of),
     to_record(const hrt_setup_step& of), to_record(const hrt_setup_result& of), to_record(const hrt_conditions& of),
     to_record(const hrt_recording_status& of), to_record(const hrt_plate_report& of);
@@ -56,7 +58,7 @@ struct Constant {
   int64_t value;
   bool is_flag;
 };
-/** Values of properties and flags, such as COMMAND_SATURATED. */
+/** Constants of the class: values of properties, and flags such as COMMAND_SATURATED. */
 extern const std::span<const Constant> constants;
 
 /** Returns an error text with the names of GDScript: methods instead of calls, and constants without HRT_. */

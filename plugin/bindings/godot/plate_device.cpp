@@ -1,4 +1,4 @@
-// The device that turns the plate, by libhrt_plate. Its calls do not wait, except open and close for at most 0.5 s.
+// The device that turns the plate, by libhrt_plate. Only close_device() waits for the device, for at most 0.5 s.
 #include "plate_node.h"
 
 namespace hrt_godot {

@@ -49,7 +49,7 @@ Value PlateNode::call(const Method& method, std::span<const Value> arguments) no
     if (text.back() != '(') text += ", ";
     text += type_name(type_of(argument));
   }
-  engine_.push_error((text + "); it is " + signature(method)).c_str());
+  engine_.push_error((text + "); allowed: " + signature(method)).c_str());
   return method.failure;
 } catch (const std::exception& error) {
   engine_.push_error(error.what());
@@ -76,7 +76,7 @@ std::string PlateNode::warning() {
   return {};
 }
 
-/** Returns whether the call succeeded. Shows its error. */
+/** Returns whether a call of the plugin succeeded. Shows the error if it did not. */
 bool PlateNode::ok(hrt_result result) {
   result_ = result;
   if (result == HRT_OK) return true;
@@ -185,9 +185,9 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   return true;
 }
 
-/** Copies changes that the plugin has made to its configuration into the properties, except properties that scripts
- *  have set and that are not applied yet. If the plugin has moved the plate, the node is moved too, in floats, while
- *  the session keeps its doubles. */
+/** Copies changes that the plugin has made to the session's configuration into the properties, except properties that
+ *  scripts have set and that are not applied yet. If the plugin has moved the plate, moves the node too, in floats; the
+ *  session keeps its doubles. */
 void PlateNode::take_changes() {
   Properties before = properties_, now = properties_;
   before.session = configured_;

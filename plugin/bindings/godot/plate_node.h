@@ -64,7 +64,8 @@ extern const std::span<const Method> methods;
 /** Maximum number of arguments that are read: one more than any method has, to detect too many. */
 inline constexpr size_t kArgumentsMax = 8;
 
-/** Bits of refused_: up to 99 minus the number of an error of the plugin, then errors of the node. */
+/** Bits of refused_: bits 1 to 99 are errors of the plugin, with the opposite sign; this bit is an error of the node.
+ */
 inline constexpr size_t kPoseReason = 127;
 inline constexpr const char* kNotRigid =
     "the node is scaled, sheared or mirrored in the world; allowed: only translation and rotation. Set its scale to 1";
@@ -172,7 +173,7 @@ class PlateNode {
   std::vector<hrt_gap> assigned_;
   Properties properties_;            ///< values of the properties, and the node's pose
   hrt_session_config configured_{};  ///< the configuration that the session has
-  std::optional<Pose> plate_pose_;   ///< pose of the node to which the library has moved it, in floats
+  std::optional<Pose> plate_pose_;   ///< pose to which the plugin has moved the node, in floats
   hrt_command command_{};            ///< last command; struct_size 0: no command yet in this reach
   hrt_reach_summary summary_{};      ///< last summary; struct_size 0: no reach has ended
   hrt_setup_step step_{};            ///< last step; struct_size 0: no step yet in this set-up
@@ -180,7 +181,7 @@ class PlateNode {
   hrt_result result_ = HRT_OK;       ///< result of the last call of the plugin
   bool reaching_ = false;
   bool setting_up_ = false;
-  std::bitset<128> refused_;  ///< reasons of samples that were refused in this reach or set-up
+  std::bitset<128> refused_;  ///< reasons for which samples of this reach or set-up were refused
 };
 
 /** Creates a row of the class's table, with the types of the function. */

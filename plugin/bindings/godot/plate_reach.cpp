@@ -135,9 +135,8 @@ Error PlateNode::begin_simulated_finger(hrt_target virtual_target, int64_t seed)
   return report(hrt_person_begin(person_, session_, virtual_target));
 }
 
-/** Advances the simulated finger, over a plate that has the orientation of the last command. Returns the tracked
- * position
- *  of the finger in the world. */
+/** Advances the simulated finger; the simulated servo receives the last command. Returns the tracked position of the
+ *  finger in the world. */
 Vector3 PlateNode::move_person(Time time_ns, hrt_sample& out) {
   const double plate_deg = setting_up_ ? step_.plate_orientation_deg : command_.plate_orientation_deg;
   out = hrt_sample_init();

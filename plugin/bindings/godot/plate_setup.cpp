@@ -29,7 +29,7 @@ Error PlateNode::guide(const hrt_sample& sample) {
   return setting_up_ && step.instruction == HRT_STEP_FINISH ? continue_fit() : Error::kOk;
 }
 
-/** Continues the fit of a part. Called once a frame until it is complete. */
+/** Continues the fit of a part. Called once a frame until the fit is complete. */
 Error PlateNode::continue_fit() {
   hrt_setup_result found = hrt_setup_result_init();
   if (!ok(hrt_setup_finish(session_, &found))) return error();

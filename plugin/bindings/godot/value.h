@@ -71,7 +71,7 @@ inline bool fits(const Value& value, Type type) {
   return type_of(value) == type || ((type == Type::kReal || type == Type::kTime) && type_of(value) == Type::kInt);
 }
 
-/** Result of a method that fails: no target, or a position that update() refuses. */
+/** Result of a method that fails: an error, a null target, or a position with NaN, which update() refuses. */
 template <typename T>
 T failure() {
   if constexpr (std::is_same_v<T, Error>)

@@ -1,5 +1,5 @@
-/* Connects the module to JavaScript: its log, and the calls of the file system that Emscripten's C library does not
- * pass to WASI. memory.mjs keeps written files in memory. No file can be read. */
+/* Connects the module to JavaScript: the library's log, and the calls of the file system that Emscripten's C library
+ * does not pass to WASI. memory.mjs keeps written files in memory. No file can be read. */
 #include <errno.h>
 #include <fcntl.h>
 #include <haptic_retargeting/host.h>

@@ -44,7 +44,7 @@ export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | 
 export interface Library {
   readonly version: { readonly major: number; readonly minor: number; readonly patch: number };
   createSession(config?: Input<hrt_session_config>): Session;
-  /** Creates a simulated person, whose hand the plate deflects. The person depends on the seed, and is the same on every host. */
+  /** Creates a simulated person, whose hand the plate deflects. The same seed gives the same person on every host. */
   createPerson(seed?: number | bigint, config?: Input<hrt_person_config>): Person;
   /** Loads a scene from the bytes of a .gltf or .glb file; error texts contain `name`. */
   loadScene(bytes: ArrayBuffer | Uint8Array, name?: string): Scene;
@@ -62,7 +62,7 @@ export interface Point { readonly x: number; readonly y: number; readonly z: num
 export interface Rotation extends Point { readonly w: number }
 
 /** A session for one user and one plate. Destroy it when it is no longer used, because JavaScript does not free memory of
- *  the module. Afterwards other calls throw, and `sample` is frozen. */
+ *  the module. After destroy(), other calls throw, and `sample` is frozen. */
 export interface Session {
   readonly config: Output<hrt_session_config>;
   /** Changes fields of the configuration, between reaches. */
@@ -86,8 +86,8 @@ export interface Session {
   /** Computes the gap between two targets and the largest feasible gap, before a reach. */
   gap(realTarget: TargetId, virtualTarget: TargetId): Output<hrt_gap>;
 
-  /** Assigns a real target to each virtual one, so that the largest gap, as a fraction of the feasible gap, is minimal. If
-   *  `exclusive`, a real target is used at most once. A virtual target without a feasible real one has `reachable` 0. */
+  /** Assigns real targets to as many virtual ones as possible, so that the largest ratio of gap to feasible gap is minimal. If
+   *  `exclusive`, a real target is used at most once. A virtual target without a real one has `reachable` 0. */
   assign(virtualTargets: TargetId[], realTargets: TargetId[], exclusive?: boolean): Output<hrt_gap>[];
 
   /** Input of the next update(). Fields that `flags` does not name are not read. */
@@ -96,15 +96,15 @@ export interface Session {
   readonly command: Readonly<Frame<hrt_command>>;
   /** State of the session, HRT_STATE_*; 0: idle. */
   readonly state: number;
-  /** Begins a reach. The plate is assumed at the last command, unless its orientation is given. Directions are measured
+  /** Begins a reach. The plate is assumed to be at the last command, unless its orientation is given. Directions are measured
    *  from the configured start or, with `startAtFinger`, from the first position of the finger. */
   beginReach(realTarget: TargetId, virtualTarget: TargetId, plateOrientationDeg?: number, startAtFinger?: boolean): void;
   /** Redirects the reach to other targets, or to the same targets after setTarget() has moved them. */
   retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
   /** True if the plate's pose at the last beginReach() came from a registration. */
   readonly registered: boolean;
-  /** Reports contact of the finger with the real object, by default at the real target's near side. Later reaches use it
-   *  to correct the tracker's frame. Requires a registration. Allowed once per reach, also after its end. */
+  /** Reports contact of the finger with the real object, by default at the real target's near side. The contact corrects the
+   *  tracked positions of later reaches. Requires a registration. Allowed once per reach, also after its end. */
   reachTouched(contact?: Input<hrt_contact>): void;
   /** Ends the reach without a summary and discards its estimates. */
   cancelReach(): void;
@@ -118,8 +118,8 @@ export interface Session {
   /** Parameters of the user as JSON, to be saved and loaded later. */
   readonly profile: string;
   loadProfile(profile: string): void;
-  /** Conditions under which the person of the profile was measured; `differing` (HRT_CONDITION_*) flags those that have
-   *  changed. */
+  /** Conditions under which the user was measured; `differing` (HRT_CONDITION_*) flags those that differ from the present
+   *  conditions. */
   readonly conditions: Output<hrt_conditions>;
   /** Sets the current conditions: names of plate and tracker, and the time in seconds since 1970. */
   setConditions(conditions: Input<hrt_conditions>): void;
@@ -146,11 +146,11 @@ export interface Session {
 
 /** A simulated finger for first programs and tests: a model, not a measurement of people. */
 export interface Person {
-  /** Puts the finger at rest at the session's start. After 0.6 s it slides to the virtual target. Without a target it follows the
-   *  session's set-up. */
+  /** Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target. Without a target, the
+   *  person follows the session's set-up. */
   begin(session: Session, virtualTarget?: TargetId): void;
-  /** Commands the plate's servo, advances to `time_ns`, and writes the reports of tracker and servo to `sample`, which must be
-   *  Session.sample. */
+  /** Commands the plate's servo, advances the simulation to `time_ns`, and writes the reports of tracker and servo to `sample`,
+   *  which must be Session.sample. */
   move(sample: Session["sample"], time_ns: number, plateOrientationDeg: number): void;
   /** True and perceived position of the finger. */
   readonly state: Output<hrt_person_state>;

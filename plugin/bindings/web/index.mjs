@@ -57,7 +57,7 @@ class Library {
   }
 }
 
-// Handles, ids and counts are structs of one u64.
+// The library writes a handle, an id or a count as one u64.
 function created(memory, create) { return idsOf(memory, 1, create)[0]; }
 function idsOf(memory, count, write) {
   return memory.with(8 * count + 1, (at) => {
@@ -101,7 +101,8 @@ class Native {
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
 
-// Symbol of the declaration `using`, which destroys objects at the end of a block. For engines without it, compilers use this name.
+// Symbol of the declaration `using`, which destroys objects at the end of a block. In engines without this symbol, compilers use
+// the symbol of this name.
 const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 
 class Session {
@@ -199,7 +200,7 @@ class Session {
     this.#native.call("hrt_reach_cancel");
     this.#log();
   }
-  /** Writes the plugin's log of the reach, which waits until its end because no call within a reach may block. */
+  /** Writes the log lines that the reach has stored, because the calls of a reach may not block. */
   #log() {
     this.#native.call("hrt_host_set_log", 0);
   }

@@ -124,7 +124,7 @@ export class Memory {
     if (typeof value !== "string") throw new TypeError(`${name} is ${String(value)}; a string is needed`);
     const bytes = encoder.encode(value);
     if (bytes.length >= capacity) {
-      throw new RangeError(`${name} is "${value}", ${bytes.length} bytes in UTF-8; up to ${capacity - 1} are allowed`);
+      throw new RangeError(`${name} is "${value}", which has ${bytes.length} bytes in UTF-8; allowed: up to ${capacity - 1}`);
     }
     const place = new Uint8Array(this.view.buffer, offset, capacity);
     place.fill(0);

@@ -6,7 +6,7 @@ export const types = {
   i32: { size: 4, least: -(2 ** 31), most: 2 ** 31 - 1, get: "getInt32", set: "setInt32" },
   u64: { size: 8, least: 0n, most: 2n ** 64n - 1n, get: "getBigUint64", set: "setBigUint64" },
   i64: { size: 8, least: -(2n ** 63n), most: 2n ** 63n - 1n, get: "getBigInt64", set: "setBigInt64" },
-  id: { size: 8, least: 0n, most: BigInt(Number.MAX_SAFE_INTEGER), get: "getBigUint64", set: "setBigUint64" },  // of a target
+  id: { size: 8, least: 0n, most: BigInt(Number.MAX_SAFE_INTEGER), get: "getBigUint64", set: "setBigUint64" },  // id of a target
   f64: { size: 8, get: "getFloat64", set: "setFloat64" },
 };
 
@@ -34,7 +34,7 @@ export function writeU32(view, at, name, value) {
 }
 export function writeI64(view, at, name, value) {
   const rounded = Math.round(value);
-  if (!Number.isSafeInteger(rounded)) throw new RangeError(`${name} is ${String(value)}; up to 2^53 is allowed`);
+  if (!Number.isSafeInteger(rounded)) throw new RangeError(`${name} is ${String(value)}; a number up to 2^53 is needed`);
   const high = Math.floor(rounded / 2 ** 32);
   view.setInt32(at + 4, high, true);
   view.setUint32(at, rounded - high * 2 ** 32, true);

@@ -7,7 +7,7 @@ export function positionOf(pose) {
   if (typeof at.x === "number" && typeof at.y === "number" && typeof at.z === "number") {
     return Number.isFinite(at.x + at.y + at.z) ? at : undefined;
   }
-  throw new TypeError("the pose has neither transform.position nor position nor x, y, z; pass null for a hand that is not tracked");
+  throw new TypeError("the pose has no transform.position, no position, and no x, y, z; pass null for a hand that is not tracked");
 }
 
 /** Returns the { x, y, z, w } of a pose's rotation, or undefined if the pose has no rotation. */

@@ -68,7 +68,7 @@ def test_targets_are_found_listed_changed_and_removed(session: hrt.Session) -> N
 
 
 def test_targets_need_exactly_one_kind_of_position(session: hrt.Session) -> None:
-    for error, text, name, place in ((TypeError, "placed by", "nowhere", {}), (ValueError, "64 are allowed", "x" * 64, {"direction_deg": 0}),
+    for error, text, name, place in ((TypeError, "placed by", "nowhere", {}), (ValueError, "allowed: up to 63", "x" * 64, {"direction_deg": 0}),
                                      (TypeError, "placed by", "twice", {"direction_deg": 1, "position_m": (0, 0, 0)}),
                                      (ValueError, "NUL", "a\0b", {"direction_deg": 0})):
         with pytest.raises(error, match=text):

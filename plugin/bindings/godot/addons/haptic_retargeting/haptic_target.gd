@@ -6,7 +6,7 @@ enum Role { REAL, VIRTUAL }
 
 ## The plate to which this target is added.
 @export var plate: HapticRetargeting
-## REAL: the hand is steered to it. VIRTUAL: the user reaches for it.
+## REAL: the hand is steered to the target. VIRTUAL: the user reaches for the target.
 @export var role := Role.REAL
 
 var _id := 0

@@ -32,7 +32,7 @@ namespace HapticConversions
 
 	int64_t ToNanoseconds(double Seconds)
 	{
-		// llround is undefined above this value and for NaN; such values are passed on so that the plugin refuses them.
+		// llround is undefined above this value and for NaN. The plugin refuses INT64_MIN, as earlier than the last sample.
 		constexpr double Largest = 9e9;
 		return std::abs(Seconds) < Largest ? static_cast<int64_t>(std::llround(Seconds * NanosecondsPerSecond)) : INT64_MIN;
 	}

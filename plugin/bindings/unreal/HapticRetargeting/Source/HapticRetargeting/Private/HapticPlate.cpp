@@ -1,4 +1,4 @@
-// The device that turns the component's plate, by libhrt_plate. Only ClosePlate waits for it, at most half a second.
+// The device that turns the component's plate, by libhrt_plate. Only ClosePlate waits for the device, at most 0.5 s.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"
@@ -22,7 +22,7 @@ bool UHapticRetargetingComponent::OpenPlate(const FString& Name)
 	return bOpened;
 }
 
-/** Logs the first reason for a failure only, because each frame may command a plate that has failed. */
+/** Logs only the first failure of a device, because each frame may command a plate that has failed. */
 void UHapticRetargetingComponent::RefusePlate(const char* Reason)
 {
 	if (!bDeviceIsRefused)

@@ -1,4 +1,4 @@
-// Loads the plugin's libraries on Windows, where the linker does not.
+// Loads the plugin's libraries on Windows, where Unreal's delay-loaded DLLs are not found in the plugin's folder.
 
 #include "HapticRetargetingModule.h"
 
@@ -30,7 +30,7 @@ public:
 		bLibraryIsMissing = Library == nullptr || PlateLibrary == nullptr;
 		if (bLibraryIsMissing)
 		{
-			UE_LOG(LogLoad, Error, TEXT("haptic_retargeting.dll and hrt_plate.dll are not in %s: every call of Haptic Retargeting is refused"), *Folder);
+			UE_LOG(LogLoad, Error, TEXT("haptic_retargeting.dll and hrt_plate.dll cannot be loaded from %s: every call of Haptic Retargeting is refused. Copy both files there"), *Folder);
 		}
 #endif
 	}

@@ -20,7 +20,7 @@ bool UHapticRetargetingComponent::BeginSetup(int32 What)
 	return true;
 }
 
-/** Broadcasts a step when it changes. Its plate orientation may change in every frame and is broadcast as in a reach. */
+/** Broadcasts a step when it changes. The plate orientation may change in every frame, and is broadcast as in a reach. */
 bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 {
 	hrt_setup_step Now = hrt_setup_step_init();
@@ -43,7 +43,7 @@ bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 	return !bSettingUp || Now.instruction != HRT_STEP_FINISH || ContinueFit();
 }
 
-/** Continues the fit of a part. Called once a frame until it is complete. */
+/** Continues the fit of a part. Called once a frame until the fit is complete. */
 bool UHapticRetargetingComponent::ContinueFit()
 {
 	hrt_setup_result Result = hrt_setup_result_init();

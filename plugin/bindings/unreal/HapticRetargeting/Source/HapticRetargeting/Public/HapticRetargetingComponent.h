@@ -108,8 +108,8 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
 
-	/** Reports contact with the real object, at a position with the SD PositionSd (cm; 0: the real target's radius). Later
-	 *  reaches use it to correct the tracker's frame. Requires a registration. Allowed once per reach, at Arrived or after EndReach. */
+	/** Reports contact with the real object, at a position with the SD PositionSd (cm; 0: the real target's radius). It corrects the
+	 *  tracked positions of later reaches. Requires a registration. Allowed once per reach, at Arrived or after EndReach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool ReachTouched(const FVector& Location, double PositionSd = 0.0);
 
@@ -131,9 +131,9 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
-	/** Begins a set-up of What: the plate's pose, the offset of the skin from a joint, the user. Until it is over, it uses the
-	 *  samples of updates and broadcasts OnPlateCommanded. A registration sets the component's transform to the plate's pose. At the step
-	 *  Finish the user waits for a fit, which takes at most 1 ms of each update. */
+	/** Begins a set-up of the parts What: the plate's pose, the offset of the skin from a joint, the user. Until the set-up is over,
+	 *  updates pass their samples to it, and broadcast OnPlateCommanded. A registration sets the component's transform to the plate's
+	 *  pose. At the step Finish the user waits for a fit, which takes at most 1 ms of each update. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool BeginSetup(UPARAM(meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticSetupFlags")) int32 What);
 
@@ -154,14 +154,14 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool BeginSimulatedFinger(const FHapticTarget& Virtual, int64 Seed);
 
-	/** Advances the simulated finger to Time, instead of Update Finger. Out Location is its tracked position. */
+	/** Advances the simulated finger to Time. Call it instead of Update Finger. Out Location is the finger's tracked position. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool UpdateSimulatedFinger(double Time, FVector& OutLocation);
 
 	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
-	 *  commission` writes. It is ready for reaches some seconds later: it then receives each command, sets bPlateIsMeasured and
-	 *  MeasuredPlateYaw if it measures its orientation, and its limits are copied to Settings between reaches. A failure is
-	 *  logged. Returns false if the name is malformed. */
+	 *  commission` writes. Some seconds later, the device is ready: from then on, it receives each command, and each update and
+	 *  BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed, latency and stops are copied to Settings once,
+	 *  between reaches. A failure is logged. Returns false if the name or the file is not valid. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool OpenPlate(const FString& Device);
 
@@ -197,7 +197,7 @@ public:
 	/** For C++: returns the session for calls of the C headers, with the value 0 on failure. After a call that changes the
 	 *  configuration, call TakeFromSession(). */
 	hrt_session GetSession();
-	/** Copies changes by C calls to the settings, and moves the component to the session's pose of the plate. */
+	/** Copies changes that C calls have made to the settings. If the plate's pose has changed, moves the component there. */
 	void TakeFromSession();
 
 	virtual void OnComponentDestroyed(bool bDestroyingHierarchy) override;

@@ -16,7 +16,7 @@ public class HapticRetargetingLibrary : ModuleRules
 			foreach (string Name in new string[] { "haptic_retargeting", "hrt_plate" })
 			{
 				PublicAdditionalLibraries.Add(Path.Combine(Folder, Name + ".lib"));
-				// The module loads it from the plugin's folder, in which Windows does not search.
+				// The module loads the DLL from the plugin's folder, in which Windows does not search.
 				PublicDelayLoadDLLs.Add(Name + ".dll");
 				RuntimeDependencies.Add(Path.Combine(Folder, Name + ".dll"));
 			}
