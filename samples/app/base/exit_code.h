@@ -6,25 +6,25 @@
 
 namespace hrt::app {
 
-// Name, number, and what --help says.
+// Name, number, and description in --help.
 // clang-format off
 #define HRT_EXIT_CODES(X)                                                                             \
-  X(success,         0, "every reach with a feasible gap ended at its target")                        \
-  X(target_missed,   1, "a reach missed; or a calibration reached its limit of slides (its profile was written)") \
-  X(usage,           2, "the command line is wrong")                                                  \
-  X(plugin,          3, "the plugin cannot be opened, or refused a call")                             \
-  X(scene,           4, "the scene cannot be loaded, or has no such target")                          \
-  X(no_runtime,      5, "no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or one that does not start") \
-  X(runtime_lacks,   6, "the runtime has no headless sessions or no hand tracking")                   \
-  X(runtime_failed,  7, "the runtime failed, was lost too often, ended the session, or kept it from running") \
-  X(no_hand,         8, "a reach did not begin or end in time (the other reaches are in the summary), or a set-up was not done") \
-  X(plate,           9, "the plate's device failed")                                                  \
-  X(output,         10, "a file, or the standard output, cannot be written")                          \
-  X(runtime_blocked, 11, "the runtime did not return from a call in time")                            \
-  X(registration,   12, "the touches do not fit the plate's marks, or the plate's pose is unknown")   \
-  X(calibration,    13, "the slides of a calibration do not determine the user; nothing was written") \
-  X(tracker,        14, "the touch frame cannot be opened, or is gone")                                 \
-  X(internal,       70, "anything else")                                                              \
+  X(success,         0, "every reach with a feasible gap ended at its target, or calibration or measurement succeeded") \
+  X(target_missed,   1, "a reach missed its target, or a calibration reached its limit of slides (and wrote its profile)") \
+  X(usage,           2, "the command line is wrong") \
+  X(plugin,          3, "the plugin cannot be opened, or a call of it failed, also for a wrong profile") \
+  X(scene,           4, "the scene cannot be loaded, or has no target of a given name") \
+  X(no_runtime,      5, "there is no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or it does not start") \
+  X(runtime_lacks,   6, "the runtime has no headless sessions, no hand tracking or no headset") \
+  X(runtime_failed,  7, "the runtime failed, was lost too often, ended the session, or did not run it in time") \
+  X(no_hand,         8, "a reach did not begin or end in time (the summary has the others), or a set-up was not done") \
+  X(plate,           9, "the plate cannot be opened or simulated, or it failed") \
+  X(output,         10, "a file, or the standard output, cannot be written") \
+  X(runtime_blocked, 11, "the runtime did not return from a call in time") \
+  X(registration,   12, "touches do not fit, the pose of the plate is unknown, or a file of marks or poses is invalid") \
+  X(calibration,    13, "the slides of a calibration do not determine the user's parameters; nothing was written") \
+  X(tracker,        14, "the touch frame cannot be opened, or was unplugged") \
+  X(internal,       70, "any other error") \
   X(interrupted,   130, "interrupted (Ctrl-C, SIGTERM, SIGHUP)")
 // clang-format on
 
@@ -34,7 +34,7 @@ enum class ExitCode : int {
 #undef HRT_EXIT_CODE
 };
 
-/// Ends the program with one sentence on stderr and an exit code of its own.
+/// Error that ends the program, unless a caller handles it: main() prints its sentence and returns its exit code.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}

@@ -13,11 +13,11 @@ class Interrupted : public std::runtime_error {
   explicit Interrupted(const char* why = "interrupted") : std::runtime_error(why) {}
 };
 
-/// True after the first signal, which any thread may receive.
+/// True after SIGINT, SIGTERM or SIGHUP has arrived, in any thread.
 inline std::atomic<bool> interrupt_noted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Installs handlers that note SIGINT, SIGTERM and SIGHUP; a second signal ends the program immediately.
+/// Installs handlers that set interrupt_noted. If the same signal arrives again, it ends the program immediately.
 inline void note_interrupts() {
   struct sigaction action{};
   action.sa_handler = [](int) { interrupt_noted = true; };

@@ -18,7 +18,7 @@ void load(void* library, const char* name, Function& function) {
 
 }  // namespace
 
-// RTLD_NODELETE: dlclose() does not unload the plugin, which has its own C++ runtime that would leak memory.
+// RTLD_NODELETE: dlclose() does not unload the plugin. Unloading would leak memory of the plugin's own C++ runtime.
 Plugin::Plugin(const std::filesystem::path& library)
     : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE), dlclose) {
   if (library_ == nullptr) throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror());
@@ -27,10 +27,10 @@ Plugin::Plugin(const std::filesystem::path& library)
 #undef HRT_LOAD
   std::uint32_t major = 0, minor = 0;
   hrt_get_version(&major, &minor, nullptr);
-  // While the major version is 0, every minor version may change everything (base.h).
+  // While the major version is 0, every minor version may change the interface (base.h).
   if (major != HRT_VERSION_MAJOR || (major == 0 ? minor != HRT_VERSION_MINOR : minor < HRT_VERSION_MINOR))
     throw Failure(ExitCode::plugin, "the plugin has version " + std::to_string(major) + "." + std::to_string(minor) +
-                                        ", and hrt-reach needs " + std::to_string(HRT_VERSION_MAJOR) + "." +
+                                        ", but this program needs " + std::to_string(HRT_VERSION_MAJOR) + "." +
                                         std::to_string(HRT_VERSION_MINOR) + ": select another plugin (--plugin)");
 }
 

@@ -1,4 +1,4 @@
-// The plugin, opened as an engine would: dlopen, with the C headers for types only.
+// The plugin, opened by dlopen(), as an engine opens it. The C headers are used for types only.
 #pragma once
 
 #include <haptic_retargeting/gap.h>

@@ -6,8 +6,8 @@
 
 namespace hrt::app {
 
-/// Writes `text` with write(2), without locking a stream, since a blocked thread may hold that lock. Output that a full
-/// pipe or a stopped terminal does not accept within 100 ms is dropped. May be called from any thread.
+/// Writes `text` without a stream, since a blocked thread may hold the stream's lock. Output that a full pipe or a
+/// stopped terminal does not accept within 100 ms is dropped. May be called from any thread.
 void say(std::string_view text);
 
 /// Columns of the terminal on standard error; 80 if unknown.

@@ -14,7 +14,7 @@ constexpr int eeprom_end = 64;
 constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_current = 102, profile_acceleration = 108,
               profile_velocity = 112, goal_position = 116, present_position = 132;
 
-// Entry of the control table that may be written, with its range.
+// Entry of the control table that may be written, with the range of its values.
 struct Writable {
   int address;
   int size;
@@ -160,7 +160,7 @@ void EmulatedDynamixel::run_until(Time now) {
     set(goal_position, 4, present(motor.plate_deg()));
   }
   now_ = now;
-  // Drive mode: bit 0 reverses the direction; with bit 2 the profile is the duration of the motion in milliseconds.
+  // Drive mode (address 10): bit 0 reverses the direction; with bit 2, the profile velocity is a duration in ms.
   const auto profile = static_cast<double>(get(profile_velocity, 4));
   const double sign = (get(10, 1) & 1) != 0 ? -1.0 : 1.0;
   const auto goal_steps = sign * static_cast<double>(get(goal_position, 4) - homing() + turns_ * 4096 - 2048);

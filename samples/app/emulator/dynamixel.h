@@ -27,11 +27,11 @@ class EmulatedDynamixel {
   explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const ServoTraits& traits = xl330_m288);
 
   void receive(std::string_view bytes, Time now);
-  /// Returns the bytes sent since the last call.
+  /// Returns the bytes that the servo has sent since the last call.
   std::string take_output();
   /// Sends bytes to the host, as another device on the bus would.
   void send(std::string_view bytes) { output_ += bytes; }
-  /// Advances the simulated time. The watchdog stops the servo if the host was silent.
+  /// Advances the simulated time. The bus watchdog stops the servo after a silence of the host.
   void run_until(Time now);
 
   /// Orientation of the shaft, without the homing offset.
@@ -41,7 +41,7 @@ class EmulatedDynamixel {
   /// Simulates a power cycle, after which the RAM has its initial values.
   void restart();
   Time now() const { return now_; }
-  /// Duration of a byte at 57600 baud. Only one end of the bus sends at a time.
+  /// Duration of a byte at 57600 baud.
   static Time byte_time() { return std::chrono::microseconds(174); }
   Time answer_delay() const { return std::chrono::microseconds(500) + delay; }
   int writes_to_eeprom() const { return writes_to_eeprom_; }

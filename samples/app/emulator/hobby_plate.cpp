@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 constexpr auto frame = 20ms;            // period of the pulses
 constexpr std::size_t number_size = 6;  // a space and five digits
 
-// The plate whose firmware is running: the callbacks of the firmware have no user data.
+// The plate whose firmware is running. The firmware's callbacks need it, because they have no argument for user data.
 thread_local HobbyPlate* active_plate = nullptr;
 
 }  // namespace
@@ -59,7 +59,7 @@ void HobbyPlate::receive(std::string_view bytes, Time now) {
     plate_receive(&plate_, byte);
     LineError error = LINE_OK;
     if (!line_receive(&reader_, byte, &error) || error != LINE_OK) continue;
-    // Removes the numbers of five digits at the end: the sequence number and the token.
+    // Removes each last word of five characters: the sequence number and the token, which have five digits.
     std::string_view body = reader_.text;
     while (body.size() > 9 && body[body.size() - number_size] == ' ') body.remove_suffix(number_size);
     received_.emplace_back(body);

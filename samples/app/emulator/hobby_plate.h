@@ -12,7 +12,7 @@
 
 namespace hrt::plate {
 
-/// Returns the default settings with these changes, in whole units.
+/// Returns the default settings with `changes`, whose values are in the unit of the setting, not in hundredths.
 inline Settings settings_with(const std::vector<std::pair<Setting, std::int32_t>>& changes) {
   Settings settings = settings_default();
   for (const auto& [setting, value] : changes) settings.value[setting] = 100 * value;
@@ -42,7 +42,7 @@ class HobbyPlate {
     bool answers = true;                            ///< false: the plate sends nothing
     std::chrono::milliseconds boot_time{0};         ///< time from power-on to the start of the firmware
     std::chrono::nanoseconds byte_time{87'000};     ///< duration of a byte on the serial line
-    std::string firmware = PLATE_FIRMWARE_VERSION;  ///< reported version
+    std::string firmware = PLATE_FIRMWARE_VERSION;  ///< version that INFO reports
   };
 
   HobbyPlate() : HobbyPlate(Traits{}) {}
@@ -65,7 +65,7 @@ class HobbyPlate {
 
   void send(const std::string& body) { output_ += line_of(body); }
   void stop_answering() { traits_.answers = false; }
-  /// Simulates a reset, after which the firmware has no host and no known orientation.
+  /// Simulates a reset, after which the firmware has no host and is not homed.
   void restart();
   void press_emergency_stop(bool pressed) { inputs_.emergency_open = pressed; }
 

@@ -17,7 +17,7 @@ namespace hrt::plate {
 
 class Pty {
  public:
-  /// Opens a raw serial line; with `columns`, a terminal of that width.
+  /// Opens a raw serial line; with `columns`, a terminal of this width.
   explicit Pty(unsigned short columns = 0) {
     std::array<char, 128> name{};
     termios raw{};
@@ -37,9 +37,9 @@ class Pty {
   Pty(const Pty&) = delete;
   Pty& operator=(const Pty&) = delete;
 
-  /// Path of the other end.
+  /// Path of the other end, which the other program opens.
   const std::string& device() const { return device_; }
-  /// Descriptor of the other end, as the input or output of a program.
+  /// Descriptor of the other end, for the input or output of a program.
   int descriptor() const { return other_; }
 
   /// Returns the received bytes; waits up to `wait_ms` for the first one.
@@ -70,7 +70,7 @@ class Pty {
 /// Symbolic link to a pseudo-terminal, with a path that is known in advance.
 class PtyLink {
  public:
-  /// Replaces an existing file only if it is a link to another pseudo-terminal. An empty path makes no link. Throws
+  /// Replaces a file at `path` only if it is a link to another pseudo-terminal. An empty path makes no link. Throws
   /// std::invalid_argument, whose text begins with `option`, if the link cannot be created.
   PtyLink(const std::string& option, std::filesystem::path path, const std::string& device) : path_(std::move(path)) {
     if (path_.empty()) return;

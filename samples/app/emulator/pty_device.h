@@ -44,7 +44,7 @@ class PtyDevice {
 
  private:
   // If this machine was busy for longer than max_slice, the simulation skips the rest of that time. Otherwise the
-  // watchdog of the device would stop it before it receives the bytes that have arrived meanwhile.
+  // device's watchdog would stop the device before the device receives the bytes that have arrived meanwhile.
   void simulate() {
     using Clock = std::chrono::steady_clock;
     constexpr auto max_slice = std::chrono::milliseconds(20);
@@ -74,7 +74,7 @@ class PtyPlate : public PtyDevice<HobbyPlate> {
  public:
   explicit PtyPlate(const HobbyPlate::Traits& traits = {}) : PtyDevice(traits) {}
 
-  /// These functions call those of HobbyPlate.
+  // Functions that call those of HobbyPlate with the same names.
   void send(const std::string& body) {
     with([&](HobbyPlate& board) { board.send(body); });
   }

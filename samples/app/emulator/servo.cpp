@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto max_step = 500us;
-constexpr auto pulse_lasts = 24ms;  // time for which a pulse drives the motor: a period and a margin
+constexpr auto pulse_lasts = 24ms;  // time for which a pulse drives the motor: a period of 20 ms and a margin
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Simulation of a plate on a servo, in simulated time, which all emulated devices use.
+// Simulation, in simulated time, of a plate on a servo. All emulated devices use it.
 #pragma once
 
 #include <chrono>
@@ -31,7 +31,7 @@ class EmulatedServo {
   /// Sets the goal. With nullopt the motor exerts no force, so that a hand can turn the plate.
   void set_goal(std::optional<double> goal_deg, Time now);
   void run_until(Time now);
-  /// Turns the plate by hand, while the motor exerts no force.
+  /// Turns the plate, as a hand does while the motor exerts no force.
   void turn_by_hand(double orientation_deg) { motor_deg_ = plate_deg_ = orientation_deg; }
   /// Limits the speed of later motions, as the profile of a Dynamixel does.
   void limit_speed(double speed_deg_s) { limit_deg_s_ = speed_deg_s; }
@@ -77,7 +77,7 @@ class HobbyServo : public EmulatedServo {
   explicit HobbyServo(const ServoTraits& traits = {}, double orientation_deg = 0.0)
       : EmulatedServo(traits, orientation_deg) {}
 
-  /// Receives a pulse, which drives the motor for one pulse period.
+  /// Receives a pulse, which drives the motor for 24 ms.
   void receive_pulse(double width_us, Time now);
   void run_until(Time now);
   double sensor_mv() { return 2500.0 + reading_deg() * 3000.0 / 180.0; }

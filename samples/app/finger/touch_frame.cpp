@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::int64_t resampling_ns = 12'000'000;  // the period of a touch frame of 100 Hz, and 2 ms for a late report
 constexpr double object_m = 0.012;                  // a contact nearer than this to a known object is this object
-constexpr double noise_m = 0.0005;                  // assumed SD of infrared frames
+constexpr double noise_m = 0.0005;                  // assumed SD of a position that an infrared frame reports
 constexpr int max_events = 4096;                    // limit of events in one call, for a device that sends endlessly
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
@@ -50,8 +50,8 @@ TouchFrame::TouchFrame(const std::string& text)
     const std::optional<double> value = number_in(word.substr(word.find('=') + 1), -5000.0, 5000.0);
     if (known == settings_.end() || !value)
       throw Failure(ExitCode::usage, "--finger: \"" + word +
-                                         "\" is not NAME=NUMBER; allowed: width_mm, height_mm, right_mm, towards_mm, "
-                                         "turn_deg, latency_ms, bearing_sd_deg, from -5000 to 5000");
+                                         "\" is not NAME=NUMBER; names: width_mm, height_mm, right_mm, towards_mm, "
+                                         "turn_deg, latency_ms, bearing_sd_deg; numbers: -5000 to 5000");
     known->second = *value;
   }
 
@@ -68,8 +68,8 @@ TouchFrame::TouchFrame(const std::string& text)
     if (size_mm == 0.0 && info->resolution > 0)
       size_mm = (static_cast<double>(info->maximum) - info->minimum) / info->resolution;
     if (size_mm < 30.0)
-      fail(path_, format("has %s %g (0: not reported). Measure its touch area and add ?%s=... (30 or more)", setting,
-                         size_mm, setting));
+      fail(path_, format("has %s %g (0: unknown); allowed: 30 or more. Measure the touch area, and add ?%s=...",
+                         setting, size_mm, setting));
   }
   require_opened(-libevdev_set_clock_id(device_.get(), CLOCK_MONOTONIC), path_);
   require_opened(-libevdev_grab(device_.get(), LIBEVDEV_GRAB), path_);
@@ -83,8 +83,8 @@ std::string TouchFrame::description() const {
   std::string text = format("Finger by %s, %.0f x %.0f mm", libevdev_get_name(device_.get()), settings_.at("width_mm"),
                             settings_.at("height_mm"));
   for (const Contact& object : objects_)
-    text += format("; an object %.0f mm right of the centre and %.0f mm beyond it", 1e3 * object.place_m[0],
-                   -1e3 * object.place_m[2]);
+    text += format("; an object %.0f mm right of the plate's centre and %.0f mm beyond the centre",
+                   1e3 * object.place_m[0], -1e3 * object.place_m[2]);
   return text + ".";
 }
 

@@ -14,18 +14,18 @@ struct libevdev;
 
 namespace hrt::app {
 
-/// One thread. No call blocks.
+/// For use by one thread. No call blocks.
 class TouchFrame {
  public:
   /// Opens "evdev:PATH?NAME=NUMBER&..." for this program alone, so that touches do not reach the desktop. Throws
-  /// Failure: ExitCode::usage for `text`, ExitCode::tracker for the device.
+  /// Failure: ExitCode::usage if `text` is invalid, ExitCode::tracker if the device cannot be used.
   explicit TouchFrame(const std::string& text);
 
-  std::string description() const;  ///< name, size and positions of objects, in one line
-  /// Sets noise, latency and bearing SD where the configuration has 0.
+  std::string description() const;  ///< name and size of the device, and positions of objects on it, in one line
+  /// Sets those of noise, latency and bearing SD that are 0 in `tracker`.
   void configure(hrt_session_tracker& tracker) const;
-  /// The fingertip 12 ms before `now_ns` (CLOCK_MONOTONIC), in plate coordinates, interpolated between two reports: a
-  /// device of 100 Hz has sent the later one by then. Throws Failure (ExitCode::tracker) if the device is gone.
+  /// Returns the fingertip 12 ms before `now_ns` (CLOCK_MONOTONIC), in plate coordinates, interpolated between reports:
+  /// by `now_ns`, a device of 100 Hz has sent the later one. Throws Failure (ExitCode::tracker) if it was unplugged.
   Fingertip locate(std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch() /
                                          std::chrono::nanoseconds(1));
 

@@ -4,13 +4,13 @@
 #include <string.h>
 
 enum {
-  /* The protocol's limit is 300 ms, of which up to 20 ms pass until the next pulse carries the stop. */
+  /* The protocol stops the plate 300 ms after the host's last line. The next pulse comes up to 20 ms after a stop. */
   HEARTBEAT_MS = 275,
   EMERGENCY_MS = 2, /* a shorter opening is noise */
   SUPPLY_MS = 5,    /* a shorter dip is due to a starting motor */
   SUPPLY_ADC = 409, /* half of 4 V, on a scale of 5 V: servos for 5 to 6 V lose their force below 4 V */
-  /* A servo is homed with one pulse in eight. Many servos drive their motor for 20 ms per pulse, so that they turn
-   * at an eighth of their speed. 180 degrees at 200 degrees a second then take 7.2 s. */
+  /* A servo without a sensor is homed with one pulse in eight. Many servos drive their motor for 20 ms per pulse, so
+   * that they turn at an eighth of their speed. 180 degrees at an eighth of 200 degrees a second take 7.2 s. */
   HOME_MS = 8000,
   SETTLE_PERIOD_MS = 160,
   FRAME_MS = 20,
@@ -21,8 +21,8 @@ enum {
   LEAD_MS = 30,
   MIN_LEAD_MILLIDEG = 2000,
   FAST_LEAD_MILLIDEG = 60000,
-  HELD_MILLIDEG = 1000, /* a stop does not change the pulse if the servo is nearer to it than this angle, */
-  AT_REST_MS = 1000,    /* or if the pulse has been constant for this time */
+  HELD_MILLIDEG = 1000, /* a stop changes the pulse only if the servo is farther from it than this angle, */
+  AT_REST_MS = 1000,    /* and only if the pulse has changed within this time */
   BLOCKED_MS = 500,     /* a servo that moves by less than MOVED_MILLIDEG in this time at the largest lead is stuck */
   MOVED_MILLIDEG = 3000,
   MAX_SETTLE_MILLIDEG = 6000, /* largest motion away from the first pulse, which is at the measured position */
@@ -38,8 +38,8 @@ static bool is_measured(const Plate* plate) {
   return settings_has_feedback(&plate->settings) && plate->reading_256ths >= 0;
 }
 
-/* Computes the step and the largest lead from the settings. Called only when a setting changes, because divisions are
- * slow on the board. */
+/* Computes the step and the largest lead. Called after HELLO, FAST and a change of a setting, not every millisecond,
+ * because divisions are slow on the board. */
 static void plan_motion(Plate* plate) {
   const int32_t speed = settings_speed(&plate->settings);
   plate->step_microdeg = plate->fast ? 360000000 : speed * 10;
@@ -74,8 +74,8 @@ static void stop(Plate* plate, PlateStop why) {
   plate->stops_due = (uint16_t)(plate->stops_due | 1U << why);
 }
 
-/* Stops, and ends the pulses until the next HELLO. The orientation is then unknown, because a hand may turn the plate.
- */
+/* Stops, and ends the pulses until the next HELLO. Without a sensor, the orientation is then unknown, because a hand
+ * may turn the plate. */
 static void latch(Plate* plate, PlateStop why) {
   stop(plate, why);
   plate->state = PLATE_LATCHED;
@@ -204,7 +204,7 @@ static void start_session(Plate* plate, uint16_t session) {
   plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
 }
 
-/* Changes a setting. Refuses one that would move present pulses by more than TRIM_TICKS or beyond the limits. */
+/* Changes a setting, unless this would change a present pulse by more than TRIM_TICKS or put it beyond the limits. */
 static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
   const Settings before = plate->settings;
   const uint16_t pulse = plate_pulse_ticks(plate);
@@ -254,15 +254,15 @@ static LineError execute_save(Plate* plate) {
   return LINE_OK;
 }
 
-/* Parses an angle of at most a whole turn. */
+/* Parses an angle from -360 to 360 degrees, in hundredths of a degree. */
 static LineError parse_angle(const char* word, int32_t* out) {
   if (word == NULL) return LINE_BAD_WORD;
   if (!line_parse_angle(word, out)) return LINE_BAD_NUMBER;
   return *out < -36000 || *out > 36000 ? LINE_OUT_OF_RANGE : LINE_OK;
 }
 
-/* Returns the next word of `rest`, which then points behind it. Null at the end, or if words are not separated by
- * exactly one space. */
+/* Returns the next word of `rest`, and moves `rest` to the word after it. Returns null at the end, or if words are not
+ * separated by exactly one space. */
 static char* next_word(char** rest) {
   char* word = *rest;
   if (word == NULL || *word == 0 || *word == ' ') return NULL;
@@ -319,7 +319,7 @@ static bool is_service(const char* verb) {
   return equals(verb, "CONF") || equals(verb, "SAVE") || equals(verb, "INFO") || equals(verb, "TEST");
 }
 
-/* Executes HELLO. Another host may start a session after the present host has been silent. */
+/* Executes HELLO. Another host may start a session once the present host has been silent for HEARTBEAT_MS. */
 static LineError execute_hello(Plate* plate, char* rest) {
   const char* version = next_word(&rest);
   const char* token = *rest != 0 ? next_word(&rest) : NULL;

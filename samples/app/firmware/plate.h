@@ -1,5 +1,5 @@
 /* Behaviour of the plate: processes each received line and, every millisecond, the inputs of the board
- * (plugin/src/plate/protocol.md). C11 without access to hardware; samples/plate/firmware/main.c has the board. */
+ * (plugin/src/plate/protocol.md). C11 without access to hardware, which samples/plate/firmware/main.c has. */
 #pragma once
 
 #include <stdbool.h>
@@ -26,7 +26,7 @@ typedef struct PlateBoard {
 typedef struct PlateInputs {
   bool emergency_open; /**< the emergency stop is pressed, or its wire is broken */
   int16_t adc;         /**< reading of the sensor, 0 to 1023; negative before the first reading */
-  int16_t supply_adc;  /**< reading of half of the servo's supply voltage; negative before the first reading */
+  int16_t supply_adc;  /**< half of the servo's supply voltage, 0 to 1023 for 0 to 5 V; negative before the first */
 } PlateInputs;
 
 typedef enum PlateState {
@@ -68,7 +68,7 @@ typedef struct Plate {
   int32_t max_lead_millideg;   /**< largest angle by which the pulse may be ahead of the measured orientation */
   bool pulses;                 /**< the servo gets pulses */
   bool homed;                  /**< the servo has had the time to reach position_microdeg */
-  uint16_t settle_ms;          /**< remaining time in which the servo reaches its first pulses */
+  uint16_t settle_ms;          /**< remaining time for the servo to reach the orientation of its first pulses */
   int32_t reading_256ths;      /**< smoothed reading of the sensor, times 256; negative before the first reading */
   int32_t measured_millideg;   /**< orientation at that reading */
   bool is_held_back;           /**< the pulse waits, because it is ahead of the servo by max_lead_millideg */

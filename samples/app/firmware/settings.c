@@ -137,7 +137,7 @@ static int32_t bend_at(const Settings* settings, int32_t part, int32_t whole) {
     whole = -whole;
   }
   part = part < 0 ? 0 : part > whole ? whole : part;
-  const int32_t before = part * BEND_PARTS / whole; /* at most 16368 * 8 */
+  const int32_t before = part * BEND_PARTS / whole; /* the product is at most 16368 * 8 */
   const int32_t* bend = &settings->value[SETTING_BEND_0 + before];
   return before == BEND_PARTS ? bend[0] : bend[0] + (bend[1] - bend[0]) * (part * BEND_PARTS - before * whole) / whole;
 }
@@ -147,7 +147,7 @@ int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16
   const int32_t at_max = settings->value[SETTING_ADC_AT_MAX] / 100 * 16;
   const int32_t min = settings->value[SETTING_MIN_DEG];
   const int32_t width = settings->value[SETTING_MAX_DEG] - min;
-  /* In hundredths, the product is at most 16368 * 36000 = 6e8, which fits. */
+  /* The product part * width is at most 16368 * 36000 = 6e8, which fits. */
   const int32_t part = (int32_t)reading_16ths - at_min, whole = at_max - at_min;
   const int32_t orientation = min + part * width / whole - bend_at(settings, part, whole);
   const int32_t turn = 36000;

@@ -13,8 +13,8 @@ enum { PULSE_MIN_US = 500, PULSE_MAX_US = 2500 };
 
 /** Settings of a plate. settings.c has their names in CONF lines, their ranges and their defaults. */
 typedef enum Setting {
-  SETTING_ZERO_US,     /**< width of the pulse at orientation 0; changing it trims the plate */
-  SETTING_SPAN_US,     /**< change of the pulse over 180 degrees; negative for a servo that turns clockwise */
+  SETTING_ZERO_US,     /**< width of the pulse at orientation 0 */
+  SETTING_SPAN_US,     /**< change of that width over 180 degrees; negative for a servo that turns clockwise */
   SETTING_MIN_DEG,     /**< lower limit of the orientation */
   SETTING_MAX_DEG,     /**< upper limit of the orientation */
   SETTING_SPEED_DEG_S, /**< speed of the motion */
@@ -47,15 +47,15 @@ Settings settings_default(void);
 /** True if every value is in its range and the values are consistent. */
 bool settings_valid(const Settings* settings);
 
-/** Converts the settings to the bytes that EEPROM stores, and back. */
+/** Converts the settings to the bytes that EEPROM stores. */
 void settings_pack(const Settings* settings, uint8_t bytes[SETTINGS_BYTES]);
-/** Returns false and leaves `settings` unchanged unless checksum and settings are valid. */
+/** Converts these bytes back. Returns false and leaves `settings` unchanged unless checksum and settings are valid. */
 bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]);
 
 /** Returns the pulse for an orientation, in half microseconds, rounded and within the range of pulses. */
 uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_millideg);
 
-/** Limits in hundredths of a degree: those of the settings, or those of the pulses if they are narrower. */
+/** Limits in hundredths of a degree: of the settings, or where these allow more, of PULSE_MIN_US and PULSE_MAX_US. */
 int32_t settings_lower_limit(const Settings* settings);
 int32_t settings_upper_limit(const Settings* settings);
 
@@ -64,7 +64,7 @@ int32_t settings_upper_limit(const Settings* settings);
 int32_t settings_speed(const Settings* settings);
 
 bool settings_has_feedback(const Settings* settings);
-/** Orientation in thousandths of a degree, within a turn, at this reading of the potentiometer, times 16. */
+/** Orientation in thousandths of a degree, -360000 to 360000, at the sensor's reading reading_16ths / 16. */
 int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16ths);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-// Dialogue with a person: requests are printed on standard error and, on request, spoken; keys are the answers.
+// Dialogue with a person: requests are printed on standard error and, if enabled, spoken; keys are the answers.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ namespace hrt::app {
 class Prompt {
  public:
   /// `speak_with`: speech program and its arguments; empty: no speech. `before_print` receives the text before it is
-  /// printed, to clear the status line. `texts`: replacements of texts, by text. Throws as Speech does.
+  /// printed, to clear the status line. `texts`: maps texts to those that say() uses instead. Throws as Speech does.
   Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
          std::map<std::string, std::string> texts = {});
 
@@ -28,15 +28,15 @@ class Prompt {
   void say(const std::string& text);
   /// Speaks `text` without printing it.
   void speak(const std::string& text);
-  /// Speaks and prints unrequested help, only if speech is enabled and idle, and at a limited rate.
+  /// Speaks and prints unrequested help, only if speech is enabled and idle, and at most every 5 s.
   void hint(const std::string& text);
 
   /// Starts to read keys, if standard input is a terminal, and prints their meaning.
   void listen();
   /// Returns the next key, if one was pressed. A key interrupts the text that is being spoken.
   std::optional<char> key();
-  /// Asks on the terminal for a number in [low, high] until one is entered. Returns nothing without a terminal.
-  /// Throws Interrupted.
+  /// Asks on the terminal until a number in [low, high] is entered. Returns nothing without a terminal. Throws
+  /// Interrupted after a signal.
   std::optional<double> ask_number(const std::string& question, double low, double high);
 
   /// Waits until all texts are spoken, at most 30 s; a signal ends the wait.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double prior_threshold_deg = 14.0;
 constexpr double prior_sd_log2 = 1.0;
-constexpr int threshold_steps = 61;  // over +-4 SDs of the prior
+constexpr int threshold_steps = 61;  // number of thresholds, over +-4 SDs of the prior
 
 double entropy(double share) {
   const double other = 1.0 - share;

@@ -22,11 +22,11 @@ class QuestPlus {
   };
   explicit QuestPlus(const Grid& grid);
   /// Gaps from `min_gap_deg` to `max_gap_deg` in steps of about 1 dB (20 log10). The prior of the threshold is
-  /// log-normal: median 14 degrees (touch, Keyson 1995), SD a factor of 2, so that 4.5 degrees (vision) is 1.6 SDs
-  /// below.
+  /// log-normal: median 14 degrees (threshold of touch, Keyson 1995), SD a factor of 2, so that 4.5 degrees (threshold
+  /// of vision) is 1.6 SDs below the median.
   QuestPlus(double min_gap_deg, double max_gap_deg, double guess = 0.5);
 
-  /// Returns the most informative gap of those up to `max_gap_deg`; the smallest gap if all are larger.
+  /// Returns the most informative of the gaps up to `max_gap_deg`; the smallest gap if all are larger.
   double next_gap_deg(double max_gap_deg = std::numeric_limits<double>::infinity()) const;
   void update(double gap_deg, bool is_right);
 
@@ -37,7 +37,6 @@ class QuestPlus {
     double upper_deg;
   };
   Threshold threshold() const;
-  /// Number of answers passed to update().
   unsigned answers() const { return answers_; }
   const std::vector<double>& gaps_deg() const { return gaps_; }
 
@@ -52,10 +51,10 @@ class QuestPlus {
   double guess_;
   std::vector<double> gaps_;
   std::size_t threshold_count_;
-  std::vector<Person> people_;       // points of the grid, by threshold
-  std::vector<double> posterior_;    // posterior of each person
-  std::vector<double> right_;        // probability of a correct answer for each gap and person
-  std::vector<double> uncertainty_;  // entropy of that answer, in nats
+  std::vector<Person> people_;       // points of the grid, sorted by threshold
+  std::vector<double> posterior_;    // posterior probability of each of people_
+  std::vector<double> right_;        // probability of a correct answer, for each gap and person
+  std::vector<double> uncertainty_;  // entropy of the answer, in nats, for each gap and person
 };
 
 }  // namespace hrt::app

@@ -140,7 +140,7 @@ void Speech::speak(const std::stop_token& ending) {
   }
 }
 
-// Runs one process until it ends, this object is destroyed or the time limit expires.
+// Runs one process until it ends, the text is interrupted, this object is destroyed or the time limit expires.
 std::optional<std::string> Speech::speak(const std::string& text, const std::stop_token& ending) {
   pid_t child = 0;
   if (const int error = spawn(words_, one_line(text), child); error != 0) return std::strerror(error);

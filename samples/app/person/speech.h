@@ -16,8 +16,8 @@ namespace hrt::app {
 /// more than 30 s is ended.
 class Speech {
  public:
-  /// `command`: a program and its arguments, separated by spaces. Throws Failure (ExitCode::usage) if there
-  /// is no such program.
+  /// `command`: a program and its arguments, separated by spaces. Throws Failure (ExitCode::usage) without this
+  /// program.
   explicit Speech(const std::string& command);
 
   /// Queues `text`. If more than five texts wait, the oldest are dropped.
@@ -28,7 +28,7 @@ class Speech {
   /// Waits until all texts are spoken, at most `limit`.
   void finish(std::chrono::milliseconds limit);
 
-  /// Returns the reason if the last process failed, and clears it.
+  /// Returns the reason of the last failure of a process since the last call, if there was one.
   std::optional<std::string> take_failure();
 
  private:

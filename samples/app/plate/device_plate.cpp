@@ -26,10 +26,9 @@ DevicePlate::DevicePlate(const std::string& device) : device_(device) {
   }
 }
 
-// Does nothing if the plate is homed already.
 void DevicePlate::home() {
   if ((report_.flags & HRT_PLATE_REPORT_UNHOMED) == 0) return;
-  std::fprintf(stderr, "The plate is not homed: it now turns slowly to its reference. Keep fingers off it.\n");
+  std::fprintf(stderr, "The plate is not homed: it now turns slowly to orientation 0. Keep fingers off it.\n");
   for (command(0, 0.0); (report_.flags & HRT_PLATE_REPORT_FIRST_MOTION) != 0; service(0))
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
@@ -50,7 +49,7 @@ std::optional<double> DevicePlate::orientation_deg(XrTime) {
 
 void DevicePlate::stop(XrTime) { check(hrt_plate_stop(plate_)); }
 
-// A plate that has just failed rejects commands; its report has the reason.
+// A plate that has just failed rejects commands; the plate's report has the reason.
 void DevicePlate::check(hrt_result result) {
   if (result == HRT_OK) return;
   const std::string refusal = hrt_plate_last_error();

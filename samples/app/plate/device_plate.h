@@ -11,15 +11,14 @@ namespace hrt::app {
 
 class DevicePlate : public Plate {
  public:
-  /// Opens the plate, homes it if necessary, and waits until it is ready, which takes seconds. `device` as in
-  /// hrt_plate_open(). Throws Failure (ExitCode::plate).
+  /// Opens the plate, homes it if necessary, and waits until it is ready, which takes seconds. `device`: as in
+  /// hrt_plate_open(). Throws Failure: ExitCode::usage if `device` is invalid, ExitCode::plate for other errors.
   explicit DevicePlate(const std::string& device);
   /// Stops the plate.
   ~DevicePlate() override;
   DevicePlate(const DevicePlate&) = delete;
   DevicePlate& operator=(const DevicePlate&) = delete;
 
-  /// Includes the measured round trip.
   std::string description() const override;
   const hrt_plate_report* report() const override { return &report_; }
   void service(XrTime time) override;

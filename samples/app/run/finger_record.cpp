@@ -9,7 +9,7 @@
 namespace hrt::app {
 namespace {
 
-constexpr double far_m = 0.3;      // if the finger is never nearer to the start, the plate is probably misplaced
+constexpr double far_m = 0.3;      // if the finger never comes nearer to the start, the assumed pose is probably wrong
 constexpr double named_m = 0.005;  // smaller distances are not reported
 
 const char* name_of(Hand hand) { return hand == Hand::left ? "left" : "right"; }
@@ -45,7 +45,7 @@ std::string FingerRecord::not_tracked(const RunContext& context) const {
   const Hand hand = context.hands.front();
   const Hand other = hand == Hand::left ? Hand::right : Hand::left;
   if (context.touch != nullptr) return "Nothing touched the touch frame. Touch it with one fingertip.";
-  if (context.hands.size() > 1) return "No hand was tracked. Hold one where the headset's cameras see it.";
+  if (context.hands.size() > 1) return "No hand was tracked. Hold one hand where the headset's cameras see it.";
   if (of(other).tracked > 0)
     return format("The %s hand was not tracked, but the %s one was. Use the %s one, or --hand %s.", name_of(hand),
                   name_of(other), name_of(hand), name_of(other));
@@ -65,7 +65,7 @@ std::string FingerRecord::position_in_words(const RunContext& context, const Poi
   if (text.empty()) text = "at the start";
   if (std::abs(above_m) > lifted_height_m - tip_height_m)
     text += ", " + mm(std::abs(above_m)) + (above_m > 0.0 ? " above the plate" : " below the plate");
-  if (distance_along_plate_m(tip_m, {}) > context.targets.plate_radius_m) text += ", beside the plate";
+  if (distance_along_plate_m(tip_m, {}) > context.targets.plate_radius_m) text += ", outside the rim of the plate";
   return text;
 }
 
@@ -86,15 +86,15 @@ std::string FingerRecord::why_not_begun(const RunContext& context) const {
                      "; its smallest distance from the start was " + mm(seen.nearest_m) + ". ";
   if (context.touch != nullptr)
     return text +
-           "Rest one fingertip on the start. If it was there, the position of the frame is wrong: correct right_mm and "
-           "towards_mm of --finger.";
+           "Rest one fingertip on the start. If the finger was on the start, the position of the touch frame is wrong: "
+           "correct right_mm and towards_mm of --finger.";
   if (4 * seen.tracked < seen.frames) return text + "Hold the hand where the headset's cameras see it.";
   if (seen.nearest_m > far_m)
     return text +
            "If the finger was on the plate, the assumed position of the plate is wrong: register the plate "
            "(--register FILE).";
   if (seen.nearest_m > start_radius_m) return text + "Put the finger within " + mm(start_radius_m) + " of the start.";
-  return text + "Rest the finger on the start. If it rested there, register the plate (--register FILE).";
+  return text + "Rest the finger on the start. If it has rested there, register the plate (--register FILE).";
 }
 
 std::string FingerRecord::why_not_ended(const RunContext& context, const TargetPair& pair) const {
@@ -104,7 +104,7 @@ std::string FingerRecord::why_not_ended(const RunContext& context, const TargetP
   std::string text = tracked_in_words(hand) + "; its index finger was last " + position_in_words(context, seen.last_m) +
                      ", " + mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
   if (!seen.tracked_now && context.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
-  if (seen.farthest_m <= start_radius_m) return text + "It stayed at the start: slide it to the target.";
+  if (seen.farthest_m <= start_radius_m) return text + "The finger stayed at the start: slide it to the target.";
   return text +
          "A reach ends when the finger is at the target, rests for 1.5 s or is lifted; --time-limit allows more time.";
 }

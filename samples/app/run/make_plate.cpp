@@ -17,7 +17,7 @@ class RuntimePlate : public Plate {
   explicit RuntimePlate(Simulation& simulation) : simulation_(simulation) {}
 
   void command(XrTime time, double orientation_deg) override {
-    // The nearest equivalent orientation that the runtime accepts, within +-360 degrees.
+    // The runtime accepts orientations within +-360 degrees: selects the equivalent one nearest to the present one.
     const double half_turns = std::round((simulation_.plate_orientation_deg(time) - orientation_deg) / 180.0);
     const double nearest_deg = orientation_deg + 180.0 * half_turns;
     const bool is_within = std::abs(nearest_deg) <= 360.0;
@@ -53,8 +53,8 @@ class FollowedPlate : public Plate {
   Simulation& simulation_;
 };
 
-// A device turns in real time. A runtime with a faster clock, such as the manual clock of the mock runtime, does not
-// wait for it.
+// A device turns in real time. A runtime with a faster clock, such as the manual clock of the mock runtime, would not
+// wait for the device.
 void require_real_time(XrHeadlessSession& session, const std::string& runtime_name) {
   constexpr int frames = 10;
   const XrTime first = session.next_frame();

@@ -10,8 +10,8 @@
 
 namespace hrt::app {
 
-/// Creates the plate, which the simulated user feels (`simulation`; null: the user is a person). Throws Failure
-/// (ExitCode::plate) if it cannot be created, or if the runtime's clock is not real time and the plate is a device.
+/// Creates the plate. `simulation`: simulated user who feels the plate; null if the runtime has none. Throws Failure
+/// (ExitCode::plate) if the plate cannot be created, or if it is a device and the runtime's clock is not real time.
 std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation, XrHeadlessSession& session,
                                   const std::string& runtime_name);
 

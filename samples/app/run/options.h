@@ -16,7 +16,7 @@ namespace hrt::app {
 struct PlateChoice {
   enum class Kind { runtime, servo, device } kind = Kind::runtime;
   double servo_speed_deg_per_s = 400.0;
-  std::string name = "runtime";  ///< or a device as in hrt_plate_open()
+  std::string name = "runtime";  ///< text of the option; for a device, the name that hrt_plate_open() takes
 };
 
 /// Parses "runtime", "servo", "servo:SPEED" or the name of a device, which hrt_plate_open() checks later. Returns
@@ -37,7 +37,7 @@ struct Options {
   PlateChoice plate;
   std::string finger;  ///< device of a touch frame (see TouchFrame); empty: hand tracking
   double time_limit_s = 30.0;
-  std::chrono::milliseconds runtime_limit{10'000};  ///< limit of every wait for the runtime
+  std::chrono::milliseconds runtime_limit{10'000};  ///< limit of every call into the runtime and wait for it
   bool for_people = true;                           ///< false: the paper's controller
   std::optional<double> tactile_weight;             ///< unset: 0.15 if !for_people, else the plugin's default
   double motor_variance_deg2 = 0.5;
@@ -50,9 +50,9 @@ struct Options {
   std::filesystem::path record;        ///< file of the recording; empty: no recording
   std::filesystem::path profile;       ///< profile of the user; empty: an unknown user
   std::filesystem::path calibrate;     ///< profile that a calibration writes; empty: reaches, no calibration
-  std::uint32_t max_slides = 40;       ///< limit of a calibration
+  std::uint32_t max_slides = 40;       ///< largest number of slides of a calibration
   std::optional<double> eye_height_m;  ///< eyes above the floor, for a runtime without a floor space
-  std::string speak_with;              ///< program and arguments; empty: no speech
+  std::string speak_with;              ///< speech program and its arguments; empty: no speech
   bool person = false;                 ///< the user is a person, even if the runtime simulates one
   bool verbose = false;
 };

@@ -13,14 +13,14 @@
 namespace hrt::app {
 namespace {
 
-constexpr XrDuration lift_ns = 500'000'000;  // longer than settle_ns, after which the other hand may take over
+constexpr XrDuration lift_ns = 500'000'000;  // ends a reach; longer than settle_ns, when the other hand may take over
 
 double bearing_deg(const Point& from, const Point& to) {
   return std::atan2(from[0] - to[0], from[2] - to[2]) * 180.0 / std::numbers::pi;
 }
 
-// A reach of the plugin. Unless it was ended, the destructor cancels it, so that the estimates stay unchanged, and
-// stops the plate.
+// A reach of the plugin. Unless end() was called, the destructor cancels the reach, so that the estimates stay
+// unchanged, and stops the plate.
 class ActiveReach {
  public:
   ActiveReach(RunContext& context, const TargetPair& pair, XrTime now) : context_(context), time_(now) {
@@ -72,8 +72,8 @@ bool is_on_plate(const RunContext& context, const Fingertip& tip) {
          distance_along_plate_m(tip.position_m, {}) <= context.targets.plate_radius_m;
 }
 
-// Tracks the finger that slides. If it has been off the plate for settle_ns while the finger of the other hand is on
-// the plate, that finger is used from then on: the user changed hands, or the tracker confused them.
+// Tracks the finger that slides. If this finger has been off the plate for settle_ns while the finger of the other hand
+// is on the plate, the other finger is used from then on: the user changed hands, or the tracker confused the hands.
 class FingerInUse {
  public:
   FingerInUse(RunContext& context, Hand first, XrTime now) : context_(context), hand_(first), on_plate_(now) {}
@@ -145,7 +145,7 @@ std::string request_for(const RunContext& context, const TargetPair& pair) {
     direction = format("%.0f degrees to the %s of straight ahead", std::abs(direction_deg),
                        direction_deg > 0.0 ? "left" : "right");
   return "Put your index finger on the start. Then slide it to \"" + pair.virtual_name + "\", " +
-         format("%.0f mm, ", 1e3 * distance_along_plate_m(pair.virtual_position_m, context.targets.start_m)) +
+         format("%.0f mm away, ", 1e3 * distance_along_plate_m(pair.virtual_position_m, context.targets.start_m)) +
          direction + ", and rest it there.";
 }
 
@@ -183,7 +183,7 @@ ReachResult result_of(const RunContext& context, const TargetPair& pair, Hand ha
   return result;
 }
 
-// If the finger ended within the object's radius, reports the contact to the plugin, which corrects the registration.
+// For a registered plate, reports an end within the real target's radius to the plugin, as a contact.
 void take_contact(RunContext& context, const TargetPair& pair, const ReachResult& result) {
   const bool registered = (config_of(context).flags & HRT_SESSION_REGISTERED) != 0;
   if (!registered || result.miss_m > pair.real_radius_m) return;

@@ -7,14 +7,14 @@
 namespace hrt::app {
 
 struct ReachResult {
-  double final_direction_deg;  ///< bearing of the fingertip's end; paper's controller: last direction of motion
+  double final_direction_deg;  ///< bearing of the end of the reach; paper's controller: last direction of motion
   double peak_felt_error_deg;  ///< ground truth of the simulation, else the estimate; 0 if unknown
-  double miss_deg;             ///< bearing of the fingertip's end, from the start, minus the real target's
-  double miss_m;               ///< distance along the plate from the fingertip's end to the real target
+  double miss_deg;             ///< bearing of the end of the reach minus that of the real target
+  double miss_m;               ///< distance along the plate from the end of the reach to the real target
   bool is_truth;               ///< the fields above and the next two are ground truth of the simulation
   double tactile_weight;       ///< w_T; 0 if unknown
   double max_gap_deg;          ///< largest feasible gap on the real target's side; 0 if unknown
-  bool is_feasible;            ///< the controller has not set HRT_COMMAND_UNREACHABLE: it estimates a feasible gap
+  bool is_feasible;            ///< the controller estimates a feasible gap (no HRT_COMMAND_UNREACHABLE) at the end
   hrt_reach_summary summary;   ///< summary of the plugin
   bool changed_hands;          ///< the hand changed within the reach
   int frames;
@@ -23,8 +23,8 @@ struct ReachResult {
 };
 
 /// Makes one reach. Every failure stops the plate. Throws XrLost if the session was lost and the reach must be
-/// repeated; Failure (ExitCode::no_hand), with the reason, if the reach did not begin or end in time; other Failure and
-/// XrFailure.
+/// repeated; Failure (ExitCode::no_hand), with the reason, if the reach did not begin or end in time; for other errors,
+/// Failure or XrFailure.
 ReachResult run_reach(RunContext& context, const TargetPair& pair);
 
 }  // namespace hrt::app

@@ -25,7 +25,7 @@ hrt_setup_result touch(RunContext& context, std::uint32_t what, std::span<const 
 
 using Json = nlohmann::ordered_json;
 
-// Returns a sentence with the accuracy of reaches to the target that is most sensitive to the registration.
+// Returns a sentence with the largest SD of the bearings at which reaches end, over all targets.
 std::string accuracy_text(const RunContext& context) {
   hrt_gap worst = hrt_gap_init();
   for (const TargetPair& pair : context.targets.pairs) {
@@ -35,8 +35,8 @@ std::string accuracy_text(const RunContext& context) {
     if (gap.bearing_sd_deg >= worst.bearing_sd_deg) worst = gap;
   }
   return format(
-             "Errors of the registration displace the ends of reaches by %.2f degrees, standard deviation, "
-             "so that %.1f of 100 reaches miss the target.",
+             "Errors of registration and tracker displace the ends of reaches by %.2f degrees (standard deviation). "
+             "For this reason, %.1f of 100 reaches miss the target that is most affected.",
              worst.bearing_sd_deg, 100.0 * worst.miss_share) +
          (worst.miss_share > 0.05 ? " Register the plate again for a better result." : "");
 }
@@ -44,7 +44,7 @@ std::string accuracy_text(const RunContext& context) {
 constexpr int version = 2;
 constexpr const char* hand_names[] = {"left", "right"};
 
-// Numbers of a registered plate, by their keys in the file.
+// Numbers of a registered plate, with their key in the file.
 struct Numbers {
   const char* name;
   std::span<double> values;
@@ -119,11 +119,13 @@ RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks,
   if (fingertip) {
     const double(&o)[3] = plate.found.fingertip_offset_m;
     plate.hand = context.hands.front();
-    context.tell_user(format("The skin is %.1f mm from the joint, ", millimetres * std::hypot(o[0], o[1], o[2])) +
+    const double offset_m = std::hypot(o[0], o[1], o[2]);
+    context.tell_user(format("The skin of the fingertip is %.1f mm from the tracked joint, ", millimetres * offset_m) +
                       format("with a standard deviation of %.1f mm.", millimetres * found.fingertip_sd_m));
   }
   context.tell_user(
-      format("The plate is registered: residual %.1f mm, standard deviation of its rotation %.2f degrees.",
+      format("The plate is registered: residual of the touches %.1f mm, standard deviation of the plate's rotation "
+             "%.2f degrees.",
              millimetres * found.registration_residual_m, found.registration_turn_sd_deg));
   place_plate(context, plate);
   context.tell_user(accuracy_text(context));

@@ -16,14 +16,14 @@ namespace hrt::app {
 struct RegisteredPlate {
   XrReferenceSpaceType space;
   Mark check;                  ///< mark touched before the reaches, to check that the plate has not moved
-  hrt_session_config found{};  ///< pose, covariance, and the skin's offset if it was found
-  std::optional<Hand> hand;    ///< hand whose skin offset was found; unset: touches are joint positions
+  hrt_session_config found{};  ///< pose and covariance, and the offset from joint to skin if it was measured
+  std::optional<Hand> hand;    ///< hand whose offset was measured; unset: touches are positions of the joint
 };
 
 /// Configuration of a set-up that asks for these marks and checks the first one.
 hrt_setup_config config_of(std::span<const Mark> marks);
 
-/// Locates fingertips relative to this plate from now on, with the skin offset that was found.
+/// Locates fingertips relative to this plate from now on, with the measured offset from joint to skin.
 void place_plate(RunContext& context, const RegisteredPlate& plate);
 
 /// Asks for touches of all marks until they fit, and places the session's plate space at the fitted pose in
@@ -45,8 +45,8 @@ std::string registration_text(const RegisteredPlate& plate, const XrHeadlessSess
 /// Replaces the file atomically. Throws Failure (ExitCode::output).
 void write_registration(const std::filesystem::path& file, const std::string& text);
 
-/// Parses a registration file. Throws Failure (ExitCode::registration) that names the member. The plugin checks the
-/// numbers when they are used.
+/// Parses the text of the registration file `name`. Throws Failure (ExitCode::registration) that names file and member.
+/// The plugin checks the numbers when they are used.
 RegisteredPlate parse_registration(const std::string& text, const std::string& name);
 RegisteredPlate read_registration(const std::filesystem::path& file);
 

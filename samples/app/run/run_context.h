@@ -43,7 +43,7 @@ struct RunContext {
   XrDuration time_limit_ns;  ///< limit of the wait for the start, and of the reach
   std::function<void(const TargetPair&, const Moment&)> on_frame;  ///< called in each frame of a reach
   std::function<void(const std::string&)> tell_user;
-  /// Gives help during a wait; may ignore the text.
+  /// Called with help for the user during a wait; may ignore the text.
   std::function<void(const std::string&)> hint;
   /// Called in every frame to handle the user's keys. May throw, which ends the wait.
   std::function<void(XrTime)> handle_keys;
@@ -52,7 +52,7 @@ struct RunContext {
   Point skin_m{};
 };
 
-constexpr double tip_height_m = 0.008;         ///< height above the plate of the joint, which is inside the finger
+constexpr double tip_height_m = 0.008;         ///< height of the joint, which is inside the finger, above the plate
 constexpr double lifted_height_m = 0.025;      ///< a fingertip higher than this does not touch the plate
 constexpr double start_radius_m = 0.015;       ///< distance within which a finger is at the start
 constexpr XrDuration settle_ns = 300'000'000;  ///< duration without motion after which a finger is at rest
@@ -65,7 +65,6 @@ double distance_along_plate_m(const Point& a, const Point& b);
 /// Returns text such as "within 30 s".
 std::string within_s(XrDuration limit_ns);
 
-/// Configuration of the plugin's session.
 hrt_session_config config_of(const RunContext& context);
 
 /// The fingertip: the skin that touches if its offset from the joint is known, else the joint.

@@ -12,7 +12,7 @@ namespace hrt::app {
 namespace {
 
 constexpr std::uint32_t world_parts = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION | HRT_SETUP_CHECK;
-constexpr std::uint32_t no_instruction = UINT32_MAX;  // none has been given yet
+constexpr std::uint32_t no_instruction = UINT32_MAX;  // no instruction has been given yet
 // Path length of a simulated participant who is to stay at the start: the mock runtime requires a length above 0.
 constexpr double no_path_m = 1e-6;
 
@@ -57,8 +57,8 @@ SetUp::~SetUp() {
   if (result_.left != 0) static_cast<void>(plugin_.hrt_setup_cancel(session_));
 }
 
-// A failed check is a result, not a dropped part. A calibration whose slides do not determine the user is a result,
-// too.
+// Throws Failure for a dropped part. A failed check, or slides that do not determine the user's parameters, are
+// results.
 void SetUp::check_dropped() const {
   const std::uint32_t touched = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION;
   if ((result_.dropped & touched) != 0) throw Failure(ExitCode::registration, result_.reason);
@@ -138,7 +138,7 @@ hrt_setup_result SetUp::run(RunContext& context, std::ostream* slides) {
   });
   while (result_.left != 0) {
     run_until_finish(context, &now, slides);
-    plugin_.check(plugin_.hrt_setup_finish(session_, &result_));  // each frame continues the fit
+    plugin_.check(plugin_.hrt_setup_finish(session_, &result_));  // each call computes a part of the fit
     check_dropped();
     if (result_.left != 0) now = next_frame(context);
   }

@@ -1,4 +1,4 @@
-// A set-up of the plugin: its instructions are given to the user, and the plate turns as it commands.
+// A set-up of the plugin: the user receives the plugin's instructions, and the plate its commands.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace hrt::app {
 
-/// True if `step` requests something else than `asked`. HRT_STEP_HOLD_STILL continues the previous request.
+/// True if `step` requests something other than `asked`. HRT_STEP_HOLD_STILL continues the previous request.
 bool is_new_instruction(const hrt_setup_step& asked, const hrt_setup_step& step);
 
 /// Request in words. `mark_names`: the marks' names for the user.

@@ -41,7 +41,7 @@ struct TargetSet {
 XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]);
 
 /// Loads the scene and creates the session from `config`, in which the scene sets the start and the plate.
-/// Throws Failure: ExitCode::scene, ExitCode::plugin.
+/// Throws Failure: ExitCode::scene if the scene cannot be loaded, ExitCode::plugin if another call of the plugin fails.
 TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file, const hrt_session_config& config);
 
 struct Mark {
@@ -54,11 +54,11 @@ bool is_printable(const std::string& text);
 
 std::vector<std::string> names_of(std::span<const Mark> marks);
 
-/// Marks: the scene's start and five positions on the plate's rim, named as the user sees them.
+/// Returns marks at the scene's start and at five positions on the plate's rim, with names for the user.
 std::vector<Mark> marks_of(const TargetSet& targets);
 
-/// Reads 3 to 8 marks, each within 1 m, from a CSV file with a header and the columns name, x_m, y_m, z_m first, such
-/// as samples/plate/model/marks.csv. Throws Failure (ExitCode::registration) naming the line.
+/// Reads 3 to 8 marks, with coordinates from -1 to 1 m, from a CSV file whose first columns are name, x_m, y_m and z_m,
+/// such as samples/plate/model/marks.csv. Throws Failure (ExitCode::registration) that names the line.
 std::vector<Mark> read_marks(const std::filesystem::path& file);
 
 }  // namespace hrt::app

@@ -48,7 +48,6 @@ std::string array_in_words(const Json& schema) {
   return "an array" + (min == 0 && max > 0 ? " of 0" : least) + most + (has_numbers ? " numbers" : "");
 }
 
-// The allowed values, in words.
 std::string in_words(const Json& schema, const Json& type) {
   if (schema.contains("enum")) return "one of " + quoted_list(schema["enum"]);
   if (type.is_array()) return in_words(schema, type[0]) + " or " + in_words(schema, type[1]);

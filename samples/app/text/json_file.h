@@ -26,11 +26,11 @@ Json parse_json(std::string_view text, const std::string& name);
 /// Throws Refusal with the place, as in "script.events[0].hand", and what is allowed there. A text must be one line of
 /// at most 2000 bytes, an integer at least 0. A member that the schema does not describe is refused.
 ///
-/// Keywords: type, enum, minimum, maximum, minItems, maxItems, items, properties, required, default, $ref to $defs with
-/// further keywords beside it, and
+/// Keywords: type, enum, minimum, maximum, minItems, maxItems, items, properties, required, default, $ref to $defs,
+/// also with further keywords, and
 /// - anyOf: two schemas, the second of which is an array of values of the first;
-/// - oneOf beside discriminator.propertyName (OpenAPI): among the schemas whose enum of that member has its value, the
-///   first whose required members are present, or else the last.
+/// - oneOf with discriminator.propertyName (OpenAPI), a member's name: among the schemas whose enum for this member has
+///   its value, the first whose required members are present, or else the last.
 void check_json(Json& value, const Json& schema, const std::string& where, const std::string& definition = {});
 
 /// Returns text such as: "a", "b", "c"

@@ -8,7 +8,6 @@
 
 namespace hrt {
 
-/// Number of characters in `text`.
 std::size_t length_of(std::string_view text);
 
 /// The first `length` characters, or all of a shorter text.

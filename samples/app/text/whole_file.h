@@ -15,7 +15,7 @@ std::string why_not_writable(const std::filesystem::path& path);
 /// anything but a regular file: returns EINVAL.
 int write_whole_file(const std::filesystem::path& path, std::string_view content);
 
-/// Name of the temporary file of this process.
+/// Name of the temporary file, in the folder of `path`, that this process writes.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
 /// Writes all of `content` to an open file. Returns 0, or errno.

@@ -82,8 +82,8 @@ typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint
 /* Sets the target of the plate's servo, in degrees within [-360, 360]. */
 typedef XrResult(XRAPI_PTR* PFN_xrSetPlateOrientationHRTX)(XrSession session, double orientation);
 
-/* Returns the orientation of the plate at `time`. A future time is predicted without further targets; a past
-** time counts as now. XR_ERROR_TIME_INVALID if `time` is not positive. */
+/* Returns the orientation of the plate at `time`: predicted for a future time, as if no further target were set;
+** the present orientation for a past time. XR_ERROR_TIME_INVALID if `time` is not positive. */
 typedef XrResult(XRAPI_PTR* PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time, double* orientation);
 
 /* Instructs the participant to put the fingertip on the start, react after 0.3 to 0.7 s and slide for 1 to 2 s,

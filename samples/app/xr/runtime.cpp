@@ -8,12 +8,12 @@
 namespace hrt::app {
 namespace {
 
-// Results of a runtime that is installed and does not start.
+// True for the results of a runtime that is installed but does not start.
 bool means_no_start(XrResult result) {
   return result == XR_ERROR_INITIALIZATION_FAILED || result == XR_ERROR_INSTANCE_LOST;
 }
 
-// Results that mean that no runtime is installed, depending on the loader.
+// True for the results by which loaders report that no runtime is installed, or that the runtime does not start.
 bool means_no_runtime(XrResult result) {
   return result == XR_ERROR_RUNTIME_UNAVAILABLE || result == XR_ERROR_FILE_ACCESS_ERROR ||
          result == XR_ERROR_FILE_CONTENTS_INVALID || means_no_start(result);
@@ -96,7 +96,7 @@ void XrRuntime::find_system() {
   const XrResult result = CALL_XR(xrGetSystem(instance_, &get_info, &system_));
   if (result == XR_ERROR_FORM_FACTOR_UNAVAILABLE || result == XR_ERROR_FORM_FACTOR_UNSUPPORTED)
     throw Failure(ExitCode::runtime_lacks, "the OpenXR runtime " + name_ + " has no head-mounted display (" +
-                                               to_string(result) + "): connect it");
+                                               to_string(result) + "): connect a headset");
   CHECK_XR_RESULT("xrGetSystem", result);
 
   XrSystemHandTrackingPropertiesEXT hand_tracking{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};

@@ -19,7 +19,7 @@ class XrRuntime {
  public:
   /// Enables XR_MND_headless, XR_EXT_hand_tracking and, where the runtime has them,
   /// XR_KHR_convert_timespec_time and `optional_extensions`. Throws Failure with ExitCode::no_runtime if
-  /// no runtime responds and ExitCode::runtime_lacks if a required feature is missing; XrFailure.
+  /// no runtime responds and ExitCode::runtime_lacks if a required feature is missing; XrFailure for other errors.
   explicit XrRuntime(const std::vector<std::string>& optional_extensions);
   ~XrRuntime();
   XrRuntime(const XrRuntime&) = delete;

@@ -44,7 +44,7 @@ Eigen::Quaternionf orientation(const XrPosef& pose) {
 
 Eigen::Vector3f position(const XrPosef& pose) { return {pose.position.x, pose.position.y, pose.position.z}; }
 
-// Normalised, since rounding errors of repeated products accumulate.
+// Normalises the rotation, since rounding errors of repeated products accumulate.
 XrPosef pose_of(const Eigen::Quaternionf& turned, const Eigen::Vector3f& moved) {
   const Eigen::Quaternionf q = turned.normalized();
   return {{q.x(), q.y(), q.z(), q.w()}, {moved.x(), moved.y(), moved.z()}};
@@ -132,7 +132,7 @@ void XrHeadlessSession::find_spaces() {
     std::erase(spaces_, local_floor_space);
 }
 
-// An API layer that predates a space type may reject it although the runtime supports it.
+// An API layer that predates a space type may reject the type although the runtime supports it.
 bool XrHeadlessSession::can_be_made(XrReferenceSpaceType type) const {
   const XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, identity};
   XrSpace space = XR_NULL_HANDLE;
@@ -186,7 +186,7 @@ XrHeadlessSession::~XrHeadlessSession() {
   if (left_out_.untimed + left_out_.stepped + left_out_.refused + left_out_.impossible > 0)
     say(
         format("Skipped faults of the OpenXR runtime: %d frames without a time, %d frames whose time steps by more "
-               "than 5 s, %d times at which it refused to locate a hand, %d impossible poses of a fingertip.\n",
+               "than 5 s, %d refusals to locate a hand, %d impossible poses of a fingertip.\n",
                left_out_.untimed, left_out_.stepped, left_out_.refused, left_out_.impossible));
   for (const XrHandTrackerEXT tracker : trackers_)
     if (tracker != XR_NULL_HANDLE) CALL_XR_NAMED("xrDestroyHandTrackerEXT", destroy_hand_tracker_(tracker));
@@ -210,7 +210,7 @@ XrTime XrHeadlessSession::next_frame() {
   }
 }
 
-// True if the runtime's time advanced 5 s more than the program's. If this continues, its clock was set.
+// True if the runtime's time advanced by 5 s more than the program's. Throws XrLost after a second of such frames.
 bool XrHeadlessSession::steps(XrTime time) {
   const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - frame_began_).count();
   const bool is_step =
@@ -223,8 +223,8 @@ bool XrHeadlessSession::steps(XrTime time) {
   return is_step;
 }
 
-// Waits for a frame of the runtime, and returns its time. If the frames have no time (a headless session needs no frame
-// loop), waits for the next period of 90 Hz instead, and returns the runtime's present time.
+// Waits for a frame of the runtime, and returns its time; nullopt: skip this frame. If the frames have no time (a
+// headless session needs no frame loop), waits for the next period of 90 Hz, and returns the runtime's present time.
 std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (!frames_have_times_) {
     own_frame_ = std::max(own_frame_ + own_frame_period, Clock::now());  // 90 Hz independently of the work in a frame
@@ -238,7 +238,7 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (has_loop) CHECK_XR_RESULT("xrWaitFrame", waited);
   const bool has_time = has_loop && frame.predictedDisplayTime > 0;
   untimed_ = has_time ? 0 : untimed_ + 1;
-  // Some runtimes give no frame of a headless session a time. A single frame without one is skipped.
+  // Some runtimes give no frame of a headless session a time. A single frame without a time is skipped.
   if (!has_loop || (!has_time && (last_frame_ == 0 || untimed_ > frames_of_a_second))) {
     frames_have_times_ = false;
     return time_now();
@@ -363,7 +363,8 @@ void XrHeadlessSession::end() {
   while (running_) {
     poll_events();
     if (!running_) return;
-    if (Clock::now() > give_up) fail("the OpenXR runtime did not stop the session " + within(limit_) + ": restart it");
+    if (Clock::now() > give_up)
+      fail("the OpenXR runtime did not stop the session " + within(limit_) + ": restart the runtime");
     frame_of_runtime();
   }
 }

@@ -1,4 +1,4 @@
-// A headless OpenXR session with two hand trackers, located in the plate's space, also after recentring.
+// A headless OpenXR session with two hand trackers. Locates fingertips in plate coordinates, also after recentring.
 #pragma once
 
 #include <array>
@@ -13,11 +13,10 @@ namespace hrt::app {
 
 enum class Hand { left = 0, right = 1 };
 
-/// Names of XR_EXT_local_floor and OpenXR 1.1 that Debian 12's header lacks; numbers of Khronos' registry.
+/// Names and values of XR_EXT_local_floor, as in Khronos' registry. The header of Debian 12 lacks them.
 inline constexpr const char* local_floor_extension = "XR_EXT_local_floor";
 inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000426000);
 
-/// "STAGE", "LOCAL" or "LOCAL_FLOOR".
 const char* name_of(XrReferenceSpaceType space);
 
 /// The tip joint of an index finger, or the contact of a fingertip with a touch frame. If not `tracked`, position and
@@ -25,14 +24,13 @@ const char* name_of(XrReferenceSpaceType space);
 struct Fingertip {
   bool tracked = false;
   std::array<double, 3> position_m{};  ///< in plate coordinates
-  /// Rotation from the joint's axes to the plate's, x, y, z, w; unset if the runtime does not report it.
+  /// Rotation from the joint's axes to the plate's, quaternion x, y, z, w; unset if the runtime does not report it.
   std::optional<std::array<double, 4>> rotation;
-  bool lifted = false;  ///< not tracked because the finger is above the plate; false: a dropout
+  bool lifted = false;  ///< not tracked because the finger is above the plate; if both are false: a dropout
 };
 
 /// Motion of the runtime's reference spaces when the user recentres the view (XrEventDataReferenceSpaceChangePending):
-/// objects at rest in the room then have other coordinates. One object serves all sessions of a run. For use by one
-/// thread.
+/// objects at rest in the room then have other coordinates. Serves all sessions of a run. For use by one thread.
 class SpaceMotion {
  public:
   /// Queues a change that takes effect later.
@@ -40,7 +38,7 @@ class SpaceMotion {
 
   enum class Change { none, moved, unknown };
   /// Applies the announced changes of this space that are in effect at `time`. Returns `unknown` if the runtime moved
-  /// the origin without reporting its new pose; the space then has new coordinates.
+  /// the origin without reporting its new pose; the present coordinates then become the initial ones.
   Change advance(XrReferenceSpaceType space, XrTime time);
 
   /// Present pose of an object whose pose was `pose_at_first` in the initial coordinates of the space.
@@ -48,7 +46,7 @@ class SpaceMotion {
 
  private:
   std::vector<XrEventDataReferenceSpaceChangePending> pending_;
-  std::map<XrReferenceSpaceType, XrPosef> first_;  // initial origin in present coordinates
+  std::map<XrReferenceSpaceType, XrPosef> first_;  // pose of the initial origin in present coordinates
 };
 
 /// One session from IDLE to its end. For use by one thread.
@@ -65,7 +63,7 @@ class XrHeadlessSession {
   /// without a time, and frames whose time steps by more than 5 s. Throws XrLost if the session must be created again,
   /// also after a second of such steps; Failure (ExitCode::runtime_failed) if the runtime ended the session or a wait
   /// exceeded its limit; Failure (ExitCode::registration) if the runtime moved the plate's space by an unknown amount;
-  /// Interrupted.
+  /// Interrupted after a signal.
   XrTime next_frame();
 
   /// Space whose origin persists from run to run, if the runtime has one: STAGE, or else LOCAL.
@@ -74,9 +72,9 @@ class XrHeadlessSession {
   /// neither.
   XrReferenceSpaceType floor_space() const { return floor_space_; }
 
-  /// Locates fingertips in plate coordinates from now on. `pose`: the plate's mount in a reference space, in the
-  /// initial coordinates of that space. The mount keeps its place in the room when the runtime moves the space. Throws
-  /// Failure (ExitCode::registration) if the runtime lacks the space.
+  /// Locates fingertips in plate coordinates from now on. `pose`: pose of the plate's mount in the initial coordinates
+  /// of `space`. The mount keeps its place in the room when the runtime moves the space. Throws Failure
+  /// (ExitCode::registration) if the runtime lacks the space.
   void place_plate(XrReferenceSpaceType space, const XrPosef& pose);
   XrSpace plate_space() const { return plate_space_; }
 
@@ -127,15 +125,15 @@ class XrHeadlessSession {
   std::array<XrHandTrackerEXT, 2> trackers_{};
   bool running_ = false;
   bool ending_ = false;            // end() has requested the end
-  bool frames_have_times_ = true;  // false after one second of frames without times
+  bool frames_have_times_ = true;  // false: time_now() gives the times of frames
   Clock::time_point frame_began_;  // begin of the frame with last_frame_
   std::optional<XrTime> refused_since_;
-  int untimed_ = 0, stepped_ = 0;  // frames in a row
+  int untimed_ = 0, stepped_ = 0;  // frames in a row without a time, and frames in a row with a step of time
   struct LeftOut {
     int untimed = 0, stepped = 0, refused = 0, impossible = 0;
   };
   LeftOut left_out_;
-  Clock::time_point own_frame_;  // begin of the last frame paced here
+  Clock::time_point own_frame_;  // begin of the last frame that was paced by this class
   XrTime last_frame_ = 0;
 
   PFN_xrCreateHandTrackerEXT create_hand_tracker_ = nullptr;

@@ -17,17 +17,17 @@ class Simulation {
  public:
   Simulation(const XrRuntime& runtime, const XrHeadlessSession& session);
 
-  /// Places the plate's mount at the present origin of `space`. It keeps its place when the space moves.
+  /// Places the plate's mount at the present origin of `space`. The mount does not move with the space.
   void place_plate(XrSpace space, double radius_m);
 
-  /// Sets the seed of participant and noise, and the number of the next reach, from 0.
+  /// Sets the seed of participants and noise, and the number of the next reach, from 0.
   void seed(std::uint64_t seed, std::uint32_t next_reach);
 
   /// Instructs the participant to slide from `start_m`, in plate coordinates.
   void instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg, double path_length_m);
 
   struct Truth {
-    double finger_direction_deg;     ///< P, present direction of motion
+    double finger_direction_deg;     ///< present direction of motion
     double perceived_direction_deg;  ///< present perceived direction
     double peak_felt_error_deg;      ///< largest perceived-direction error so far, while the finger moved
     double leftmost_direction_deg;   ///< this and the next field: range of feasible directions

@@ -22,7 +22,7 @@ constexpr std::uint64_t byte_cycles = 11 * 17 * 8;
 constexpr std::uint64_t millisecond_cycles = cpu_hz / 1000;
 constexpr std::uint32_t supply_mv = 5000;
 constexpr std::uint32_t unused_flash = 0x7000;  // address below the bootloader
-// Cycles (4 us) that run before simavr checks the peripherals, unless one is due.
+// Cycles (4 us) that run before simavr checks the peripherals, unless an event of a peripheral is due.
 constexpr std::uint64_t free_cycles = 64;
 constexpr std::size_t eicra = 0x69;  // register with the modes of the external interrupts
 
@@ -109,7 +109,7 @@ void EmulatedBoard::reset() {
   start_line();
 }
 
-// Jumps to an endless loop: rjmp to itself. Interrupts still run.
+// Jumps to an endless loop, an rjmp to itself.
 void EmulatedBoard::hang() {
   avr_->flash[unused_flash] = 0xFF;
   avr_->flash[unused_flash + 1] = 0xCF;

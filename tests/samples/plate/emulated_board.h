@@ -37,7 +37,7 @@ class EmulatedBoard {
   void run_for(std::chrono::nanoseconds time);
   void run_until(std::chrono::nanoseconds time);
 
-  /// Sends bytes to the board at the speed of the serial line. The time has no effect.
+  /// Sends bytes to the board at the speed of the serial line, from now on. EmulatedLine calls it with the time.
   void receive(std::string_view bytes, std::chrono::nanoseconds) { send(bytes); }
   void send(std::string_view bytes) { to_board_.append(bytes); }
   /// EmulatedLine adds no delays, because simavr simulates the speed of the serial line.

@@ -1,5 +1,5 @@
 // Tests of the firmware's ELF in simavr, in simulated time: pulses, EEPROM, watchdog and sensor, which main.c adds to
-// the behaviour that firmware_test.cpp tests. No real board and no servo has run it.
+// the behaviour that firmware_test.cpp tests. The firmware has not run on a real board or with a real servo.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,8 +56,7 @@ TEST_F(Firmware, StartsFromTheMeasuredPosition) {
   EXPECT_NEAR(*std::get<PlateReport>(*report).orientation_deg, 80.0, 0.5);
 }
 
-// Expected: pulses of 1500 us at 0 and 2000 us per 180 degrees, every 0.5 degrees from -90 to 90, and a period of
-// 20 ms.
+// Expected: a pulse every 20 ms, of 1500 us at 0 and 2000 us more per 180 degrees. Tests every 0.5 degrees.
 TEST_F(Firmware, PulsesAreWithinAMicrosecondOverTheWholeRange) {
   set(-90.0, 900ms);
   const std::size_t first = board_.pulses().size();
@@ -107,7 +106,7 @@ TEST_F(Firmware, StopsWithin300MillisecondsOfSilence) {
     for (std::size_t i = 1; i < pulses.size(); ++i)
       if (std::abs(pulses[i].width_us() - pulses[i - 1].width_us()) > 0.6) last_change = pulses[i].start;
     EXPECT_LE(last_change - silent, 300ms) << phase;
-    EXPECT_GT(last_change - silent, 200ms) << phase;  // it moved until then
+    EXPECT_GT(last_change - silent, 200ms) << phase;  // the pulse moved until then
     slowest = std::max(slowest, last_change - silent);
     const auto lines = board.take_lines();
     EXPECT_EQ(std::count(lines.begin(), lines.end(), "STOPPED heartbeat"), 1) << phase;
@@ -209,7 +208,7 @@ TEST_F(FirmwareWithoutSensor, IsHomedByOnePulseInEight) {
   EXPECT_GT(pulses.size(), 60U);
 }
 
-// The watchdog ends the pulses after a complete one, and resets the board, which then waits for a greeting.
+// The watchdog ends the pulses after a complete pulse, and resets the board once, which then waits for a greeting.
 TEST_F(Firmware, AMainLoopThatHangsLosesItsPulsesAndIsReset) {
   set(90.0, 100ms);
   board_.take_lines();
@@ -220,7 +219,7 @@ TEST_F(Firmware, AMainLoopThatHangsLosesItsPulsesAndIsReset) {
   EXPECT_GE(width_us(), 500.0);
   EXPECT_TRUE(has_sent("BOOT"));
   board_.run_for(500ms);
-  EXPECT_FALSE(has_sent("BOOT"));  // once
+  EXPECT_FALSE(has_sent("BOOT"));
 }
 
 TEST_F(Firmware, KeepsItsSettingsInEeprom) {

@@ -28,7 +28,7 @@ double max_turn_deg(PtyDevice<Board>& board) {
   return turn_deg;
 }
 
-// Returns a number of the last configuration in a recording; -1 without one.
+// Returns the number `name` of the last configuration in a recording; -1 if there is no such number.
 double planned(const std::string& recording, const std::string& name) {
   const std::size_t config = recording.rfind("# config ");
   const std::size_t at = recording.find("\"" + name + "\":", config);

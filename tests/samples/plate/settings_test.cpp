@@ -33,7 +33,7 @@ TEST(PlateSettings, HaveRanges) {
   };
   EXPECT_TRUE(valid(SETTING_ZERO_US, 50000));
   EXPECT_FALSE(valid(SETTING_ZERO_US, 49900));
-  EXPECT_FALSE(valid(SETTING_ZERO_US, 150050));  // whole microseconds
+  EXPECT_FALSE(valid(SETTING_ZERO_US, 150050));  // only whole microseconds are valid
   EXPECT_TRUE(valid(SETTING_SPAN_US, -200000));
   EXPECT_FALSE(valid(SETTING_SPAN_US, 0));
   EXPECT_FALSE(valid(SETTING_SPAN_US, 49900));
@@ -66,14 +66,14 @@ TEST(PlateSettings, MapAnglesToPulses) {
   EXPECT_EQ(settings_pulse_ticks(&settings, 90000), 5000);
   EXPECT_EQ(settings_pulse_ticks(&settings, -90000), 1000);
   EXPECT_EQ(settings_pulse_ticks(&settings, 45000), 4000);
-  EXPECT_EQ(settings_pulse_ticks(&settings, 100000), 5000);  // never longer
+  EXPECT_EQ(settings_pulse_ticks(&settings, 100000), 5000);  // the longest pulse
   const Settings clockwise = with(SETTING_SPAN_US, -200000);
   EXPECT_EQ(settings_pulse_ticks(&clockwise, 45000), 2000);
   for (int32_t millideg = -90000; millideg <= 90000; millideg += 7)
     EXPECT_NEAR(settings_pulse_ticks(&settings, millideg), 3000.0 + millideg / 45.0, 0.5001) << millideg;
 }
 
-// A trim by 10 us moves both limits by 0.9 degrees; pulses are limited to 500 to 2500 us.
+// With 10 us more at orientation 0, the longest pulse, 2500 us, limits the orientation to 90 - 0.9 degrees.
 TEST(PlateSettings, LimitAnglesToTheRangeOfPulses) {
   const Settings trimmed = with(SETTING_ZERO_US, 151000);
   EXPECT_EQ(settings_lower_limit(&trimmed), -9000);

@@ -99,7 +99,7 @@ TEST(PlateTool, FindsThePlate) {
   EXPECT_TRUE(has(run_with(mute, {"find"}, {}, {}).err, "this computer has no serial device"));
 }
 
-// One serial device has no plate, the other one is a pseudo-terminal with a servo. The input ends before Enter.
+// One serial device has no plate, the other device is a pseudo-terminal with a servo. The input ends before Enter.
 TEST(PlateTool, CommissionsTheOnlyPlateThatItFinds) {
   PtyDynamixel servo(std::uint8_t{1}, 1190);
   HobbyPlate board;
@@ -165,8 +165,8 @@ TEST(PlateTool, TurnsAndHolds) {
 TEST(PlateTool, TrimsAndSaves) {
   BoardWithServo board;
   const Outcome outcome = expect_exit(0, run_with(board, {"trim", "board"}, entered({"", "x", "31", "3", ""})));
-  EXPECT_TRUE(has(outcome.out,
-                  {"\"x\" is not a number from -30 to 30", "\"31\" is not a number", "0 has moved by -2.97 deg."}));
+  EXPECT_TRUE(has(outcome.out, {"\"x\" is not a number from -30 to 30", "\"31\" is not a number",
+                                "Orientation 0 has moved by -2.97 deg."}));
   const auto& pulses = board.pulses();
   EXPECT_NEAR(pulses.back().width_us(), 1467.0, 4.0);
   for (std::size_t i = 1; i < pulses.size(); ++i)
@@ -320,11 +320,12 @@ struct Xl330 : Disturbed<EmulatedDynamixel> {
     const auto open = [&](const std::string&, int) { return line_to(*this); };
     const Measurements found = commission([&] { return device_named(name)(open, Start::hold); },
                                           {reader_of(entered({"", "y", ""})), [](const std::string&) {}});
-    motor.limit_speed(std::round(std::round(speed_deg_s) / 1.374) * 1.374);  // closing has cleared the profile
+    motor.limit_speed(std::round(std::round(speed_deg_s) / 1.374) *
+                      1.374);  // closing the device has cleared the profile velocity
     return found;
   }
   EmulatedServo& physics() { return motor; }
-  static constexpr double exchange_ms = 3.9;  // half of a running exchange, and six more bytes than a poll
+  static constexpr double exchange_ms = 3.9;  // half of an exchange in progress, and the longer message of a command
   double speed_deg_s;
 };
 

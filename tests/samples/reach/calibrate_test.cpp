@@ -28,7 +28,7 @@ struct Found {
 };
 Found weight_of(const Outcome& outcome) {
   Found found;
-  const std::string name = "tactile weight at 60 deg";
+  const std::string name = "tactile weight, 60 deg off normal";
   const std::size_t at = outcome.out.find(name);
   if (at == std::string::npos) return found;
   std::sscanf(outcome.out.c_str() + at + name.size(), "%lf 95 %% interval %lf to %lf", &found.value, &found.lower,

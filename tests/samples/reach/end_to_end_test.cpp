@@ -76,7 +76,7 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
       {{desk}, 5, "XR_RUNTIME_JSON", Environment{}},
       {{desk}, 5, "XR_RUNTIME_JSON", {{"XR_RUNTIME_JSON", folder + "/runtime.json"}}},
       {{desk, "--plugin", "/nonexistent.so"}, 3, "/nonexistent.so"},
-      {{desk, "--plugin", HRT_MOCK_LIBRARY}, 3, "hrt_result_string"},  // a library, and not the plugin
+      {{desk, "--plugin", HRT_MOCK_LIBRARY}, 3, "hrt_result_string"},  // a library that is not the plugin
       {{desk, "--profile", folder + "/empty.json"}, 3, "empty.json"},
       {{"nonexistent.gltf"}, 4, "nonexistent.gltf"},
       {{desk, "--target", "moon"}, 4, "\"moon\""},

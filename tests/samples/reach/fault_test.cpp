@@ -30,7 +30,7 @@ void expect_all_reached(const Outcome& outcome, const std::string& script) {
   EXPECT_EQ(rows_of(outcome).size(), 3U) << script << "\n" << outcome.out;
 }
 
-// A mistake in the script prevents the mock runtime from starting. The message must not suggest to install one.
+// A mistake in the script prevents the mock runtime from starting. The message must not suggest installing a runtime.
 TEST(ReachFault, ARuntimeThatDoesNotStartIsNotCalledMissing) {
   const Outcome outcome = expect_exit(5, run_scripted(R"({"seed": 1e400})", {desk}));
   EXPECT_TRUE(has(outcome.err, {"1e400", "the OpenXR runtime does not start"}));
@@ -235,7 +235,7 @@ TEST(ReachFault, ImpossibleTimesAndPosesAreLeftOut) {
       {R"("events": [{"frame": 60, "do": "frame_time", "at_ms": 0}])", "1 frames without a time"},
       {R"("events": [{"frame": 60, "do": "frame_time", "at_ms": 3600000}])", "1 frames whose time steps"},
       {R"("calls": [{"function": "xrLocateHandJointsEXT", "call": 60, "result": "XR_ERROR_TIME_INVALID"}])",
-       "1 times at which it refused"},
+       "1 refusals to locate a hand"},
       {R"("events": [{"frame": 60, "do": "jump", "hand": "right", "by_mm": [100000, 0, 100000]},
                      {"frame": 61, "do": "jump", "hand": "right", "by_mm": [-100000, 0, -100000]}])",
        "1 impossible poses"},

@@ -133,7 +133,7 @@ TEST(ReachPerson, UnfinishedReachesAreExplained) {
       {Path(plate_of_desk).hold({0.06, 0.05}, 9000), {}, {"60 mm right of the start", "within 15 mm"}},
       {Path(plate_of_desk).hold(start_of_desk, 9000),
        {},
-       {"did not end within 3 s", "It stayed at the start: slide it", "100 mm from the target"}}};
+       {"did not end within 3 s", "The finger stayed at the start: slide it", "100 mm from the target"}}};
   for (const Unfinished& unfinished : all) {
     std::vector<std::string> arguments = person_and({"--time-limit", "3"});
     arguments.insert(arguments.end(), unfinished.arguments.begin(), unfinished.arguments.end());
@@ -183,8 +183,8 @@ TEST(ReachSpeech, SpeaksWhatAPersonIsAsked) {
                           Path(plate_of_desk).hold(start_of_desk, 1500).slide({0.0, -0.05}, 800).script().substr(1),
                       person_and({"--speak-with", voice.program})));
   const std::string heard = voice.heard();
-  EXPECT_TRUE(has(heard, {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres,", "Done.",
-                          "1 of 1 reaches with a feasible gap ended at the target"}));
+  EXPECT_TRUE(has(heard, {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres away,",
+                          "Done.", "1 of 1 reaches with a feasible gap ended at the target"}));
 }
 
 TEST(ReachSpeech, AVoiceThatHangsDelaysNothingAndEndsWithTheProgram) {
@@ -310,7 +310,7 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   EXPECT_TRUE(has(
       heard, {"Please slide one fingertip straight ahead many times.", "This key has an effect during reaches only.",
               "Slide evenly towards what feels straight ahead", "tactile weight"}));
-  EXPECT_NEAR(value_of(outcome.out, "tactile weight at 60 deg"), 0.2, 0.02) << outcome.out;
+  EXPECT_NEAR(value_of(outcome.out, "tactile weight, 60 deg off normal"), 0.2, 0.02) << outcome.out;
   EXPECT_TRUE(has(read_file(profile), "\"tactile_weight\":"));
 }
 

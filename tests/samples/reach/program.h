@@ -23,7 +23,6 @@ inline const std::string calm = R"("participants": [{"illusion": "linear", "tact
     "steering": "continuous", "delay_ms": 50, "gain_per_s": 9, "noise_deg2_per_s": 0.5, "start_direction_deg": 0,
     "habit_deg": 0, "pace": "minimum_jerk", "duration_ms": 2400, "reaction_ms": 300}])";
 
-/// A running hrt-reach process.
 class Program : public Process {
  public:
   explicit Program(const std::vector<std::string>& arguments,
@@ -31,11 +30,9 @@ class Program : public Process {
                    int in = -1);
 };
 
-/// Runs hrt-reach with these arguments and this environment.
 Outcome run_program(const std::vector<std::string>& arguments,
                     const std::map<std::string, std::string>& environment = mock_environment());
 
-/// Runs hrt-reach in scripted_environment().
 Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments);
 
 /// Arguments for a person's reach to the bottle on a simulated plate, followed by `more`.
@@ -47,7 +44,6 @@ inline void expect_said(const Outcome& outcome, std::initializer_list<const char
   EXPECT_TRUE(has(outcome.err, texts));
 }
 
-/// A row of the result table.
 struct Row {
   std::string virtual_name;
   double final_direction_deg;

@@ -23,13 +23,13 @@ constexpr std::int64_t ms = 1'000'000;
 constexpr const char* path = "/dev/input/event7";
 const std::string name = std::string("evdev:") + path;
 
-// For this process and its children: 400 x 300 steps of half a millimetre, two slots.
+// A touch frame that this process and its children see: 400 x 300 steps of half a millimetre, two slots.
 struct EmulatedFrame {
   std::map<unsigned, input_absinfo> axes{{ABS_MT_SLOT, {0, 0, 1, 0, 0, 0}},
                                          {ABS_MT_TRACKING_ID, {0, 0, 65535, 0, 0, 0}},
                                          {ABS_MT_POSITION_X, {0, 0, 400, 0, 0, 2}},
                                          {ABS_MT_POSITION_Y, {0, 0, 300, 0, 0, 2}}};
-  std::map<int, std::array<int, 2>> state{{ABS_MT_TRACKING_ID, {-1, -1}}};  // of the slots
+  std::map<int, std::array<int, 2>> state{{ABS_MT_TRACKING_ID, {-1, -1}}};  // of each slot
   std::atomic<int> error = 0, clock = -1;                                   // of all calls but open()
   std::deque<input_event> events;
   std::mutex mutex;  // the handler has its own thread
@@ -75,7 +75,7 @@ struct EmulatedFrame {
     const std::lock_guard lock(frame->mutex);
     const unsigned long request = umockdev_ioctl_client_get_request(client), number = _IOC_NR(request);
     UMockdevIoctlData* argument = umockdev_ioctl_client_get_arg(client);
-    if (request != EVIOCGRAB) {  // whose argument is no address
+    if (request != EVIOCGRAB) {  // the argument of EVIOCGRAB is not an address
       auto* bytes = umockdev_ioctl_data_resolve(argument, 0, _IOC_SIZE(request), nullptr)->data;
       auto* values = reinterpret_cast<int*>(bytes);
       if (number == _IOC_NR(EVIOCGBIT(0, 0))) bytes[0] = 1U << EV_ABS;
@@ -95,13 +95,13 @@ TEST(TouchFrame, LocatesTheFingerAmongContacts) {
   EmulatedFrame device;
   device.report(0, 0, 3, 200, 50);  // an object
   TouchFrame frame(name + "?width_mm=400&height_mm=300&right_mm=10&towards_mm=-20&turn_deg=90");
-  const auto at = [&frame](int time_ms) {  // by the delay for resampling
+  const auto at = [&frame](int time_ms) {  // locate() returns the position 12 ms before its argument
     const Fingertip tip = frame.locate((time_ms + 12) * ms);
     return tip.tracked ? format("%.2f %.2f", 1e3 * tip.position_m[0], 1e3 * tip.position_m[2])
                        : std::string(tip.lifted ? "lifted" : "lost");
   };
   EXPECT_EQ(device.clock, CLOCK_MONOTONIC);
-  EXPECT_TRUE(has(frame.description(), "400 x 300 mm; an object -90 mm right of the centre and 20 mm beyond"));
+  EXPECT_TRUE(has(frame.description(), "400 x 300 mm; an object -90 mm right of the plate's centre and 20 mm beyond"));
   EXPECT_EQ(at(900), "lifted");
   for (int i = 0; i <= 2; ++i) device.report((1000 + 10 * i) * ms, 1, 4, 200, 150 + 10 * i);
   EXPECT_EQ(at(1015), "25.00 -20.00");
