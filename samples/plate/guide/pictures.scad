@@ -1,12 +1,12 @@
 // The guide's pictures: openscad -D 'picture="step_1"' -o step_1.png --viewall --autocenter pictures.scad
 // New parts of a step are blue; screws are orange and away from their holes.
 picture = "overview";
-view = [58, 0, -28];  // rotation from which it is seen
+view = [58, 0, -28];  // rotation of the view, degrees
 include <../model/apparatus.scad>
 part = "none";
 sensor_room_mm = picture == "sensor" ? 14 : 0;
 
-// A label at the right edge, with a line to a point of the part: x to the right and y upwards in the picture.
+// Position in the picture (x to the right, y upwards) of a point of the model. A label has a line to its point.
 function seen(at_mm) = let (turn = view[2], tilt = view[0], x = at_mm[0] * cos(turn) + at_mm[1] * sin(turn),
                             y = at_mm[1] * cos(turn) - at_mm[0] * sin(turn)) [x, y * cos(tilt) + at_mm[2] * sin(tilt)];
 label_edge = picture == "overview" ? 260 : picture == "touch" ? 190 : 118;

@@ -105,7 +105,7 @@ fuse_hole_mm = 12.4;
 board_ties_mm = 58;
 
 /* [Hidden] */
-// Corners of a large circle, a multiple of 4 for exact diameters along X and Y; and of a hole.
+// Number of corners of a large circle (a multiple of 4 for exact diameters along X and Y), and of a hole.
 facets = 120;
 hole_facets = 16;
 
@@ -167,7 +167,7 @@ cable_height_mm = 14;
 
 touch_post_mm = 18;
 touch_post_at_mm = [109, 75];  // middle of a post, under the side of a frame with an opening of 194 mm or more
-touch_level_mm = 0;            // height of its top above the deck's face
+touch_level_mm = 0;            // height of a post's top above the deck's face
 
 bridge_directions_deg = [-20, 20];
 bridge_radius_mm = deck_inner_radius_mm + 10;
@@ -180,7 +180,7 @@ socket_mm = 6;
 socket_depth_mm = 2;
 object_pilot_mm = 13;
 
-// Heights. Layers that touch share a name: equal numbers leave no slit.
+// Heights. Layers that touch use the same variable for their common height, so that no slit is left between them.
 crest_z = ridge_height_mm;
 plate_bottom_z = -plate_thickness_mm;
 plate_pilot_z = plate_bottom_z + hub_screw_mm - (hub_flange_mm - m3_head_height_mm) + 0.5;
@@ -246,5 +246,5 @@ assert(rim_gap_mm <= 4, "rim_gap_mm must be 4 or less: wider gaps admit a finger
 assert(object_gap_mm >= 1 && object_gap_mm <= 4, "object_gap_mm must be 1 to 4: wider gaps admit a fingertip");
 assert(cup_width_mm < 2 * cup_radius_mm, "cup_width_mm must be below twice cup_radius_mm");
 assert(sensor_room_mm == 0 || sensor_room_mm >= clamp_z - sensor_arm_z + sensor_arm_mm + 3,
-       "sensor_room_mm must be 0, or leave 3 mm below the sensor's arm: 14");
+       "sensor_room_mm must be 0, or at least 14 to leave 3 mm below the sensor's arm");
 assert(facets % 4 == 0, "facets must be a multiple of 4");

@@ -34,7 +34,7 @@ struct Options {
   Emulation emulation;
 };
 
-// Returns the device name for the argument of a command, which may also be the path of a serial device.
+// Returns the device name for the argument of a command: the argument itself, or "serial:" and the path that it is.
 std::string full_name(const std::string& name) { return name.find(':') == std::string::npos ? "serial:" + name : name; }
 
 std::unique_ptr<Device> open(const std::string& name, const Environment& env, Start start) {
@@ -79,7 +79,7 @@ std::vector<Found> find_all(const std::vector<std::string>& paths, const Environ
   if (found.empty())
     env.err << "hrt-plate: no plate was found"
             << (tried.empty() ? "; this computer has no serial device. Connect the plate"
-                              : tried + ". Check its cable and supply")
+                              : tried + ". Check the plate's cable and supply")
             << "\n";
   return found;
 }
@@ -117,14 +117,15 @@ int run_trim(const Options& options, const Environment& env) {
   try {
     while (const auto offset_deg = ask_number(*device, dialogue_in(env), question, -30.0, 30.0)) {
       device->set_zero(device->zero_deg() - *offset_deg);
-      question = format("0 has moved by %+.2f deg. How many degrees remain?", device->zero_deg() - before_deg);
+      question = format("Orientation 0 has moved by %+.2f deg. How many degrees remain? Enter alone keeps this 0.",
+                        device->zero_deg() - before_deg);
     }
   } catch (const InputEnded&) {
     device->set_zero(before_deg);
     throw;
   }
   device->save_zero();
-  env.out << "saved. Commission the plate again: an earlier plate file has the old 0\n";
+  env.out << "saved. Commission the plate again: an earlier plate file has the old orientation 0\n";
   return success;
 }
 
@@ -145,7 +146,7 @@ int run_set(const Options& options, const Environment& env) {
   const auto device = open(options.device, env, Start::passive);
   BoardSettings* board = device->board_settings();
   if (board == nullptr)
-    throw PlateFailure(Fault::protocol, "has no settings that can be changed; only a board with the firmware has them");
+    throw PlateFailure(Fault::protocol, "has no settings; only a board with the plate's firmware has settings");
   for (const std::string& change : options.changes) {
     const std::size_t equals = std::min(change.find('='), change.size() - 1);
     const auto value = number_in(std::string_view(change).substr(equals + 1), -1e6, 1e6);
@@ -191,7 +192,7 @@ int run_tool(int argc, const char* const* argv, const Environment& env) {
     CLI::App* added = app.add_subcommand(name, text);
     added
         ->add_option("device", options.device,
-                     "Serial device of the plate, such as /dev/ttyACM0, or its name, such as dynamixel:/dev/ttyUSB0")
+                     "Serial device of a board (/dev/ttyACM0), or name of a plate (dynamixel:/dev/ttyUSB0)")
         ->required(must_name);
     return added;
   };

@@ -20,7 +20,7 @@ struct Environment {
   std::function<Input()> read;                        ///< reads a line of the operator; does not block
   std::ostream& out;
   std::ostream& err;
-  /// Simulates a plate until it is interrupted; null if this system has no pseudo-terminals.
+  /// Simulates a plate until the program is interrupted; null on systems other than Linux.
   std::function<void(const Emulation&, const std::function<Input()>&, std::ostream&)> emulate;
 };
 

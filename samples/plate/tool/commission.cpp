@@ -14,20 +14,20 @@ using namespace std::chrono_literals;
 
 using Opener = std::function<std::unique_ptr<Device>()>;
 
-constexpr double scale_deg = 30.0;  // orientation at which the scale is read, with first_span_us
-constexpr double first_span_us = 2000.0, first_limit_deg = 45.0;  // before the servo is measured
+constexpr double scale_deg = 30.0;  // the scale is read at this orientation and at its negative, with first_span_us
+constexpr double first_span_us = 2000.0, first_limit_deg = 45.0;  // settings before the servo is measured
 constexpr double max_limit_deg = 95.0;
 constexpr double scale_error = 0.007;  // relative standard error of 60 degrees that are read to a degree
 constexpr double min_readings = 20.0;  // smallest difference of the sensor's readings at the two angles
 constexpr double stop_step_deg = 3.0;  // step of the search for a stop
-constexpr double max_lag_deg =
-    0.5;                  // a plate that lags more in the last step is at a stop; a count of the sensor is 0.3
-constexpr int bends = 9;  // number of the settings bend_0 to bend_8: the nonlinearity of the sensor
+// A plate that lags more in the last step is at a stop. A count of the sensor is 0.3 degrees.
+constexpr double max_lag_deg = 0.5;
+constexpr int bends = 9;                 // number of the settings bend_0 to bend_8: the nonlinearity of the sensor
 constexpr double max_bend_deg = 5.0;     // a larger nonlinearity shows that the sensor is mounted wrongly
 constexpr double stop_margin_deg = 2.0;  // distance of the limits from the stops
-// Errors, relative to the value, that the standard errors of the fits do not include, found with 200 simulated plates.
-// The residual nonlinearity affects the first degrees of a step, which determine the acceleration. The counts of the
-// sensor and the position of a servo within its dead band affect the play; the counts of an encoder affect the speed.
+// Errors (relative, except min_play_deg) that the standard errors of the fits do not include, found with 200 simulated
+// plates. The residual nonlinearity affects the first degrees of a step, which determine the acceleration. The counts
+// of the sensor and a servo's position within its dead band affect the play; the counts of an encoder affect the speed.
 constexpr double bend_error = 0.45, min_play_deg = 0.06;
 constexpr double acceleration_error = 0.16, ramp_error = 0.04, encoder_error = 0.00018;
 constexpr double speed_fraction = 0.9;  // speed setting, as a fraction of the speed of the servo
@@ -85,9 +85,8 @@ SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue
   board.change_setting("most", first_limit_deg);
   turn_and_wait(device, 0.0);
   const double above_deg = read_scale(device, dialogue, scale_deg), reading_above = board.sensor_reading();
-  turn_and_wait(
-      device,
-      -scale_deg - 10.0);  // both are approached from the same side, so that the play of the gears has no effect
+  // Both orientations are approached from the same side, so that the play of the gears has no effect.
+  turn_and_wait(device, -scale_deg - 10.0);
   const double below_deg = read_scale(device, dialogue, -scale_deg), reading_below = board.sensor_reading();
   if (std::abs(reading_above - reading_below) < min_readings)
     throw PlateFailure(Fault::device,
@@ -108,7 +107,7 @@ SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue
   return {reading_above - per_deg * above_deg, per_deg};
 }
 
-// Turns the plate and returns its mean orientation shortly afterwards, also if it does not reach the command.
+// Turns the plate and returns its mean orientation from 0.3 to 0.6 s later, also if it does not reach the command.
 double orientation_after_step(Device& device, double orientation_deg) {
   device.turn_to(orientation_deg);
   for (const auto end = device.now() + 300ms; device.now() < end;) device.wait(10ms);
@@ -149,8 +148,7 @@ void with_board(const Opener& open, Action action) {
   board.save_settings();
 }
 
-// Sets up a hobby servo. Opens the plate again after each change of its limits, which the driver reads when it opens
-// it.
+// Sets up a hobby servo. Opens the plate again after each change of its limits, which the driver reads only then.
 void set_up_servo(const Opener& open, const Dialogue& dialogue) {
   SensorLine sensor{};
   with_board(open, [&](Device& device, BoardSettings& board) {
@@ -188,8 +186,8 @@ void confirm_direction(Device& device, const Dialogue& dialogue) {
   ask(device, dialogue, "Keep your hands off the plate: it turns by 20 degrees. Press Enter to start.");
   const double from_deg = settle_at(device, device.orientation_deg().value_or(0.0));
   settle_at(device, from_deg + 20.0);
-  const std::string answer =
-      ask(device, dialogue, "Did it turn counter-clockwise, seen from above, by about 20 degrees? Enter y or n.");
+  const std::string answer = ask(
+      device, dialogue, "Did the plate turn counter-clockwise, seen from above, by about 20 degrees? Enter y or n.");
   settle_at(device, from_deg);
   if (answer != "y")
     throw PlateFailure(Fault::device,

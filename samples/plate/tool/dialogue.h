@@ -46,7 +46,7 @@ inline std::optional<double> ask_number(Device& device, const Dialogue& dialogue
     if (answer.empty()) return std::nullopt;
     const std::string_view digits = answer.starts_with('+') ? std::string_view(answer).substr(1) : answer;
     if (const auto number = number_in(digits, low, high)) return number;
-    text = "\"" + answer + "\" is not a number from " + format("%g to %g. Enter another one.", low, high);
+    text = "\"" + answer + "\" is not a number from " + format("%g to %g. Enter another number.", low, high);
   }
 }
 

@@ -33,7 +33,8 @@ void run(PtyDevice<Emulated>& plate, const char* kind, const char* protocol, con
   const PtyLink link("--link", emulation.link, plate.device());
   out << "SIMULATION of a plate with " << kind << ". No servo and no board is connected. The device name is\n    "
       << protocol << ":" << (emulation.link.empty() ? plate.device() : emulation.link.string())
-      << "\nEnter alone shows the scale. e and Enter presses or releases the emergency stop; j and Enter jams or frees "
+      << "\nEnter alone shows the angle on the scale. e and Enter presses or releases the emergency stop; j and Enter "
+         "jams or frees "
          "the servo.\nCtrl-C ends the simulation."
       << std::endl;
   const auto reported_deg = [&] { return plate.with([](Emulated& emulated) { return emulated.orientation_deg(); }); };

@@ -12,8 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double max_slip_deg = 0.4;  // largest error of the return from the sweep; a count of the sensor is 0.3
-constexpr double near_deg = 5.0;      // a plate that is nearer to its command has arrived
+constexpr double max_slip_deg = 0.4;  // largest error of the return from the sweep; a count of the sensor is 0.3 deg
+constexpr double near_deg = 5.0;      // a plate that is nearer to its command than this has arrived
 constexpr double still_deg = 0.6;     // largest change of the reports of a plate at rest, due to noise
 constexpr auto rest_time = 200ms;
 constexpr auto settle_limit = 3000ms;
@@ -138,7 +138,7 @@ double settle_at(Device& device, double orientation_deg) {
   double rest_deg = orientation_of(device), sum_deg = 0.0;
   int count = 0;
   while (count == 0 || device.now() - still_since < rest_time) {
-    device.turn_to(orientation_deg);  // is sent again if the plate stopped because this program was paused
+    device.turn_to(orientation_deg);  // repeated, because the plate stops if this program is paused
     device.wait(20ms);
     const double reported_deg = orientation_of(device);
     const bool still =

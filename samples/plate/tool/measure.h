@@ -30,9 +30,8 @@ struct Measurements {
   DeviceLimits limits{};             ///< limits that the device reports
   std::chrono::nanoseconds round_trip{};
   std::vector<SweepPoint> sweep;
-  Measured
-      error_deg;  ///< mean of reported minus commanded orientation in the sweep; `deviation` is the SD of one point
-  Measured backlash_deg;       ///< difference between the two directions of the sweep: play of the gears, and dead band
+  Measured error_deg;     ///< mean of reported minus commanded orientation in the sweep; `deviation`: SD of a point
+  Measured backlash_deg;  ///< difference between the two directions of the sweep: play of the gears, and dead band
   Measured repeatability_deg;  ///< SD of returns to 0 from below
   Measured speed_deg_s;        ///< speed of the servo
   Measured acceleration_deg_s2;
@@ -46,8 +45,8 @@ void turn_and_wait(Device& device, double orientation_deg);
 /// time. Throws PlateFailure if it does not come to rest within the duration of the turn plus three seconds.
 double settle_at(Device& device, double orientation_deg);
 
-/// Moves the plate through its range for half a minute, in which hands must be kept off. Passes a line to `print` at
-/// each stage. Throws PlateFailure, also if the plate has no sensor.
+/// Moves the plate through its range for up to three minutes, in which hands must be kept off. Passes a line to `print`
+/// at each stage. Throws PlateFailure, also if the plate has no sensor.
 Measurements measure(Device& device, const std::function<void(const std::string&)>& print);
 
 /// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, finds direction

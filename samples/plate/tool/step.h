@@ -34,7 +34,7 @@ struct StepsFit {
 };
 
 /// Fits the motion to the samples of the first 65 % of each step. The sensor has a first-order filter with the time
-/// constant filter_s. Requires at least two steps. Returns nullopt if a step has fewer than four samples from 30 % on.
+/// constant filter_s. Requires at least two steps. Returns nullopt if a step has under four samples from 30 to 65 %.
 std::optional<StepsFit> fit_steps(const std::vector<Step>& steps, double filter_s);
 
 }  // namespace hrt::plate
