@@ -8,7 +8,7 @@ const FOR_EVERYONE := 1
 const FOR_EXPERIMENTER := 2
 
 @export_file("*.gltf", "*.glb") var file := "res://desk.gltf"
-## Real objects that are hidden from the wearer, who sees the virtual ones.
+## Real objects that are hidden from the wearer, who sees the virtual objects.
 @export var hidden_from_wearer: PackedStringArray = ["cylinder"]
 
 @onready var plate: HapticRetargeting = $Plate
@@ -17,8 +17,8 @@ var _objects: Node3D
 var _pose_in_plate: Transform3D
 
 
-## Draws the objects, moves the node Plate to the plate of the file, and adds its targets. Returns an error, or an empty
-## text. Copies the file first, because the plugin cannot read files within an exported project.
+## Draws the objects, moves the node Plate to the plate's pose in the file, and adds the file's targets. Returns an error,
+## or an empty text. Copies the file first, because the plugin cannot read files within an exported project.
 func open() -> String:
 	var copy := "user://desk." + file.get_extension()
 	var written := FileAccess.open(copy, FileAccess.WRITE)
@@ -44,7 +44,7 @@ func object(target: String) -> Node3D:
 	return _objects.find_child(target.capitalize(), true, false)
 
 
-## Marks the next position of the finger, in plate coordinates.
+## Marks the position to which the finger must move next, in plate coordinates.
 func show_hint(position_m: Vector3) -> void:
 	$Plate/Hint.position = position_m
 

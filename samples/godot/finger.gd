@@ -21,7 +21,7 @@ func problem() -> String:
 	return "" if seen else "Your hand is not tracked. The plate waits."
 
 
-## Shows or hides the hand for the wearer. It is hidden in a reach, because it is not where the wearer perceives it.
+## Shows or hides the hand for the wearer. The hand is hidden in a reach, because the wearer perceives it elsewhere.
 func show_to_wearer(shown: bool) -> void:
 	for part: VisualInstance3D in find_children("*", "VisualInstance3D", true, false):
 		part.layers = Desk.FOR_EVERYONE if shown else Desk.FOR_EXPERIMENTER

@@ -3,7 +3,7 @@
 ##     godot --path . -- --person       a simulated person instead of the user of a headset
 ##     godot --path . -- --mouse        a finger that follows the mouse
 ##     godot --path . -- --out=FOLDER   writes results.csv, experimenter.png and wearer.png to FOLDER and ends
-##     godot --path . -- --reaches=20   sets a property of the node: a number, a text, or texts with commas
+##     godot --path . -- --reaches=20   sets a property of this node: a number, a text, or texts separated by commas
 extends Node3D
 
 signal ended
@@ -19,7 +19,7 @@ const REOPENING_S := 3.0
 
 ## Name of the device that turns the plate, such as serial:/dev/ttyACM0; empty: the plate is only drawn.
 @export var device := ""
-## Parts of the set-up. Without any part, the plate has the pose in the file of the scene.
+## Parts of the set-up. Without any part, the plate has its pose in the scene's file.
 @export_flags("Fingertip:1", "Registration:2", "Guides:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
@@ -70,7 +70,7 @@ func _ready() -> void:
 	if device:
 		_plate.open_device(device)
 		_plate.plate_commanded.connect(_plate.turn_device)
-	if set_up & HapticRetargeting.SETUP_GUIDES:  # for a registered plate
+	if set_up & HapticRetargeting.SETUP_GUIDES:  # after the other parts, because guides need a registered plate
 		_to_set_up.append(HapticRetargeting.SETUP_GUIDES)
 	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION if finger is MouseFinger else set_up & ~HapticRetargeting.SETUP_GUIDES)
 
@@ -160,7 +160,7 @@ func _choose_targets() -> void:
 		var gap := _plate.get_assigned(_plate.find_target(virtual_target))
 		(feasible if gap.get("reachable") else infeasible).append(virtual_target)
 	if infeasible:
-		_notice = "No real object is feasible for %s. These targets are omitted." % ", ".join(infeasible)
+		_notice = "The plate cannot guide you to a real object for %s. These targets are omitted." % ", ".join(infeasible)
 	_feasible = feasible
 
 
@@ -247,7 +247,7 @@ func _device_is_ready(delta: float) -> bool:
 		return true
 	if report.state != HapticRetargeting.PLATE_STATE_FAILED:
 		return false
-	_wearer.warn("The plate does not answer: %s. It is opened again every 3 s." % report.message)
+	_wearer.warn("The plate has failed: %s. The program opens it again every 3 s." % report.message)
 	if _state == State.REACHING:
 		_cancel()
 		_go_to_start()

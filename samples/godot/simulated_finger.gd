@@ -1,4 +1,4 @@
-## A simulated person, who follows the instructions of the session. The library simulates the slides, which the plate
+## A simulated person, who follows the instructions of the session. The plugin simulates the slides, which the plate
 ## deflects. No real person took part.
 class_name SimulatedFinger
 extends Finger
@@ -8,12 +8,12 @@ const SKIN_OFFSET := Vector3(0, -0.008, -0.012)
 ## Height to which the finger is lifted. A set-up detects this lift even at 5 frames a second, within three frames.
 const LIFT := Vector3(0, 0.12, 0)
 const SPEED_M_S := 0.4
-## SD of the tracker noise of each coordinate, equal to that of the library's simulated person.
+## SD of the tracker noise of each coordinate, equal to that of the plugin's simulated person.
 const TRACKER_NOISE_M := 0.0012
 ## Rotations of the joint in the touches that measure the offset of the skin.
 const ROTATIONS: Array[Vector3] = [Vector3(), Vector3(0.9, 0, 0), Vector3(-0.3, 0, 0.6), Vector3(-0.3, 0, -0.6),
 		Vector3(-0.2, 0.7, 0), Vector3(-0.2, -0.7, 0)]
-## True pose of the plate relative to its pose in the file of the scene, which a set-up measures.
+## True pose of the plate, which a set-up measures, relative to its pose in the scene's file.
 const DISPLACED := Transform3D(Basis(Vector3.UP, 0.07), Vector3(-0.02, 0, 0.015))
 
 var _plate: HapticRetargeting

@@ -30,7 +30,7 @@ struct Reach {
   hrt_reach_config config = hrt_reach_config_init();
 };
 
-// Loads the scene, creates a session with its targets, and selects the first virtual target and its real one.
+// Loads the scene, creates a session with its targets, and selects a virtual target and the real one assigned to it.
 Reach load(const char* file) {
   Reach reach;
   hrt_scene scene{};
@@ -40,7 +40,7 @@ Reach load(const char* file) {
   std::vector<hrt_target> targets(reach.scene.target_count);
   check(hrt_scene_register(scene, reach.session, targets.size(), targets.data()));
   uint32_t count = 0;
-  while (reach.virtual_target.role != HRT_TARGET_VIRTUAL)  // without a virtual target, the call fails at the end
+  while (reach.virtual_target.role != HRT_TARGET_VIRTUAL)  // without a virtual target, the last call fails
     check(hrt_scene_get_target(scene, count++, &reach.virtual_target));
   const auto served_by = static_cast<uint32_t>(reach.virtual_target.served_by);
   check(hrt_scene_get_target(scene, served_by, &reach.real_target));
@@ -122,7 +122,7 @@ struct Headset {
     return sample;
   }
 
-  // Has the simulated user slide the fingertip from the start to the virtual target. Ask a real user instead.
+  // Asks the simulated user to slide the fingertip from the start to the virtual target.
   void instruct(const Reach& reach) {
     XrVector3f start = pose(reach.scene.start_position_m, {0, 0, 0, 1}).position;
     start.y += 0.008f;  // the tracked joint is inside the fingertip, 8 mm above the plate

@@ -25,7 +25,7 @@ void copy_name(const std::string& name, char (&out)[HRT_NAME_SIZE]) {
 void warn_of_other(const std::string& device, const std::string& measured, const std::string& now) {
   std::cerr << "hrt-reach: warning: the profile was measured with the " << device << " \"" << measured
             << "\", but this run uses \"" << now
-            << "\", so its estimates may be wrong; calibrate again, or select another profile (--profile)\n";
+            << "\", so the profile's estimates may be wrong; calibrate again, or select another profile (--profile)\n";
 }
 
 std::vector<std::string> names_of(const TargetSet& targets) {
@@ -53,7 +53,7 @@ std::string words_of(const ScenePlace& place, double above_floor_m) {
          format("%.2f m to the %s and ", std::abs(static_cast<double>(at.x)), at.x < 0.0f ? "left" : "right") +
          format("%.2f m %s, seen from ", std::abs(static_cast<double>(at.z)), at.z > 0.0f ? "behind" : "ahead") + from +
          " (" + name_of(place.space) +
-         " space). If it is elsewhere, start again with --register FILE to measure its pose by touches.";
+         " space). If the plate is elsewhere, start again with --register FILE to measure its pose by touches.";
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report
   plugin.check(plugin.hrt_session_get(session, &config, nullptr));
   const hrt_session_config before = config;
   hrt_session_config_from_plate(&config, &report);
-  constexpr std::int64_t max_steps = 8;  // largest latency that the plugin can plan with, in steps
+  constexpr std::int64_t max_steps = 8;  // largest latency that the plugin can plan with, in controller steps
   config.plate.latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.paper.step_period_ns);
   if (report.latency_ns == 0) config.plate.latency_ns = before.plate.latency_ns;
   const auto plate_of = [](const hrt_session_config& c) {

@@ -1,4 +1,4 @@
-// Choices of a run: targets, position of the plate, controller.
+// Choices of a run: targets, controller, position and limits of the plate, names of the devices.
 #pragma once
 
 #include <optional>
@@ -17,23 +17,23 @@ using namespace app;
 /// Loads the scene's targets into a session of the plugin, configured by the options.
 TargetSet load_targets(const Plugin& plugin, const Options& options);
 
-/// Returns the reaches to make, in order. Throws Failure (ExitCode::scene) for a name that the scene lacks.
+/// Returns the reaches to make, in order. Throws Failure (ExitCode::scene) if the scene has no such virtual target.
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options);
 
 /// Assumed pose of an unregistered plate in a space of the runtime.
 struct ScenePlace {
   XrReferenceSpaceType space;
   XrPosef pose;       ///< pose of the plate's mount in that space
-  std::string words;  ///< description of that position, printed and spoken
+  std::string words;  ///< description of the position, to be printed and spoken
 };
 
-/// Determines the assumed pose. Heights in the scene are above the floor. If the runtime has no floor space, the origin
-/// of its LOCAL space is at the eyes, whose height is `eye_height_m`, or else the person's answer on the terminal.
-/// Throws Failure (ExitCode::usage) if both are missing.
+/// Returns the assumed pose. Heights in the scene are above the floor. If the runtime has no floor space, the origin of
+/// its LOCAL space is at the eyes, whose height is `eye_height_m`, or else the person's answer on the terminal. Throws
+/// Failure (ExitCode::usage) if both are missing.
 ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session, std::optional<double> eye_height_m,
                     Prompt& prompt);
 
-/// Replaces the scene's limits of the plate by those of the device.
+/// Replaces the plate's limits and latency in the session's configuration by those of the device.
 void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report& report);
 
 /// Passes the names of the plate and the tracker to the plugin. Warns on standard error if the profile in use was

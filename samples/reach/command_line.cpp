@@ -54,23 +54,22 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
   app.add_option("--hand", words.hand, "left, right, or either (the first hand at the start) [right]")
       ->check(CLI::IsMember({"left", "right", "either"}));
   app.add_option("--plate", words.plate,
-                 "Plate to turn: runtime (simulated by the runtime), servo[:SPEED] (simulated by this program, in\n"
-                 "degrees per second, [400]), serial:LINE, dynamixel:LINE, or a plate.json of hrt-plate commission\n"
-                 "[runtime]")
+                 "Plate to turn: runtime (simulated by the runtime), servo[:SPEED] (simulated by this program; SPEED\n"
+                 "in degrees per second [400]), serial:LINE (a board with the plate's firmware), dynamixel:LINE (a\n"
+                 "Dynamixel servo), or a plate.json that hrt-plate commission wrote [runtime]")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             if (parse_plate(text)) return "";
             return "\"" + text +
                    "\" is not a plate; allowed: runtime, servo, servo:SPEED (1 to 1000000), serial:LINE, "
-                   "dynamixel:LINE "
-                   "or a file *.json";
+                   "dynamixel:LINE or a file *.json";
           },
           "PLATE"));
   app.add_option("--time-limit", options.time_limit_s,
                  "Maximum duration of a reach, and of the wait for its start, seconds [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option("--runtime-limit", words.runtime_limit_s,
-                 "Maximum duration of a call into the runtime, and of a wait for it, seconds [10]")
+                 "Maximum duration of a call into the OpenXR runtime, and of a wait for the runtime, seconds [10]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
 }
 
@@ -98,8 +97,8 @@ void add_place(CLI::App& app, Options& options) {
                  "Read the plate's pose from this file, and ask for a touch of one mark that checks it")
       ->excludes(register_to);
   app.add_flag("--fingertip", options.fingertip,
-               "Before the registration, measure the offset from the tracked joint of the --hand to the skin, so that\n"
-               "the hand may have any attitude; the offset is written to the same file")
+               "Before the registration, measure the offset from the tracked joint to the skin of the fingertip, so\n"
+               "that the hand (--hand) may have any attitude; the offset is written to the same file")
       ->needs(register_to);
   app.add_flag("--measure-tracker", options.measure_tracker,
                "Instead of reaches, ask for 20 slides between two dimples 100 mm apart, and print the error of the\n"
@@ -108,7 +107,8 @@ void add_place(CLI::App& app, Options& options) {
   app.add_flag("--check-each", options.check_each,
                "Ask for the touch that checks a registered plate before every reach, not only before the first");
   app.add_option("--marks", options.marks,
-                 "CSV file of the marks to touch: name,x_m,y_m,z_m [the scene's start and five marks on the rim]")
+                 "CSV file of the marks to touch, with the columns name,x_m,y_m,z_m [the scene's start and five marks\n"
+                 "on the rim]")
       ->needs(register_to);
   app.add_option("--eye-height", options.eye_height_m,
                  "Height of the eyes above the floor in metres, for a runtime without a floor space, whose LOCAL\n"
@@ -123,8 +123,8 @@ void add_files(CLI::App& app, Options& options) {
       ->excludes("--tactile-weight");
   CLI::Option* calibrate =
       app.add_option("--calibrate", options.calibrate,
-                     "Instead of reaches, guide the user through slides that measure their response to the ridges,\n"
-                     "and write their profile into this file")
+                     "Instead of reaches, guide the user through slides that measure the user's response to the\n"
+                     "ridges, and write the user's profile into this file")
           ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
   app.add_option("--max-slides", options.max_slides, "Maximum number of slides of a calibration [40]")
       ->check(CLI::Range(16, 200))
@@ -136,7 +136,8 @@ void add_person(CLI::App& app, Options& options, Words& words) {
   app.add_option(
          "--finger", options.finger,
          "Track the fingertip by a multitouch device, such as an infrared touch frame, instead of the runtime:\n"
-         "evdev:/dev/input/by-id/NAME?width_mm=W&... (README). Tested with an emulated device only")
+         "evdev:/dev/input/by-id/NAME?width_mm=W&... (samples/reach/README.md). Tested with an emulated device\n"
+         "only")
       ->needs("--person")
       ->excludes("--register", "--registered");
   CLI::Option* aloud = app.add_flag("--speak", words.speak, "Speak all requests and results by espeak-ng");

@@ -9,7 +9,7 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Loads the profile into the plugin's session. Throws Failure (ExitCode::plugin).
+/// Loads the profile into the plugin's session. Throws Failure (ExitCode::plugin) if the file is not a profile.
 void load_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
 /// Writes the session's profile and replaces the file atomically. Throws Failure (ExitCode::output).
@@ -19,7 +19,7 @@ void save_profile(const Plugin& plugin, hrt_session session, const std::filesyst
 /// Failure (ExitCode::output).
 class RecordingFile {
  public:
-  /// An empty name: no recording.
+  /// `file`: empty for no recording.
   RecordingFile(const Plugin& plugin, hrt_session session, std::filesystem::path file);
 
   /// Closes the file. A second call has no effect.

@@ -32,11 +32,11 @@ namespace {
 constexpr int losses_allowed = 3;      // lost sessions or instances in a row
 constexpr int unfinished_allowed = 3;  // unfinished reaches in a row
 
-// Thrown during a reach when the person requests another one.
+// Thrown during a reach when the person requests another reach.
 struct OtherReach : std::exception {
   explicit OtherReach(bool previous) : is_previous(previous) {}
   const char* what() const noexcept override { return "another reach is wanted"; }
-  bool is_previous;  // false: the next one
+  bool is_previous;  // the previous reach is requested; false: the next one
 };
 
 // Handles the keys of the person in every frame of one session, and reports recentring.
@@ -44,7 +44,7 @@ class KeyHandler {
  public:
   KeyHandler(Prompt& prompt, const RunContext& context) : prompt_(prompt), context_(context) {}
 
-  // After this call the plate's pose is known, so that the `w` key can give the finger's position.
+  // Call it when the plate's pose is known, so that the `w` key can give the finger's position.
   void plate_is_placed() { is_placed_ = true; }
   void reaches_begin() { in_reaches_ = true; }
 
@@ -91,7 +91,7 @@ class KeyHandler {
   int recentrings_ = 0;
 };
 
-// The reaches of one run. A lost session or instance is created again.
+// One run: its reaches, or its calibration. A lost session or instance is created again.
 class Run {
  public:
   explicit Run(const Options& options)
@@ -171,7 +171,7 @@ class Run {
     }
   }
 
-  // Creates instance and session, then runs the remaining slides.
+  // Creates instance and session, then makes the remaining reaches or slides.
   void run_in_one_session() {
     XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, local_floor_extension});
     XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
@@ -185,7 +185,7 @@ class Run {
       instructed->seed(options_.seed, static_cast<std::uint32_t>(next_));
     } else {
       prompt_.listen();
-      // This may wait for an answer, so it is done before a plate is opened, which must be serviced from then on.
+      // place_of() may wait for an answer, so it is called before the plate is opened, which then needs service().
       if (touch_)
         scene_place_ = {session.floor_space(), targets_.plate_pose,
                         "The position of the plate relative to the touch frame is that of the option --finger."};
@@ -240,7 +240,7 @@ class Run {
     session.place_plate(scene_place_->space, scene_place_->pose);
   }
 
-  // Places the plate by touches, of this run or an earlier one, instead of the scene's position.
+  // Takes the plate's pose from touches in this run or an earlier one, instead of from the scene.
   void find_plate(RunContext& context) {
     if (context.simulation != nullptr)
       throw Failure(ExitCode::usage,
@@ -323,8 +323,8 @@ class Run {
     std::cout << "\n" << text;
     if (calibrated_->done == 0)
       throw Failure(ExitCode::calibration,
-                    "no profile was written: the slides do not determine the user; calibrate again with slower, even "
-                    "slides");
+                    "no profile was written: the slides do not determine the user's parameters; calibrate again with "
+                    "slower, even slides");
     save_profile(plugin_, targets_.session, options_.calibrate);
     recording_->finish();
     check_output();
@@ -332,7 +332,7 @@ class Run {
     return is_enough(*calibrated_) ? ExitCode::success : ExitCode::target_missed;
   }
 
-  // Called during a failure; ignores further failures.
+  // Called during a failure; prints a further failure instead of throwing it.
   void keep_recording_as_it_is() {
     try {
       recording_->finish();
@@ -341,7 +341,6 @@ class Run {
     }
   }
 
-  // Source of the printed numbers, in words.
   std::string origin() const {
     if (!is_simulated_) return "Perceived directions are estimates of the controller.";
     return "SIMULATION, seed " + std::to_string(options_.seed) + ": no person took part.";
@@ -412,7 +411,7 @@ int run_from(int argc, char** argv) {
 int main(int argc, char** argv) {
   hrt::app::note_interrupts();
   std::signal(SIGPIPE, SIG_IGN);  // a closed output is reported by the write
-  // An existing value of this variable keeps the loader's own messages.
+  // Suppresses the messages of the OpenXR loader, unless the user has set this variable.
   setenv("XR_LOADER_DEBUG", "none", 0);
   return hrt::reach::run_from(argc, argv);
 }

@@ -128,7 +128,7 @@ peak: largest difference between perceived and virtual direction while the finge
 miss: bearing of the end minus that of the real target; distance of the end from the real target along the plate
 touch: tactile weight w_T of the user; assumed: estimate of the controller
 max gap: largest feasible gap of this user; lost: frames without a tracked finger
-bound: steps with the plate at a limit; reached: the reach ended inside the radius of the real target
+bound: controller steps with the plate at a limit; reached: the reach ended inside the radius of the real target
 flag: warning of the controller; gap infeasible: the plate cannot sustain this gap for this user
 )";
 }
@@ -157,9 +157,9 @@ bool is_enough(const hrt_setup_result& result) {
 
 std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config) {
   return format("%u slides, of which %u were used\n", result.slides, result.slides_used) +
-         line("tactile weight at 60 deg", result.tactile_weight, "") +
+         line("tactile weight, 60 deg off normal", result.tactile_weight, "") +
          line("largest feasible gap", result.max_gap_deg, "deg") + line("bias, left positive", result.bias_deg, "deg") +
-         format("%-34s %8.0f deg\n", "largest allowed angle to the motion", config.person.motion_bound_deg) +
+         format("%-34s %8.0f deg\n", "limit, ridge normal to motion", config.person.motion_bound_deg) +
          format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker.noise_m) +
          format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker.correlated_noise_m) +
          lack_of_fit_text(result.lack_of_fit) +

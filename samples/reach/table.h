@@ -41,12 +41,10 @@ class Table {
  public:
   explicit Table(const std::vector<TargetPair>& pairs);
 
-  /// Prints the column titles with units.
   void print_header(std::ostream& out) const;
   void print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const;
   /// Row of a reach that was not made. `what`: its outcome in a word or two.
   void print_row(std::ostream& out, const TargetPair& pair, const std::string& what) const;
-  /// Prints the meaning of the columns.
   void print_legend(std::ostream& out) const;
 
  private:
