@@ -132,7 +132,7 @@ def noticed_share(trials, noticed):
 
 
 def outcomes(trials, plan):
-    """Returns the registered outcome of each participant (row) and condition (column), from exported trials or valid trials."""
+    """Returns the registered outcome of each participant (row) and condition (column). `trials`: all exported trials, or the valid ones only."""
     reaches, measure = counted(trials) if "kind" in trials else trials, plan["measure"]
     groups = reaches.groupby(["participant", "condition"])
     if measure == "percent_within":
@@ -148,7 +148,7 @@ def outcomes(trials, plan):
 
 
 def registered_p(plan):
-    """Returns the name of the column of compare() with the registered test."""
+    """Returns the name of the column of compare() that has p of the registered test."""
     return plan["test"] if plan.get("hypothesis", "difference") == "difference" else "equivalence"
 
 

@@ -55,7 +55,7 @@ enum class FunctionId {
       count
 };
 
-// Enumerator, and OpenXR's prefixes of the macros for the extension's name and version.
+// Each extension: its enumerator, and the prefixes of OpenXR's macros for its name and version.
 #define HRT_MOCK_EXTENSIONS(X)                                            \
   X(headless, XR_MND_HEADLESS, XR_MND_headless)                           \
   X(hand_tracking, XR_EXT_HAND_TRACKING, XR_EXT_hand_tracking)            \

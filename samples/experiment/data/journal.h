@@ -35,8 +35,8 @@ std::uint32_t crc32(std::string_view text);
 /// Returns the time as text, "2026-11-24T17:10:53.123Z".
 std::string utc_text(std::int64_t utc_ms);
 
-/// Parses a journal. Throws Refusal naming the line if one is damaged; an incomplete line is allowed at the end, and
-/// before an event "opened" or "closed", where a write was interrupted.
+/// Parses a journal. Throws Refusal naming a damaged line. An incomplete line is allowed at the end, and before an
+/// event "opened" or "closed", where a write was interrupted.
 std::vector<Event> read_journal(const std::string& text, const std::string& name);
 
 /// Writes a journal. The file is locked, so that only one process can write it.

@@ -71,7 +71,7 @@ std::vector<unsigned> permuted(unsigned count, Use use, const Place& place) {
 
 unsigned index_in_design(const Design& design, unsigned participant) { return (participant - 1) % design.participants; }
 
-// Returns the level of a participant, by permuted blocks with one participant per level, which balances time.
+// Returns the level of a participant, by permuted blocks with one participant per level, balanced over time.
 unsigned level_for(const Design& design, unsigned participant) {
   const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   const unsigned index = index_in_design(design, participant);

@@ -39,7 +39,7 @@ Schedule schedule_of(const Design& design, unsigned participant);
 /// "| 12 | block 1: reaches, 13 trials |".
 std::string plan_text(const Design& design, const Schedule& schedule);
 
-/// Returns the name of a kind of block, as files have it.
+/// Returns the name of a kind of block, as it is written to files.
 std::string name_of(BlockKind kind);
 
 /// Returns the name of a condition before unblinding: its letter, or the kind of a block whose condition the design

@@ -10,7 +10,7 @@
 
 namespace hrt::experiment {
 
-/// Throws Refusal with the plugin's text unless `result` is HRT_OK.
+/// Throws Refusal with the plugin's error text unless `result` is HRT_OK.
 void check(hrt_result result);
 
 std::string library_version();

@@ -18,7 +18,7 @@ namespace {
 constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 constexpr std::int64_t ns_per_minute = 60'000'000'000;
 
-// Number of the first reach; lower numbers belong to the slides of the set-up.
+// Number of the first reach, for random draws; lower numbers belong to the slides of the set-up.
 constexpr unsigned first_reach = 512;
 
 struct Part {

@@ -16,7 +16,7 @@ struct SessionPlace {
   unsigned participant;
   unsigned session = 1;
   std::string plate;         ///< content of the plate's file; empty: no file
-  std::string registration;  ///< content of the registration file; empty: register here
+  std::string registration;  ///< content of the registration file; empty: the session registers the plate
 };
 
 std::filesystem::path folder_of(const SessionPlace& place);
@@ -26,7 +26,7 @@ std::filesystem::path folder_of(const SessionPlace& place);
 void freeze(const Design& design, const std::filesystem::path& study, const Disk& disk);
 
 /// Runs or resumes the session; has no effect if it has ended. Returns "done", "stopped", or "left" (the experimenter
-/// quit; the session can be resumed). Throws Refusal.
+/// quit; the session can be resumed). Throws Refusal with the reason of a failure.
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk);
 
 }  // namespace hrt::experiment

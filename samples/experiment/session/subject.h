@@ -32,7 +32,7 @@ struct ReachOrder {
 
 struct ReachOutcome {
   bool has_ended = false;
-  std::string problem;               ///< why it is invalid, other than by the rules of validity; empty: valid
+  std::string problem;               ///< why the reach is invalid, apart from the rules of validity; empty: valid
   double end_m[3]{};                 ///< final position of the fingertip, in plate coordinates
   double duration_s = 0.0;           ///< duration of the motion
   double peak_felt_error_deg = 0.0;  ///< largest perceived-direction error

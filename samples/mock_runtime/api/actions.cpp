@@ -1,6 +1,5 @@
-// Actions: creation, suggested bindings, attachment, states and haptics. "Input and Haptics" of the specification. The
-// functions check handles, the types of actions, and that the calls are in order. They check neither names nor which
-// paths an interaction profile has.
+// Actions ("Input and Haptics" of the specification): creation, suggested bindings, attachment, states and haptics. The
+// functions check handles, types of actions and the order of calls, but neither names nor which paths a profile has.
 #include "samples/mock_runtime/api/actions.h"
 
 #include "samples/mock_runtime/abi/structure.h"

@@ -16,7 +16,7 @@
 
 namespace hrt::mock {
 
-// Overloads whose result is the parameter type of an implementation: the object instead of its handle.
+// Overloads that map the type of a handle to the parameter type of an implementation, a reference to the object.
 #define HRT_MOCK_OBJECT(Handle, Type) \
   class Type;                         \
   std::type_identity<Type&> parameter_for(Handle);

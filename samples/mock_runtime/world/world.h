@@ -30,7 +30,7 @@ class Origins {
   /// Moves the origin of LOCAL or STAGE from time `change` on; `pose` is that of the new origin in the old space.
   void recenter(XrReferenceSpaceType type, XrTime change, const Pose& pose);
 
-  /// Returns the pose of LOCAL, STAGE or LOCAL_FLOOR, which is below LOCAL on the floor of STAGE, at a time.
+  /// Returns the pose of LOCAL, STAGE or LOCAL_FLOOR (below LOCAL, on the floor of STAGE) at a time.
   Pose in_world(XrReferenceSpaceType type, XrTime time) const;
 
  private:

@@ -1,4 +1,3 @@
-// hrt-study robustness: tests the controllers on simulated people who differ from their models.
 #include "samples/study/people/robustness.h"
 
 #include <memory>
@@ -120,7 +119,8 @@ or plate; ~: paths and speeds of recorded reaches):
 void add_robustness(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
-      app, "robustness", "Test the controllers on simulated people who differ from their assumptions.", description(),
+      app, "robustness", "Test the controllers on simulated people who differ from the controllers' assumptions.",
+      description(),
       [options] { options->writing.write([&] { return simulated(*options); }, robustness_results, robustness_text); });
   RobustnessOptions& robustness = options->robustness;
   add_integer(command, "--people", robustness.people, 1, 100'000,

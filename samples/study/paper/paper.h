@@ -37,8 +37,7 @@ inline constexpr std::array<PaperCondition, 4> paper_table1{{
 
 /// Mean percentage of the six pairs with w_T = 0.05, of section III-B.
 inline constexpr double paper_impaired_touch_percent = 40;
-/// Percentage with the real target at 0, the virtual one at 12 degrees and a motor variance of 2 (section III-B, Fig.
-/// 7).
+/// Percentage with a real target at 0, a virtual one at 12 degrees and a motor variance of 2 (section III-B, Fig. 7).
 inline constexpr double paper_wide_gap_percent = 60;
 
 /// Returns condition 1 of Table I with these values, which the controller knows.

@@ -56,7 +56,7 @@ inline constexpr std::size_t paper_amplitude = 4;  // index of 10 degrees in amp
 
 struct Table1 {
   Table1Options options;
-  std::vector<CellGroup> conditions;  ///< the four of Table I
+  std::vector<CellGroup> conditions;  ///< the four conditions of Table I
   std::vector<CellGroup> claims;      ///< the paper's other claims
   std::vector<CellGroup> amplitudes;  ///< for each condition of Table I, a group for each of amplitudes_deg
   double chi_squared;                 ///< over all cells of `conditions`

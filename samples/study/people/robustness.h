@@ -37,7 +37,7 @@ inline constexpr const char* controller_titles[] = {"no controller", "the paper'
 struct ReachResult {
   bool is_feasible;            ///< the gap is feasible for this person, by gap_is_feasible()
   double bearing_error_deg;    ///< true bearing error of the end
-  double miss_mm;              ///< true distance of the end across the real direction; >= 0
+  double miss_mm;              ///< true distance of the end from the line to the real target, >= 0
   double peak_felt_error_deg;  ///< largest perceived-direction error, ground truth
   bool unreachable = false;    ///< flag of the reach's summary, as are misfit and off_target
   bool found = false;          ///< flagged unreachable in this reach or an earlier one of the person
@@ -106,13 +106,13 @@ double half_interval(const Share& share);
 
 struct RobustnessOptions {
   std::uint64_t people = 100;  ///< maximum number of people of each kind at each duration
-  std::uint64_t reaches = 5;   ///< successive reaches under the controller for people, >= 2
+  std::uint64_t reaches = 5;   ///< successive reaches under our controller, >= 2
   double points = 4.0;         ///< a cell stops if half_interval() of its percentage within near_deg is at most this
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
   std::vector<PersonState::Index> informed_of{std::begin(informed_traits), std::end(informed_traits)};
-  Tuning tuning;  ///< of the controller for people
+  Tuning tuning;  ///< parameters of our controller
 };
 
 /// Simulates all people at all durations; the durations of one kind are adjacent rows. Person i of a kind and duration

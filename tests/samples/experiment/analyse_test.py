@@ -71,8 +71,8 @@ def test_level_and_coverage():
     (without, covered), (with_effect, recovered) = tested(0.0, 12), tested(EFFECT, 12)
     for test in ("t", "sign_flip"):  # with a single comparison, Holm's p is that of the test
         found, strength = (100 * numpy.mean(rows[test] < 0.05) for rows in (without, with_effect))
-        print(f"{test}: {STUDIES} studies of 12 simulated people: found without an effect {found:.1f} %, with one of {EFFECT:g} "
-              f"{strength:.1f} %; intervals with the effect {recovered:.1f} %")
+        print(f"{test}: {STUDIES} studies of 12 simulated people: significant without an effect in {found:.1f} %, with an effect of {EFFECT:g} in "
+              f"{strength:.1f} %; intervals contain the effect in {recovered:.1f} %")
         slack = 3 * 100 * (0.05 * 0.95 / STUDIES) ** 0.5
         assert 5 - slack < found < 5 + slack and 95 - slack < recovered < 95 + slack and strength > 80, (found, recovered, strength)
     assert 95 - slack < covered < 95 + slack, covered
@@ -188,7 +188,7 @@ def test_own_data():
     assert not numpy.isnan(p).any()
     for test in ("t", "sign_flip"):
         found[test] = power.share_found(trials, {**plan, "test": test, "alpha": 0.05}, "people", 0.0, 12, 10 * STUDIES, 1)
-    print(f"own data, {STUDIES} studies of 12 of 36 simulated people, ten times as many of t and sign flip: found without an effect "
+    print(f"own data, {STUDIES} studies (t and sign flip: ten times as many) of 12 of 36 simulated people, false positives: "
           + ", ".join(f"{test} {share:.1f} %" for test, share in found.items()))
     slack = 3 * 100 * (0.05 * 0.95 / STUDIES) ** 0.5
     assert all(5 - slack < share < 5 + slack for share in found.values()), found
@@ -199,7 +199,7 @@ def test_own_data():
         low, high = scipy.stats.ttest_1samp(columns, 0).confidence_interval(0.95)
         same = 100 * numpy.mean(analysis.equivalence(columns + margin, margin) < 0.05)
         level, covered = 100 * numpy.mean(scipy.stats.ttest_1samp(columns, 0).pvalue < 0.05), 100 * numpy.mean((low <= 0) & (0 <= high))
-        print(f"own data, {50 * STUDIES} studies of 12: {measure} found without an effect {level:.1f} %, equivalent at the margin {same:.1f} %, covered {covered:.1f} %")
+        print(f"own data, {50 * STUDIES} studies of 12: {measure}, false positives {level:.1f} %, of equivalence {same:.1f} %, coverage {covered:.1f} %")
         assert 4 < level < 6.5 and 92.5 < covered < 97 and same < 8.5, (measure, level, same, covered)
     for condition, within in (("people", 1.5), ("people", 5), ("paper", 1.5), ("paper", 3), ("paper", 5)):  # shares of 0 to 100 %
         shares = {**plan, "measure": "percent_within", "within_deg": within, "test": "sign_flip", "alpha": 0.05}
@@ -208,8 +208,8 @@ def test_own_data():
         ends = numpy.array([analysis.student(column)[1:] for column in columns.T])
         ends = ends[~numpy.isnan(ends[:, 0])]
         covered = 100 * numpy.mean((ends[:, 0] <= 0) & (0 <= ends[:, 1]))
-        print(f"own data, {10 * STUDIES} studies of 12: {condition}, percent within {within}° found without an effect {found:.1f} %, "
-              f"interval determined in {len(ends) / STUDIES * 10:.0f} %, covered {covered:.1f} %")
+        print(f"own data, {10 * STUDIES} studies of 12: {condition}, percent within {within}°, false positives {found:.1f} %, "
+              f"interval determined in {len(ends) / STUDIES * 10:.0f} %, coverage {covered:.1f} %")
         assert found < 6.5 and (len(ends) < STUDIES or covered > 93), (within, found, covered)
 
 
@@ -234,7 +234,7 @@ def test_population():
             covered += low <= 0.2 <= high
             variances += sd**2
         mean, scatter = 100 * covered / studies, (variances / studies) ** 0.5
-        print(f"tactile weight, {kind}: {studies} studies of 12: intervals have the mean in {mean:.1f} %; SD of people {scatter:.4f}, true 0.03")
+        print(f"tactile weight, {kind}: {studies} studies of 12: intervals contain the mean in {mean:.1f} %; SD of people {scatter:.4f}, true 0.03")
         assert 93 < mean < 97 and abs(scatter / 0.03 - 1) < 0.05, (kind, mean, scatter)
 
 
@@ -256,7 +256,7 @@ def test_whole_studies():
             found.append((analysis.student(effects[-1]), analysis.population(people.tactile_weight, errors)[:3]))
         true = (numpy.mean(numpy.concatenate(effects)), 0.21)
         hits = [sum(low <= value <= high for (_, low, high) in each) for value, each in zip(true, zip(*found))]
-        print(f"{studies} simulated studies of 12 {kind} people: intervals have the effect, {true[0]:.2f}°, in {100 * hits[0] / studies:.1f} %, "
+        print(f"{studies} simulated studies of 12 {kind} people: intervals contain the effect, {true[0]:.2f}°, in {100 * hits[0] / studies:.1f} %, "
               f"the mean tactile weight in {100 * hits[1] / studies:.1f} %")
         slack = 2 * (0.05 * 0.95 * studies) ** 0.5
         assert all(0.93 * studies - slack <= hit <= 0.97 * studies + slack for hit in hits), (kind, hits)

@@ -65,7 +65,7 @@ void expect_recordings_replay(const Design& design, const fs::path& study) {
   for (const auto& entry : fs::directory_iterator(study / session_name / "recordings")) {
     if (entry.path().extension() != ".csv" || fs::file_size(entry.path()) == 0) continue;
     hrt_replay_report report = hrt_replay_report_init();
-    // A file that a kill cut before its header is not a recording.
+    // A file that a kill has cut within the header is not a recording.
     if (hrt_recording_replay(entry.path().c_str(), nullptr, 0, &report) != HRT_OK) continue;
     EXPECT_EQ(report.first_different_line, 0U) << entry.path();
     whole += report.complete;
@@ -334,7 +334,7 @@ class Rebooted : public SimulatedSubject {
   int left_ = 6;
 };
 
-// Consent and trials take some minutes, the pause ten.
+// Consent and trials take some minutes; the pause takes ten.
 TEST(ExperimentSession, MaxMinutesIncludesThePauseOfARestart) {
   for (const double max_minutes : {8.0, 60.0}) {
     const Design design = small_design(2, [&](json& study) { study["stop"] = {{"max_minutes", max_minutes}}; });

@@ -40,7 +40,7 @@ class MockErrors : public MockNegotiation {
     MockNegotiation::TearDown();
   }
 
-  // Creates an instance with a script of `settings` and these keys.
+  // Creates an instance with a script that has `settings` and `keys`.
   void start(const std::string& keys) {
     if (instance != XR_NULL_HANDLE) {
       EXPECT_XR(XR_SUCCESS, XR(xrDestroyInstance)(instance));
