@@ -53,7 +53,6 @@ std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& tri
   return std::nullopt;
 }
 
-// Determines the nearest curve of the controller's form.
 void describe_controllers_curve(const PersonFit& person, Calibration* calibration) {
   const auto slope = [](const SlidingPersonModel& p) { return controllers_curve(p.curve).weight; };
   const auto curve = [](const SlidingPersonModel& p) { return controllers_curve(p.curve).curve; };
@@ -100,7 +99,6 @@ void add_slide(const CalibrationTrial& trial, std::size_t index, double goal_dir
   slides->order.push_back(static_cast<double>(index));
 }
 
-// Samples of the finger at rest before a slide.
 std::vector<TimedPoint> rest_of(const CalibrationTrial& trial, const SlideTrack& track) {
   std::vector<TimedPoint> samples = measurements_of(trial.samples);
   std::erase_if(samples, [&](const TimedPoint& p) { return p.time_s > track.onset_s - before_onset_s; });

@@ -24,9 +24,8 @@ struct SlidingPersonModel {
 
 /// Returns the directions of the parts of `track` that the steering law predicts for the slide's own pace:
 ///
-///   dP/dt = -k (P(t - D) + g(T - P(t - D)) - bias - habit (1 - 2 s(t - L))),   P(0) = start + lambda P(end)
-///
-/// with g multiplied by 1 + eta (2 s - 1).
+///   dP/dt = -k (P(t - D) + (1 + eta (2 s - 1)) g(T - P(t - D)) - bias - habit (1 - 2 s(t - L)))
+///   P(0) = start + lambda P(end)
 SlideDirections predicted_directions(const SlideTrack& track, const SlidingPersonModel& person);
 
 }  // namespace hrt

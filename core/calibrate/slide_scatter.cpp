@@ -15,12 +15,10 @@ constexpr int passes = 12;
 constexpr int outlier_passes = 4;
 // Lower bound of a residual in the weights of least absolute deviations.
 constexpr double min_residual_deg = 0.05;
-// Weight of an outlier: almost 0.
 constexpr double outlier_weight = 1e-9;
 // Limit of the squared Mahalanobis distance of a slide. It exceeds the 99.999 % quantile of chi-squared with four
 // degrees of freedom, 28.5, because the first part of a path has heavier tails.
 constexpr double max_distance = 40.0;
-// Lower bound of the SD of a direction.
 constexpr double min_deviation_deg = 0.02;
 constexpr double scatter_rank_threshold = 1e-12;
 

@@ -26,9 +26,7 @@ constexpr double max_gap_s = 5.0;
 constexpr int median_reach = 5;
 constexpr double max_deviations = 6.0;
 constexpr double min_outlier_mm = 1.0;
-// Minimum number of positions of a slide.
 constexpr std::size_t min_places = 6;
-// Minimum number of positions of a smoothing line.
 constexpr std::size_t min_line_places = 4;
 // At the ends of the path, within this fraction of it, rotations of the plate do not count: the finger hardly moves.
 constexpr double end_fraction = 0.02;

@@ -23,7 +23,6 @@ class GuidedSlides {
   static constexpr double min_guide_mm = 40.0;
 
   void observe(const SetupSample& sample);
-  /// Discards all slides.
   void restart();
 
   bool complete() const { return object_ == count_; }

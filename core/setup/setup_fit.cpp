@@ -18,7 +18,6 @@ void reject(SetupProblem problem, std::string reason, SetupFit* fit) {
   fit->reason = std::move(reason);
 }
 
-// Pairs the touches with their marks.
 std::vector<MarkTouch> mark_touches(const Setup& setup) {
   std::vector<MarkTouch> touches;
   for (int i = 0; i < setup.touches().count(); ++i)

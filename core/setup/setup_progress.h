@@ -12,7 +12,6 @@ namespace hrt {
 /// Observer of the samples since the last completed step. Uses no heap, lock or exception.
 class SetupProgress {
  public:
-  /// Restarts after a completed step.
   void restart() { *this = {}; }
   void observe(const SetupSample& sample);
   /// Returns false if observed() cannot have a diagnosis yet.

@@ -15,7 +15,6 @@ class SlideStore {
  public:
   SlideStore(int max_slides, std::size_t max_samples);
 
-  /// Begins a slide at `plate_orientation_deg`.
   void begin(double plate_orientation_deg);
   /// Adds a sample. Returns false if the store is full.
   bool add(const FingerSample& sample);

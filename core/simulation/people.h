@@ -41,7 +41,6 @@ enum class FamilyKind {
   misplaced,  ///< the tracker's frame or the plate's zero is wrong, which a reach cannot reveal
 };
 
-/// A family of people.
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): in the order in which the table reads best
 struct PeopleFamily {
   const char* name;

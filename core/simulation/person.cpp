@@ -97,7 +97,6 @@ SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, doub
   draw_reach();
 }
 
-// Draws the parameters of this reach.
 void SlidingPerson::draw_reach() {
   if (person_.scatter_deg > 0.0) {
     person_.bias_deg += person_.scatter_deg * draws_.normal();

@@ -42,7 +42,7 @@
  * plate stops when the application makes no calls (hrt_plate_options::host_timeout_ns), when it is closed, and when it
  * fails. A failure is permanent: close the plate and open it again. In the child of a fork, calls on a plate of the
  * parent fail with WRONG_STATE; closing the plate there only releases its handle. The end of the process closes all
- * plates. On Windows, close them before the library is unloaded.
+ * plates. On Windows, close plates before the library is unloaded.
  */
 #ifndef HAPTIC_RETARGETING_PLATE_H
 #define HAPTIC_RETARGETING_PLATE_H

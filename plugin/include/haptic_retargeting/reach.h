@@ -115,9 +115,8 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 /** The motion differs from the model by more than noise explains: estimates and UNREACHABLE are unreliable. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
-/** The bearing of the predicted or actual end of the motion probably differs by more than 1.5 degrees from the bearing
- *  of the real target; or, after three tenths of the path, the finger's bearing differs from it by more than 60
- *  degrees. */
+/** The end of the motion, predicted or actual, is probably more than 1.5 degrees off the bearing of the real target;
+ *  or, after three tenths of the path, the finger is more than 60 degrees off it. */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
 #define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the last command is repeated */
 /** The solver stopped before it found the optimum; the command is within its limits. */

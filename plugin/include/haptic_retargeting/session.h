@@ -41,7 +41,7 @@ typedef struct hrt_session {
 
 /** @enumeration HRT_CONTROL Source of the plate's commands. */
 typedef uint32_t hrt_control;
-#define HRT_CONTROL_MPC 0         /**< the model-predictive controller */
+#define HRT_CONTROL_MPC 0         /**< a model-predictive controller, which `guidance` selects */
 #define HRT_CONTROL_FIXED_PLATE 1 /**< a constant plate orientation, as a baseline of studies */
 
 /** @enumeration HRT_GUIDANCE Goal of the controller. It also selects the controller. */
@@ -96,9 +96,9 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_GAIN 2
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
-/** Habit, a curvature of the path: the aimed direction at the start minus that at the end, halved. It is the mean over
- *  the reaches to the targets so far; recorded people differ from it by 7 deg (SD) towards another target.
- *  @range -45 to 45 @unit deg @ccw */
+/** Habit, a curvature of the path: the aimed direction at the start minus that at the end, halved. Estimated as a mean
+ *  over reaches; towards another target, recorded people differ from their mean by 7 deg (SD). @range -45 to 45
+ *  @unit deg @ccw */
 #define HRT_PERSON_HABIT 4
 /** Speed profile of the motion, from 0: minimum jerk, to 1: constant speed. @range 0 to 1 @unit 1 */
 #define HRT_PERSON_EVENNESS 5
@@ -123,8 +123,8 @@ typedef struct hrt_session_plate {
    *  is too high, the plate lags behind its commands; if it is too low, the controller turns the plate more slowly than
    *  necessary. @range 0 to 1e6 @default 0 */
   double max_speed_deg_s;
-  /** Maximum acceleration of the servo; 0: no limit. Commands do not exceed it. A wrong value has the same effects as
-   *  one of max_speed_deg_s. @range 0 to 1e8 @default 0 */
+  /** Maximum acceleration of the servo; 0: no limit. Commands do not exceed it. A wrong value has the same effects as a
+   *  wrong max_speed_deg_s. @range 0 to 1e8 @default 0 */
   double max_acceleration_deg_s2;
   /** Time from a command to the plate's first motion. The controller plans from the orientation that the plate will
    *  have after this time. Set the measured time: a value that is too small makes every correction late. At most 8

@@ -44,7 +44,7 @@
 extern "C" {
 #endif
 
-/** @flags HRT_SETUP Parts of a set-up, in the order of execution: each uses the results of the parts before it. */
+/** @flags HRT_SETUP Parts of a set-up, in the order of execution: each part uses the results of the parts before it. */
 typedef uint32_t hrt_setup_parts;
 /** Measures hrt_session_config::fingertip_offset_m, the offset of the point of contact on the skin from the tracked
  *  joint, from six touches of one mark with different poses of the finger. Requires HRT_SAMPLE_JOINT_ROTATION. */

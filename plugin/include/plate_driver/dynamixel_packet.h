@@ -49,7 +49,6 @@ class PacketReader {
  public:
   static constexpr std::size_t max_length = 250;  ///< limit of the length field
 
-  /// Appends received bytes.
   void append(std::string_view bytes) { bytes_ += bytes; }
   /// Returns the next complete packet; nullopt if more bytes are needed.
   std::optional<Packet> next();

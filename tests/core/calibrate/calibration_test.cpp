@@ -105,7 +105,8 @@ TEST(Calibration, IntervalsCoverTheTruth) {
     noise_covered += covers(calibration.noise.white_mm, condition.tracker_noise_mm);
     weight_error += (calibration.tactile_weight.value - condition.participant.tactile_weight) / people;
   }
-  // At a coverage of 95 %, fewer than 4 of 6 have a probability of about 2e-3. `hrt-study coverage` has more people.
+  // At a coverage of 95 %, fewer than 4 of 6 intervals cover the truth with a probability of about 2e-3. `hrt-study
+  // coverage` has more people.
   EXPECT_GE(weight_covered, 4);
   EXPECT_GE(bias_covered, 4);
   EXPECT_GE(noise_covered, 4);

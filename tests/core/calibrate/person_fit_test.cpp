@@ -19,7 +19,7 @@ double true_weight(const PersonCondition& condition) {
   return (felt_shift_deg(illusion, 60.0) - felt_shift_deg(illusion, -60.0)) / 120.0;
 }
 
-// The curve is 0.2 t up to 45 degrees to the left and constant beyond: 9 degrees there, and 12 at 60 to the right.
+// The curve is 0.2 t up to 45 degrees to the left and 9 degrees beyond; at 60 degrees to the right, it is -12 degrees.
 TEST(IllusionCurve, OneBendAt45Degrees_GivesTheHandCalculatedCurve) {
   CurveBends bends{};
   constexpr std::size_t at_45 = 15;  // index from the knot at -67.5 degrees
@@ -48,7 +48,6 @@ TEST(IllusionCurve, ACubicCurve_GivesItsOwnParameters) {
   EXPECT_NEAR(controllers_curve(curve).curve, 0.1, 1e-12);
 }
 
-// Neither the person nor the tracker has noise; gains and delays differ.
 TEST(PersonFit, SlidesWithoutNoise_GiveTheTrueWeightAndBias) {
   for (const double gain : {6.0, 9.0}) {
     for (const double delay_s : {0.0, 0.06}) {
@@ -63,8 +62,8 @@ TEST(PersonFit, SlidesWithoutNoise_GiveTheTrueWeightAndBias) {
   }
 }
 
-// People whose illusion, habit or tracker differs from the model. Of 8 to 10 intervals of 95 %, at least all except 2
-// cover the truth with a probability of 99 %. `hrt-study coverage` has more people.
+// People whose illusion, habit or tracker differs from the model. With a probability of 99 %, at most 2 of 8 to 10
+// intervals of 95 % miss the truth. `hrt-study coverage` has more people.
 TEST(PersonFit, SimulatedPeople_LieWithinTheKnownIntervals) {
   int known = 0;
   int weight = 0;
@@ -113,7 +112,6 @@ TEST(PersonFit, TwoDistortedSlides_AreReportedAsOutliers) {
   EXPECT_NEAR(after.tactile_weight.value, before.tactile_weight.value, 0.01);
 }
 
-// The tactile weight falls by 0.08 over the session.
 TEST(PersonFit, AWeightThatFallsOverTheSession_IsReportedAsUnknown) {
   int found = 0;
   for (std::uint32_t index = 0; index < 3; ++index) {

@@ -33,7 +33,7 @@ TEST(MarkTouches, AMotionAndARest_AreOneTouch) {
   touches.begin(2);
   int t = 0;
   for (; t <= 900; t += 10) touches.observe(at(t, 0.0, 0.0));
-  EXPECT_EQ(touches.count(), 0) << "it rested there before the request";
+  EXPECT_EQ(touches.count(), 0) << "the finger rested there before the request";
   for (; t <= 1800; t += 10) touches.observe(at(t, 20.0, 0.0));
   ASSERT_EQ(touches.count(), 1);
   EXPECT_NEAR(touches[0].touched_mm.x(), 20.0, 1e-9);
@@ -73,7 +73,6 @@ class SlideWatchTest : public ::testing::Test {
     EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
   }
 
-  /// Moves to the position in `duration_ms`.
   void go(double right_mm, double away_mm, int duration_ms) {
     for (const int began = t; t <= began + duration_ms; t += 10) {
       const double share = static_cast<double>(t - began) / duration_ms;
@@ -185,7 +184,6 @@ TEST(SetupProgress, AFingerThatDoesNotRestAtItsMark_IsReportedAfter20Seconds) {
   }
 }
 
-// A long rest at the start does not fill the store.
 TEST(SlideStore, ALongRest_IsShortened) {
   SlideStore store(16, 600);
   store.begin(0.0);

@@ -100,7 +100,7 @@ TEST(SimulationPeople, WeightsAtTheLimit_GiveTheHandCalculatedFeasibility) {
   }
 }
 
-// A bias of 3 towards the virtual target makes the gap 13; one of the perceived own direction makes it 7.
+// A visual bias of 3 degrees makes the gap 13 degrees; a bias of 3 degrees of the perceived own direction makes it 7.
 TEST(SimulationPeople, ABias_ChangesTheGap) {
   const auto holds = [](double weight, double bias_deg, double own_bias_deg) {
     PersonCondition person = condition(IllusionFamily::linear, 45.0, weight);
@@ -125,7 +125,7 @@ TEST(SimulationPeople, EqualArguments_GiveEqualOutcomes) {
     EXPECT_EQ(five[i].miss_mm, again[i].miss_mm);
     EXPECT_EQ(five[i].summary.estimate.tactile_weight, again[i].summary.estimate.tactile_weight);
   }
-  // More reaches do not change the first; seed and index do; reaches differ.
+  // The number of reaches does not change the first reach; seed and index do. Successive reaches differ.
   EXPECT_EQ(simulate_person(person, &controller, 1, 1, 3).front().miss_mm, five.front().miss_mm);
   EXPECT_NE(simulate_person(person, &controller, 1, 2, 3).front().miss_mm, five.front().miss_mm);
   EXPECT_NE(simulate_person(person, &controller, 1, 1, 4).front().miss_mm, five.front().miss_mm);

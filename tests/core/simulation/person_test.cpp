@@ -107,7 +107,7 @@ TEST(SimulationPerson, Illusions_GiveTheHandCalculatedLargestShift) {
     }
 }
 
-// The path has the requested length for any pace and curvature; with an overshoot by a tenth, 1.2 times that.
+// The path has the requested length for any pace and curvature; with an overshoot by a tenth, 1.2 times this length.
 TEST(SimulationPerson, AnyPace_HasTheRequestedLengthAndDuration) {
   for (const Pace pace : paces) {
     Person person = linear();
@@ -157,7 +157,7 @@ TEST(SimulationPerson, WithoutIllusion_AnySteeringReachesTheVirtualTarget) {
       person.steering = steering;
       person.pace = pace;
       EXPECT_LT(distance_mm(walk_beside(person, 60.0).person.position(), target), 1e-6);
-      // A person who starts in another direction ends there too, except for a small error.
+      // A person who starts in another direction also ends at the target, except for a small error.
       person.start_direction_deg = 0.0;
       if (pace != Pace::minimum_jerk) continue;
       EXPECT_LT(distance_mm(walk_beside(person, 60.0).person.position(), target), 0.5);
@@ -189,7 +189,7 @@ TEST(SimulationPerson, SteeringInSteps_ChangesDirectionEvery100Ms) {
   EXPECT_NEAR(sum_deg / 200.0, virtual_deg, 0.15);
 }
 
-// Each correction removes the fraction of the error that continuous steering would remove meanwhile.
+// Each correction removes the fraction of the error that continuous steering would remove in 250 ms.
 TEST(SimulationPerson, SteeringByCorrections_ChangesDirectionEvery250Ms) {
   Person person = numb();
   person.steering = Steering::corrections;
@@ -202,7 +202,8 @@ TEST(SimulationPerson, SteeringByCorrections_ChangesDirectionEvery250Ms) {
   }
 }
 
-// With the ridge normal 50 degrees to the left of the motion, the perceived direction is 0.2 * 50 = 10 to its left.
+// With the ridge normal 50 degrees to the left of the motion, the perceived direction is 0.2 * 50 = 10 degrees to the
+// left of the motion.
 TEST(SimulationPerson, AConstantOffset_DeflectsTheMotionByTheShift) {
   for (const Steering steering : {Steering::continuous, Steering::predictive}) {
     Person person = linear();

@@ -1,4 +1,3 @@
-// Simulated trackers have the errors that their fields specify.
 #include "core/simulation/tracker.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +34,7 @@ double root_mean_square(const std::vector<double>& values) {
 PlatePoint slide(double time_s) { return {0.0, 100.0 * std::min(1.0, std::max(0.0, time_s - 0.5))}; }
 
 // Half of the mean square difference at a lag t, for a process with two time constants a and b, is sigma^2 (1 - (a
-// e^(-t / a) - b e^(-t / b)) / (a - b)): at 14 ms about a quarter of that with the time constant a alone.
+// e^(-t / a) - b e^(-t / b)) / (a - b)): at 14 ms about a quarter of the value with the time constant a alone.
 TEST(SimulatedTracker, SmoothedNoise_HasItsSdAndSmallSteps) {
   TrackerModel model{.rate_hz = 1000.0 / 14.0, .white_mm = 0.0, .correlated_mm = 1.3, .correlation_s = 0.131};
   model.smoothing_s = 0.022;
