@@ -28,9 +28,9 @@ void require_image(const XrSwapchainSubImage& image, const Session& session) {
   };
   require(inside(part.offset.x, part.extent.width, swapchain.info.width) &&
               inside(part.offset.y, part.extent.height, swapchain.info.height),
-          XR_ERROR_SWAPCHAIN_RECT_INVALID, "imageRect has offset {}, {} and extent {}, {}; images have {} x {} pixels",
-          part.offset.x, part.offset.y, part.extent.width, part.extent.height, swapchain.info.width,
-          swapchain.info.height);
+          XR_ERROR_SWAPCHAIN_RECT_INVALID,
+          "imageRect has offset {}, {} and extent {}, {}; must lie within {} x {} pixels", part.offset.x, part.offset.y,
+          part.extent.width, part.extent.height, swapchain.info.width, swapchain.info.height);
   require_valid(image.imageArrayIndex < swapchain.info.arraySize, "imageArrayIndex is {}; must be < {}",
                 image.imageArrayIndex, swapchain.info.arraySize);
 }
@@ -57,7 +57,7 @@ void require_quad(const XrCompositionLayerQuad& layer, const Session& session) {
 
 void require_layers(const XrFrameEndInfo& info, const Session& session) {
   require(info.layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED,
-          "layerCount is {}; at most {}", info.layerCount, XR_MIN_COMPOSITION_LAYERS_SUPPORTED);
+          "layerCount is {}; must be at most {}", info.layerCount, XR_MIN_COMPOSITION_LAYERS_SUPPORTED);
   require(info.layerCount == 0 || info.layers != nullptr, XR_ERROR_LAYER_INVALID,
           "layers is null, but layerCount is {}", info.layerCount);
   for (std::uint32_t i = 0; i < info.layerCount; ++i) {

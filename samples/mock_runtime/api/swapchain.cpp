@@ -31,7 +31,7 @@ void require_possible(const XrSwapchainCreateInfo& info, const Session& session)
   require_valid(info.faceCount == 1 || info.faceCount == 6, "faceCount is {}; must be 1 or 6", info.faceCount);
   const auto mips = static_cast<int>(std::bit_width(std::max(info.width, info.height)));
   require(info.mipCount <= static_cast<std::uint32_t>(mips), XR_ERROR_FEATURE_UNSUPPORTED,
-          "mipCount is {}; images of {} x {} have at most {}", info.mipCount, info.width, info.height, mips);
+          "mipCount is {}; for {} x {} pixels, must be at most {}", info.mipCount, info.width, info.height, mips);
   require(info.faceCount == 1 && info.sampleCount == 1 && (info.createFlags & protected_content) == 0,
           XR_ERROR_FEATURE_UNSUPPORTED,
           "faceCount is {}, sampleCount is {}, createFlags is {:#x}; this runtime supports one face, one sample and no "

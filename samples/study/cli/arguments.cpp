@@ -220,7 +220,8 @@ std::string tuning_names() {
 
 CLI::Option* add_tuning(CLI::App& app, Tuning& tuning) {
   return add_parsed<Tuning>(app, "--tune", tuning, "NAME=VALUE[,NAME=VALUE...] (robustness --help shows the ranges)",
-                            "values of core/person/tuning.h", "Parameters of our controller to change.",
+                            "values of core/person/tuning.h",
+                            "Parameters of the plugin's default controller to change.",
                             [](const std::string& text) { return tuned({}, text); });
 }
 

@@ -89,7 +89,7 @@ std::string calibration_text(const CalibrationReport& report) {
     text += trait.interval.known
                 ? value_row(trait.words, trait.interval, trait.decimals)
                 : row(trait.words, "not determined", "best fit " + cell(trait.interval.value, trait.decimals));
-  return text + row("plate minus motion, largest gap, °", cell(calibration.peak_offset_deg, 0), "") +
+  return text + row("plate minus motion at largest gap, °", cell(calibration.peak_offset_deg, 0), "") +
          fit_text(calibration) + "\nThe method has been tested with simulated people only; there was no human trial.\n";
 }
 
@@ -298,7 +298,7 @@ Examples:
            "Data of a second calibration, with which FILE is compared: differences, intervals and significance.\n"
            "--plot and --profile use FILE.");
   add_number(command, "--goal", options->goal_direction_deg, {-45.0, 45.0},
-             "Direction of the target of the slides, deg.");
+             "Direction of the target of the slides, deg, left positive.");
   add_choice(command, "--format", options->format, {"text", "json"}, "Format of the output.");
   add_plot(command, options->plot,
            "SVG file for a figure of curve, directions and residuals. Needs python3-matplotlib.");

@@ -57,7 +57,7 @@ Examples:
   add_number(command, "--bias", condition.participant.bias_deg, {-45.0, 45.0},
              "Perceptual bias: perceived minus true direction of the target, deg.");
   add_number(command, "--goal", condition.goal_direction_deg, {-45.0, 45.0},
-             "Direction of the target of the slides, deg.");
+             "Direction of the target of the slides, deg, left positive.");
   add_numbers(command, "--angles", options->session.plate_angles_deg, {-360.0, 360.0}, "Plate orientations, deg.");
   add_integer(command, "--trials", options->session.trials_per_angle, 1, 1'000, "Number of slides at each angle.");
   add_number(command, "--duration", condition.duration_s, {0.1, 60.0}, "Duration of a slide, s.");

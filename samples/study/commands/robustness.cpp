@@ -60,9 +60,9 @@ std::string family_list() {
 std::string description() {
   return R"(For each family of people: the percentage of reaches that arrive at the real target, the misses, the
 perceived-direction errors, and whether the controller flags reaches that fail. Each person reaches
-without a controller; with the paper's; --reaches times with ours, which starts with the default prior
-and carries its estimates to the next reach; and once with ours informed of the person's traits, which
-shows the cost of not knowing them. All results are simulation; there was no human trial.
+without a controller; with the paper's; --reaches times with ours (the plugin's default), which starts
+with the default prior and carries its estimates to the next reach; and once with ours informed of the
+person's traits, which shows the cost of not knowing them. All results are simulation; no person took part.
 
 The text has the percentage of reaches that end within 1.5 deg of the real target, and the flags; for one
 family it has all numbers. CSV and JSON have a row for each family, duration and controller, each number

@@ -97,10 +97,10 @@ void add_trial(CLI::App& app) {
 the last step. Numbers have full precision. A trial has the same random numbers as the trial of
 'table1' with the same seed, condition and trial number.
 
---trace simulates a reach of a person under our controller instead: --family, --duration, --reach, --trial
-(number of the person), --seed, --real and --virtual select the reach. Files in the folder: trace.csv, the
-states of the filter with their SDs at each sample; trace.svg, a figure of these; reach.svg, an animation of
-the reach from above.
+--trace simulates a reach of a person under the plugin's default controller instead: --family, --duration,
+--reach, --trial (number of the person), --seed, --real and --virtual select the reach. Files in the folder:
+trace.csv, the states of the controller's filter with their SDs at each sample; trace.svg, a figure of these;
+reach.svg, an animation of the reach from above.
 
 Examples:
   hrt-study trial --trace reach --family bias-3 --reach 5

@@ -147,10 +147,10 @@ void judge_claims(std::vector<CellGroup>& claims) {
                        max_gap_deg(weight, bound_deg), bound_deg, max_gap_deg(weight, 90.0)));
     } else if (claim.name == "gap_12") {
       judge(claim);
-      claim.verdict += "; in the caption of the paper's Fig. 7, 2 is the variance";
+      claim.verdict += "; the caption of the paper's Fig. 7 calls 2 the variance";
     } else if (claim.name == "gap_12_deviation_2") {
       judge(claim);
-      claim.verdict += "; in the paper's text, 2 is the standard deviation";
+      claim.verdict += "; the paper's text calls 2 the standard deviation";
     } else if (claim.name == "gap_12_within_5") {
       judge(claim,
             "NOT reproduced: the paper's text counts the 60 % within 1.5 deg, the caption of its Fig. 7 "

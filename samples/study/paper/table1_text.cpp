@@ -32,7 +32,7 @@ std::string condition_text(const CellGroup& group) {
   return page + "    mean        " + paper_columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
          yes_or_no(group.reproduced) + "    SD          " + paper_columns(group.paper_sd, six, sd) +
          yes_or_no(six.contains(*group.paper_sd)) +
-         fmt::format("    limit of any controller: {:.1f}, as the plate cannot correct the noise of the last step\n\n",
+         fmt::format("    limit of any controller: {:.1f} %: the plate cannot correct the noise of the last step\n\n",
                      limit_percent(group.cells.front().condition));
 }
 

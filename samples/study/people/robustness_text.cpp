@@ -209,8 +209,8 @@ std::string robustness_text(const RobustnessStudy& study) {
   std::string page = fmt::format(
       "{}\n\n{}\n\n"
       "no: no controller. pap: the paper's controller.\n"
-      "1, {}: our controller in a person's first reach, and in reach {}, with its estimates from the reaches "
-      "before.\n{}\n"
+      "1, {}: our controller (the plugin's default) in a person's first reach, and in reach {}, with its estimates\n"
+      "from the reaches before.\n{}\n"
       "*: family that was not used to tune our controller. ~: paths and speeds of recorded reaches.\n"
       "+: systematic error of the tracker or of the plate, which no controller can detect within a reach.\n\n",
       wrapped("Simulated reaches; there was no human trial. " + condition_words(study), 110),
