@@ -1,6 +1,6 @@
 # Finds the dependencies. cmake/install_packages names their Debian packages.
 
-# The call has no version, because the package of Eigen 5 rejects a request for 3.4, although it is compatible.
+# The call has no version, because the package of Eigen 5 rejects a request for 3.4, although Eigen 5 is compatible.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.4)
   message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: 3.4 or later is needed")

@@ -8,7 +8,7 @@
 
 namespace hrt {
 
-/// Smallest distance along the plate at which a direction is defined. Below it, tracker noise would determine it.
+/// Smallest distance along the plate at which a direction is defined. Nearer, noise would determine the direction.
 inline constexpr double min_distance_m = 1e-3;
 
 /// A position in metres, or a direction.

@@ -23,7 +23,7 @@ constexpr std::array harmless_extensions{"KHR_materials_",
                                          "KHR_meshopt_compression",
                                          "EXT_meshopt_compression",
                                          "EXT_mesh_features",
-                                         "EXT_mesh_gpu_instancing",  // an error in scene.cpp on a haptic node
+                                         "EXT_mesh_gpu_instancing",  // scene.cpp rejects it on a haptic node
                                          "EXT_structural_metadata",
                                          "KHR_animation_pointer",
                                          "KHR_node_visibility",
@@ -62,7 +62,8 @@ void prepare(std::string& json, const std::string& file) {
       case ':':
         if (keys.empty() || is_skipped) continue;
         if (!keys.back().insert(string).second)
-          refuse(file, "its JSON has the key {} twice in one object, at byte {}; remove one", in_quotes(string), i);
+          refuse(file, "its JSON has the key {} twice in one object, at byte {}; remove one of the two",
+                 in_quotes(string), i);
         if (keys.size() > 1) continue;
         section = string;
         section_begin = i + 1;
@@ -114,13 +115,13 @@ JsonExtent find_json(std::string_view header, std::uint64_t file_bytes, const st
     const std::uint32_t claimed_bytes = little_endian(header.substr(8));
     if (version != 2) refuse(file, "the binary glTF header has version {}; allowed: 2", version);
     if (claimed_bytes != file_bytes)
-      refuse(file, "the binary glTF header declares {} bytes, but the file has {}; export it again", claimed_bytes,
-             file_bytes);
+      refuse(file, "the binary glTF header declares {} bytes, but the file has {}; export the file again",
+             claimed_bytes, file_bytes);
     if (header.substr(16) != "JSON")
       refuse(file, "the first chunk of the binary glTF is not JSON; export the file again");
     json_bytes = little_endian(header.substr(12));
     if (json_bytes > file_bytes - glb_header_bytes)
-      refuse(file, "the JSON chunk declares {} bytes, but only {} remain; export it again", json_bytes,
+      refuse(file, "the JSON chunk declares {} bytes, but only {} remain; export the file again", json_bytes,
              file_bytes - glb_header_bytes);
     extent.offset = glb_header_bytes;
   }

@@ -36,9 +36,9 @@ inline constexpr std::size_t glb_header_bytes = 20;
 /// file. `header` is the first glb_header_bytes bytes, or all of a shorter file. Throws SceneError.
 JsonExtent find_json(std::string_view header, std::uint64_t file_bytes, const std::string& file);
 
-/// Parses the sections asset, scene, scenes, nodes and extensionsRequired. The others are skipped, so that no buffer or
-/// image is opened or decoded. Throws SceneError if the text is not glTF 2.0, requires an extension that may move
-/// nodes, has a repeated key in one of these sections, or exceeds gltf_limits.
+/// Parses the sections asset, scene, scenes, nodes and extensionsRequired. Other sections are skipped, so that no
+/// buffer or image is opened or decoded. Throws SceneError if the text is not glTF 2.0, requires an extension that may
+/// move nodes, has a repeated key outside the skipped sections, or exceeds gltf_limits.
 ///
 /// The model is not validated further: indices may be out of range and nodes may form cycles. tinygltf ignores values
 /// of a wrong type, and truncates integers to 32 bits.

@@ -41,7 +41,7 @@ bool is_haptic_key(std::string_view key) { return key == nested_key || key.start
 }  // namespace
 
 bool is_haptic(const tinygltf::Value& extras) {
-  const std::vector<std::string> keys = extras.Keys();  // none if it is not an object
+  const std::vector<std::string> keys = extras.Keys();  // empty if `extras` is not an object
   return std::any_of(keys.begin(), keys.end(), is_haptic_key);
 }
 
@@ -76,7 +76,7 @@ HapticProperties haptic_properties(const tinygltf::Value& extras, const std::str
   const auto number = [&](const char* key, double max) -> std::optional<double> {
     const auto found = values.find(key);
     if (found == values.end()) return std::nullopt;
-    if (!found->second->IsNumber()) refuse(where, "{} is not a number; write one without quotes", label(key));
+    if (!found->second->IsNumber()) refuse(where, "{} is not a number; write a number without quotes", label(key));
     const double value = found->second->GetNumberAsDouble();
     if (!(value >= min_number && value <= max))
       refuse(where, "{} is {:g}; allowed: {:g} to {:g}", label(key), value, min_number, max);

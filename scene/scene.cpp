@@ -62,18 +62,20 @@ class SceneReader {
   Scene read() {
     const std::size_t count = model_.scenes.size();
     if (model_.defaultScene < 0 && count != 1)
-      refuse(file_, "the file has {} scenes and no default; set `scene` to the index of one", count);
+      refuse(file_, "the file has {} scenes and no default scene; set `scene` to the index of a scene", count);
     const auto index = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
     if (index >= count) refuse(file_, "scene is {}; allowed: below {}, the number of scenes", index, count);
     visit_all(model_.scenes[index].nodes);
     if (haptic_nodes_ == 0) refuse(file_, "no node has a haptic role; set extras.haptic.role or extras.haptic_role");
-    if (scene_.plate.node_path.empty()) refuse(file_, "no node has the role \"plate\"; set extras.haptic.role of one");
+    if (scene_.plate.node_path.empty())
+      refuse(file_, "no node has the role \"plate\"; set extras.haptic.role of one node");
     locate_start();
     for (SceneTarget& target : scene_.targets) {
       target.position_m = coordinates_in(plate_frame_, target.world_position_m);
       check_position(target.node_path, target.position_m, "the plate");
       if (distance_m(scene_, target) < min_distance_m)
-        refuse(where(target.node_path), "the target is at the start and has no direction; move one of them");
+        refuse(where(target.node_path),
+               "the target is at the start and has no direction; move the target or the start");
     }
     for (std::size_t i = 0; i < scene_.targets.size(); ++i)
       if (scene_.targets[i].kind == TargetKind::virtual_object) scene_.targets[i].served_by = real_target_of(i);
@@ -153,7 +155,7 @@ class SceneReader {
       }
       if (is_degenerate(local))
         node_is_refused(node.matrix.empty() ? "scale is 0 in an axis; set it to another value"
-                                            : "matrix has no inverse; allowed: only invertible ones");
+                                            : "matrix has no inverse; allowed: invertible matrices");
       world = world * local;
     }
     return world;
@@ -166,7 +168,7 @@ class SceneReader {
     const std::vector<std::string>& required = model_.extensionsRequired;
     if (node.extensions.contains(instancing) &&
         std::find(required.begin(), required.end(), instancing) != required.end())
-      refuse(where(), "{} repeats a haptic node; remove the extension from it", instancing);
+      refuse(where(), "{} repeats a haptic node; remove this extension from the node", instancing);
     const Transform world = world_transform();
     check_position(path(), world.origin, "the world's origin");
     if (properties.role == HapticRole::plate) {
@@ -180,7 +182,7 @@ class SceneReader {
       const std::string& name = properties.name.value_or(node.name.empty() ? path() : printable(node.name));
       const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
       if (!is_new)
-        refuse(where(), "its name {} is also that of {}; each target needs its own name (extras.haptic.name)",
+        refuse(where(), "the target's name {} is also the name of {}; give each its own name (extras.haptic.name)",
                in_quotes(name), in_quotes(scene_.targets[same->second].node_path));
       scene_.targets.push_back(
           {.kind = properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object,
@@ -197,12 +199,13 @@ class SceneReader {
   void check_position(std::string_view node_path, Vec3 p, const char* origin) const {
     for (const double coordinate_m : {p.x, p.y, p.z})
       if (!(std::abs(coordinate_m) < max_plate_coordinate_m))
-        refuse(where(node_path), "its position is 1000 m or more from {}; check that the file is in metres", origin);
+        refuse(where(node_path), "a coordinate is 1000 m or more from {}; check that the file is in metres", origin);
   }
 
   void check_is_first(const std::string& other_path) const {
     if (!other_path.empty())
-      refuse(where(), "extras.haptic.role is the same as that of {}; set it for one node only", in_quotes(other_path));
+      refuse(where(), "extras.haptic.role is the same as that of {}; only one node may have this role",
+             in_quotes(other_path));
   }
 
   void take_plate(const Transform& world, const HapticProperties& properties) {
@@ -233,8 +236,8 @@ class SceneReader {
     const double from_centre_m = length(scene_.start_m);
     if (from_centre_m > scene_.plate.radius_m) {
       refuse(where(*scene_.start_path),
-             "the start is {:g} m from the centre of the plate; allowed: up to its radius_m, {:g}", from_centre_m,
-             scene_.plate.radius_m);
+             "the start is {:g} m from the centre of the plate; allowed: up to the plate's radius_m, {:g}",
+             from_centre_m, scene_.plate.radius_m);
     }
   }
 
@@ -260,19 +263,19 @@ class SceneReader {
         min_gap_deg = gap_deg;
       }
     }
-    if (!nearest) refuse(where(target.node_path), "the file has no real target for this virtual one; add one");
+    if (!nearest) refuse(where(target.node_path), "the file has no real target for this virtual target; add one");
     return *nearest;
   }
 
   const tinygltf::Model& model_;
   const std::string& file_;
-  std::vector<bool> is_visited_;  // for each node
-  std::vector<int> path_;         // indices of the present node's ancestors, the root first, and of the node
+  std::vector<bool> is_visited_;  // for each node: true if it was visited
+  std::vector<int> path_;         // indices of the present node's ancestors, the root first, and of the node itself
   std::size_t haptic_nodes_ = 0;
   Scene scene_{};
   Transform plate_frame_;
-  std::vector<std::optional<std::string>> served_by_;  // property of the file, for each of Scene::targets
-  std::map<std::string, std::size_t> index_of_;        // into Scene::targets, by name
+  std::vector<std::optional<std::string>> served_by_;  // name in the file, for each of Scene::targets
+  std::map<std::string, std::size_t> index_of_;        // index in Scene::targets, by name
 };
 
 Scene scene_of(std::string json, const std::string& file) {

@@ -26,8 +26,8 @@ struct ScenePlate {
 };
 
 enum class TargetKind {
-  real_object,     ///< the hand touches it
-  virtual_object,  ///< the user sees it; the hand is steered to the real target that is assigned to it
+  real_object,     ///< the hand is steered to it
+  virtual_object,  ///< the user sees it, and reaches for it; a real object is assigned to it
 };
 
 struct SceneTarget {
