@@ -18,8 +18,7 @@ class Disk {
   /// `syncs`: if false, omits fdatasync(), for tests that end the process but not the computer.
   explicit Disk(Step step = {}, bool syncs = true) : step_(std::move(step)), syncs_(syncs) {}
 
-  /// Creates a file with this content atomically, and syncs it. Returns false, without a change, if the file
-  /// exists.
+  /// Creates a file with this content atomically, and syncs it. Returns false, without a change, if the file exists.
   bool create(const std::filesystem::path& file, std::string_view content) const;
   /// Appends to an open file and syncs it.
   void append(int file, const std::filesystem::path& name, std::string_view content) const;

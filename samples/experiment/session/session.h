@@ -21,8 +21,7 @@ struct SessionPlace {
 
 std::filesystem::path folder_of(const SessionPlace& place);
 
-/// Copies the design to the study's folder at the first participant. Throws Refusal if the folder has another
-/// design.
+/// Copies the design to a study's folder that has none. Throws Refusal if the folder has another design.
 void freeze(const Design& design, const std::filesystem::path& study, const Disk& disk);
 
 /// Runs or resumes the session; has no effect if it has ended. Returns "done", "stopped", or "left" (the experimenter

@@ -50,8 +50,8 @@ class Session : public Object {
   XrSessionState state() const { return state_; }
   /// Queues an event with the present state.
   void report_state();
-  /// Enters a state by way of the states in between. No effect unless the session is running, or if its loss is
-  /// pending.
+  /// Enters LOSS_PENDING, or, if the session is running, another state by way of the states in between. No effect if
+  /// the loss of the session is pending.
   void go_to(XrSessionState state);
   /// Executes the script's event session_state. EXITING means that the user ends the application.
   void change_state(XrSessionState state);

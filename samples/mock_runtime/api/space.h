@@ -27,8 +27,7 @@ class Space : public Object {
   /// Returns the pose in the world at a time; nullopt for the space of an action, since there are no controllers.
   std::optional<Pose> in_world(XrTime time) const;
 
-  /// True for a reference space other than VIEW. Positions in it are inferred, not tracked, while head tracking is
-  /// lost.
+  /// True for a reference space other than VIEW: positions in it are inferred, not tracked, while the head is lost.
   bool is_fixed_to_room() const;
   bool head_is_tracked() const;
 

@@ -9,8 +9,8 @@
 
 namespace hrt::mock {
 
-/// A manual clock advances only in xrWaitFrame, so that runs are fast and give the same results
-/// each time. A real-time clock is CLOCK_MONOTONIC.
+/// A manual clock advances in xrWaitFrame only, so that runs are fast and repeatable. The real-time clock is
+/// CLOCK_MONOTONIC.
 class Clock {
  public:
   enum class Kind { manual, real_time };

@@ -71,8 +71,7 @@ TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
   }
 }
 
-// Expects every pair of each condition as often as planned, no pair three times in a row, and no two catch trials in a
-// row.
+// Expects every pair of each condition as often as planned, no pair 3 times in a row, and no 2 catch trials in a row.
 void expect_legal(const Design& design, const Block& block, std::size_t conditions) {
   std::map<std::pair<unsigned, unsigned>, unsigned> cells;
   std::size_t catches = 0;

@@ -87,8 +87,7 @@ TEST(ExperimentQuest, AgreesWithTheExampleOfThePaper) {
                        16, means});
 }
 
-// 300 simulated observers drawn from the prior, with lapse rates up to 3 %; HRT_EXPERIMENT_OBSERVERS sets another
-// number.
+// 300 observers (or HRT_EXPERIMENT_OBSERVERS) are drawn from the prior, with lapse rates up to 3 %.
 TEST(ExperimentQuest, RecoversThresholds) {
   const char* const wanted = std::getenv("HRT_EXPERIMENT_OBSERVERS");
   const unsigned observers = wanted != nullptr ? static_cast<unsigned>(std::stoi(wanted)) : 300;
