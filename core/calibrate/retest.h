@@ -1,4 +1,4 @@
-// Test and retest: whether two calibrations differ, of one person or of two. Allocates. Any thread.
+// Test and retest: whether two calibrations, of one person or of two, differ. Allocates. Any thread.
 #pragma once
 
 #include <span>

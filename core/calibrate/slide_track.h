@@ -49,7 +49,7 @@ std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples);
 
 inline constexpr double min_slide_mm = 30.0;
 
-/// Reduces a slide. Returns nullopt without a motion of `min_slide_mm` towards the goal with samples in all windows.
+/// Reduces a slide; nullopt without a motion of `min_slide_mm` towards the goal, or without samples in a window.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
 
 /// Returns true if the plate turned by more than `max_turn_deg` during the motion.

@@ -12,7 +12,7 @@ namespace hrt {
 
 class GuidedHand {
  public:
-  /// `touch_sd_mm`: SD of each coordinate of a touch or rest position.
+  /// `touch_sd_mm`: SD of each coordinate of the position of a touch or rest.
   GuidedHand(Person person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index);
 
   /// Sets the person who makes the following slides.

@@ -27,7 +27,7 @@ struct RecordedReach {
 struct OwnPath {
   PathShape mean_deg{};  ///< mean for this person and target
   PathShape sd_deg{};    ///< SDs from reach to reach; the coefficients are independent
-  bool returns = true;   ///< false: o(s) is reduced to 0 between 0.4 and 0.5 of the path, so the deflection stays
+  bool returns = true;   ///< false: o(s) fades to 0 between 0.4 and 0.5 of the path, so that the path does not return
   bool lags = false;     ///< false: the hand follows o(s) without delay; true: o(s) is added to the goal of steering
   double log_duration_sd = 0.0;  ///< SD of the log of the duration from reach to reach
   /// Recordings: each reach uses path and pace of one of them; null: none. mean_deg and sd_deg then describe the

@@ -22,7 +22,7 @@ enum class IllusionFamily {
   tanh,        ///< w scale_deg tanh(t / scale_deg)
   dead_band,   ///< 0 within scale_deg of 0, w (|t| - scale_deg) beyond
   unequal,     ///< w t to the left, half of w t to the right
-  peaked,      ///< w t within scale_deg, then linearly to 0 at 90
+  peaked,      ///< w t within scale_deg; beyond, falls linearly to 0 at 90 degrees
 };
 
 struct SimulatedIllusion {
@@ -76,8 +76,8 @@ struct Person {
   double muscle_s = 0.04;     ///< time constant of a heavy arm's force
   double weight_drift = 0.0;  ///< change of w from the start of a reach to its end
   Pace pace = Pace::minimum_jerk;
-  double duration_s = 1.5;  ///< > 0, without pauses
-  double path_scale = 1.0;  ///< length of the path over the distance to the target
+  double duration_s = 1.5;  ///< duration of the motion without pauses, > 0
+  double path_scale = 1.0;  ///< length of the path divided by the distance to the target
   OwnPath own_path;
 };
 

@@ -186,8 +186,8 @@ HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const 
  *  the next command. The command is sent within 5 ms, unless the computer is busy.
  *
  *  @param orientation_deg  Plate orientation. @range -1e6 to 1e6 @ccw
- *  @return OUT_OF_RANGE; WRONG_STATE if the plate is not READY, or if it is UNHOMED and hrt_plate_options::homing is
- *          not HRT_PLATE_HOMING_SLOW.
+ *  @return OUT_OF_RANGE naming orientation_deg; WRONG_STATE if the plate is not READY, or if it is UNHOMED and
+ *          hrt_plate_options::homing is not HRT_PLATE_HOMING_SLOW.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) HRT_NOEXCEPT;
 

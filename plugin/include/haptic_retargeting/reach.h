@@ -159,7 +159,7 @@ typedef uint32_t hrt_command_flags;
 /** Value of hrt_command::time_to_go_s once the motion has ended, or should have ended. */
 #define HRT_ARRIVED 0
 
-/** Writes flags of a command or summary as words, such as "unreachable, off target"; empty without flags.
+/** Writes flags of a command or summary as words, such as "unreachable, off target"; an empty text for 0.
  *
  *  @param flags       Flags of hrt_command or hrt_reach_summary.
  *  @param capacity    Bytes of `out_text`. 0: only the length is returned.

@@ -39,7 +39,7 @@ struct Packet {
 /// Returns the bytes of a packet, with header, byte stuffing and CRC.
 std::string encode(const Packet& packet);
 
-/// Converts a number to `count` bytes, the least significant one first, and back.
+/// Convert a signed number to `count` bytes, least significant byte first, and back.
 std::string little_endian(std::int64_t value, int count);
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 

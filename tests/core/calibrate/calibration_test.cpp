@@ -27,7 +27,7 @@ std::vector<CalibrationTrial> simulate(const CalibrationCondition& condition, in
   return trials;
 }
 
-// Straight slides in settled directions P = (2 - 0.2 T) / 0.8: w_T = 0.2 and a bias of 2.
+// Straight slides in settled directions P = (2 - 0.2 T) / 0.8: w_T = 0.2 and a bias of 2 degrees.
 TEST(Calibration, StraightSlides_GiveTheHandCalculatedWeightAndBias) {
   std::vector<CalibrationTrial> trials;
   for (const double angle_deg : angles_deg) {
@@ -105,8 +105,7 @@ TEST(Calibration, IntervalsCoverTheTruth) {
     noise_covered += covers(calibration.noise.white_mm, condition.tracker_noise_mm);
     weight_error += (calibration.tactile_weight.value - condition.participant.tactile_weight) / people;
   }
-  // At a coverage of 95 %, fewer than 4 of 6 intervals cover the truth with a probability of about 2e-3. `hrt-study
-  // coverage` has more people.
+  // At a coverage of 95 %, fewer than 4 of 6 intervals cover the truth with a probability of about 2e-3.
   EXPECT_GE(weight_covered, 4);
   EXPECT_GE(bias_covered, 4);
   EXPECT_GE(noise_covered, 4);

@@ -1,4 +1,4 @@
-// The fit of simulated people who differ from its model (core/simulation/person.h), and its tests for lack of fit.
+// Tests the fit, and the tests for lack of fit, with simulated people who differ from the model of the fit.
 #include "core/calibrate/person_fit.h"
 
 #include <gtest/gtest.h>

@@ -262,7 +262,7 @@ TEST(SimulationPerson, RidgesAlongTheMotion_CauseNoShift) {
     min_deg = std::min(min_deg, now.direction_deg());
   }
   EXPECT_LT(min_deg, virtual_deg - 2.0);
-  EXPECT_GT(min_deg, virtual_deg - 8.0);  // 0.2 * 40, which decays between ridges
+  EXPECT_GT(min_deg, virtual_deg - 8.0);  // the shift of 0.2 * 40 degrees decays between ridges
 }
 
 // Without steering, the direction is a random walk: 8 deg^2 per second for 1.5 s.
