@@ -22,7 +22,6 @@ struct CalibratedSlide {
   SlideVerdict verdict;
 };
 
-/// A point of the illusion curve with its 95 % interval.
 struct CurvePoint {
   double offset_deg;
   Interval shift_deg;

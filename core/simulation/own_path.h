@@ -18,7 +18,6 @@ namespace hrt {
 /// Coefficients a0 to a3, deg.
 using PathShape = std::array<double, 4>;
 
-/// A recorded reach, from start to stop.
 struct RecordedReach {
   std::array<double, 21> direction_deg{};   ///< direction of motion minus that of the chord at equal steps of the path
   std::array<double, 101> path_fraction{};  ///< fraction of the path at equal steps of the time

@@ -19,7 +19,6 @@ struct TargetMove {
   PlatePoint by;
 };
 
-/// A person with a tracker, a plate and targets.
 struct PersonCondition {
   Person person;
   TrackerModel tracker;

@@ -22,7 +22,6 @@ class Targets {
         real_(point_ahead(start, condition.real_direction_deg, condition.distance_mm)),
         moves_(condition.move.has_value()) {}
 
-  // Moves the targets when the finger has covered the configured fraction of the path.
   void follow(SlidingPerson& person, Retargeter* controller) {
     if (!moves_ || distance_mm(start, person.position()) < condition_.move->at_share * condition_.distance_mm) return;
     moves_ = false;

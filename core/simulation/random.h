@@ -31,7 +31,6 @@ class NormalDraws {
   std::array<double, 4> draws_{};
 };
 
-/// Identifies one draw of NormalDraws.
 struct RandomCounter {
   std::uint64_t seed;
   std::uint32_t condition;
@@ -39,7 +38,6 @@ struct RandomCounter {
   std::uint32_t step;
 };
 
-/// Returns one draw of NormalDraws.
 inline double standard_normal(const RandomCounter& counter) {
   return NormalDraws(counter.seed, counter.condition, counter.trial)(counter.step);
 }

@@ -11,7 +11,6 @@
 
 namespace hrt {
 
-/// Errors of a tracker.
 struct TrackerModel {
   double rate_hz = 90.0;
   double white_mm = 1.2;       ///< SD of white noise in a coordinate

@@ -75,7 +75,6 @@ TEST(SimulationOwnPath, RecordedReaches_GiveTheirHabitAndScatter) {
   EXPECT_NEAR(wander_sd_deg(path), 2.0, 1e-12);
 }
 
-// Without an illusion, the motion ends on the line to the virtual target.
 TEST(SimulationOwnPath, WithoutIllusion_TheOwnPathEndsAtTheTarget) {
   Person person{.noise_deg2_per_s = 0.0, .start_direction_deg = 5.0, .pace = Pace::recorded};
   person.illusion = {.family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};
