@@ -23,7 +23,6 @@ struct TrialRecord {
   std::optional<unsigned> answer;  ///< index of the answer
 };
 
-/// The next task of a session.
 struct Task {
   enum class Kind { consent, registration, check, set_up, questionnaire, rest, trial, answer, end } kind;
   unsigned block = 0;

@@ -1,4 +1,3 @@
-// The frame loop: xrWaitFrame, xrBeginFrame and xrEndFrame.
 #include <chrono>
 
 #include "samples/mock_runtime/abi/structure.h"

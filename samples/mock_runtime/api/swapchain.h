@@ -1,4 +1,3 @@
-// Swapchains, and the layers that show their images.
 #pragma once
 
 #include <deque>

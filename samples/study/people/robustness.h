@@ -92,7 +92,6 @@ struct SimulatedPeople {
 
 SimulatedPeople people_of(const PeopleFamily& family);
 
-/// One kind of people at one duration.
 struct RobustnessRow {
   SimulatedPeople people;
   double duration_s;

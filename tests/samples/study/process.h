@@ -12,7 +12,6 @@ using StudyRun = Outcome;
 /// program's error output.
 Process start_study(const std::vector<std::string>& arguments, const std::string& modules = {}, int err = -1);
 
-/// Runs `hrt-study arguments...`.
 StudyRun run_study(const std::vector<std::string>& arguments, const std::string& modules = {});
 
 /// Returns the sorted names of all entries of a folder, including hidden entries.
