@@ -48,8 +48,8 @@ struct Pose {
   Quaternion orientation;
 };
 
-/// An affine transform: the images of the directions +X, +Y and +Z, and of the origin. For a pose, these directions are
-/// perpendicular unit vectors.
+/// An affine transform: the images of the directions +X, +Y, +Z (for a pose, perpendicular unit vectors) and the
+/// origin.
 struct Transform {
   Vec3 x{1.0, 0.0, 0.0};
   Vec3 y{0.0, 1.0, 0.0};
@@ -79,9 +79,8 @@ inline Vec3 coordinates_in(const Transform& frame, Vec3 point) {
   return {dot(frame.x, from_origin), dot(frame.y, from_origin), dot(frame.z, from_origin)};
 }
 
-/// Converts a position in the world to coordinates of a plate with the pose `plate`: in metres from the centre of
-/// rotation, +X right, +Y up along the plate's normal, +Z towards the user. `scale` is the length in the world of 1 m
-/// on the plate.
+/// Converts a position in the world to plate coordinates: metres from the centre of rotation, +X right, +Y up along the
+/// plate's normal, +Z towards the user. `scale` is the length in the world of 1 m on the plate.
 inline Vec3 plate_coordinates(const Pose& plate, double scale, Vec3 world_m) {
   if (scale != 1.0) world_m = plate.position_m + (world_m - plate.position_m) * (1.0 / scale);
   return coordinates_in(transform_of({plate.position_m, normalized(plate.orientation)}), world_m);

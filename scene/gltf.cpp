@@ -95,8 +95,7 @@ void prepare(std::string& json, const std::string& file) {
   }
 }
 
-// Returns the reason in an error text of the parser, without the name of the error and the last read text, which may be
-// long.
+// Returns the reason in an error text of the parser, without the error's name and the last read text.
 std::string reason(std::string_view error) {
   const std::size_t name_end = error.find("] ");
   if (name_end != error.npos) error.remove_prefix(name_end + 2);

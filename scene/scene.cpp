@@ -28,9 +28,8 @@ bool is_degenerate(const Transform& t) {
   return !(std::abs(dot(cross(t.x * (1.0 / x), t.y * (1.0 / y)), t.z * (1.0 / z))) > min_volume);
 }
 
-// Converts a rotation matrix, whose axes are right-handed, perpendicular unit vectors, to a quaternion with w >= 0.
-// Each of 4x^2, 4y^2, 4z^2, 4w^2 is a signed sum of the diagonal elements; dividing by the root of the largest one
-// avoids cancellation.
+// Converts a rotation matrix to a quaternion with w >= 0. Each of 4x^2, 4y^2, 4z^2, 4w^2 is 1 plus a signed sum of the
+// diagonal elements; dividing by the root of the largest one avoids cancellation.
 Quaternion quaternion_of(const Transform& axes) {
   const double xx = axes.x.x;
   const double yy = axes.y.y;
@@ -102,8 +101,7 @@ class SceneReader {
     }
   }
 
-  // Returns the names of the first `depth` nodes of path_, joined with '/'. The index of a node without a name is
-  // written in brackets.
+  // Returns the first `depth` nodes of path_, joined with '/': names or, of nodes without a name, indices in brackets.
   std::string path(std::size_t depth) const {
     std::string result;
     for (std::size_t i = 0; i < depth; ++i) {

@@ -1,4 +1,3 @@
-// The error of files that cannot be used, and its texts.
 #pragma once
 
 #include <fmt/format.h>

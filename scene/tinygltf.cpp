@@ -1,4 +1,3 @@
-// The implementation of tinygltf.
 #include <fstream>  // tiny_gltf.h lacks it if TINYGLTF_NO_FS is defined
 
 #define TINYGLTF_IMPLEMENTATION

@@ -1,5 +1,4 @@
-// Implements the class HapticRetargeting independently of the engine's interface: extension.cpp passes calls and
-// signals. Each node owns a session.
+// The class HapticRetargeting without the engine's interface, which is in extension.cpp. Each node owns a session.
 #pragma once
 
 #include <array>
@@ -84,8 +83,7 @@ class PlateNode {
   /** Returns the error in the properties or the node's pose, for the editor; empty without one. */
   std::string warning();
 
-  // Methods for scripts, with the names of their arguments. The generator reads this list, and README.md documents
-  // each method.
+  // Methods for scripts, with the names of their arguments. The generator reads this list.
   hrt_target add_real_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_virtual_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_real_target_at(std::string name, Vector3 world_position);

@@ -54,7 +54,6 @@ hrt_result read_configuration(const char* name, const Struct* given, Struct* kno
   return given ? read_struct(name, given, known) : HRT_OK;
 }
 
-/// Checks that write_struct() can write to `out`.
 template <class Struct>
 hrt_result check_output(const char* name, const Struct* out) {
   if (!out) return fail_of_null(name);
@@ -63,21 +62,19 @@ hrt_result check_output(const char* name, const Struct* out) {
   return check_struct_size<Struct>(name, size);
 }
 
-/// Completes a struct of `size` bytes whose known fields are written: sets struct_size to `size`, unknown bytes to 0.
+/// Sets the bytes after the known fields of a struct of `size` bytes to 0, and struct_size to `size`.
 template <class Struct>
 void end_struct(std::uint32_t size, Struct* out) {
   std::memset(reinterpret_cast<char*>(out) + sizeof(Struct), 0, size - sizeof(Struct));
   std::memcpy(reinterpret_cast<char*>(out), &size, sizeof size);
 }
 
-/// Writes `known` into a struct of `size` bytes, and zeros into its unknown bytes.
 template <class Struct>
 void write_struct_of(std::uint32_t size, const Struct& known, void* out) {
   std::memcpy(out, &known, sizeof(Struct));
   end_struct(size, static_cast<Struct*>(out));
 }
 
-/// Writes a struct that passed check_output().
 template <class Struct>
 void write_struct(const Struct& known, Struct* out) {
   write_struct_of(out->struct_size, known, out);

@@ -30,7 +30,7 @@ constexpr int to_write = _O_WRONLY | _O_CREAT | _O_BINARY | _O_NOINHERIT;
 
 int open_descriptor(const char* path, int flags) {
   int descriptor = -1;
-  // The system denies a second writer.
+  // With _SH_DENYWR, Windows does not let a second program open the file for writing.
   _wsopen_s(&descriptor, path_of(path).c_str(), flags, flags == to_write ? _SH_DENYWR : _SH_DENYNO,
             _S_IREAD | _S_IWRITE);
   return descriptor;

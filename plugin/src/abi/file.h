@@ -29,19 +29,15 @@ class File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
-  /// Opens a file of at most `max_size` bytes for reading. Fails, naming the path and the reason, also for a pipe,
-  /// which could block.
+  /// Opens a file of at most `max_size` bytes for reading. Also fails for a pipe, from which a read could block.
   static hrt_result open(const char* path, std::uint64_t max_size, File* out);
-  /// Creates a file for writing, or opens an existing one without changing it. Fails if this or another process is
-  /// writing a recording to the file.
+  /// Creates a file for writing, or opens an existing one unchanged. Fails if any process is recording to it.
   static hrt_result create(const char* path, File* out);
 
   /// Reads into the beginning of `out`. Returns the number of bytes; 0 at the end; negative on failure, with errno set.
   std::ptrdiff_t read(std::span<char> out);
-  /// Discards the content of a file that is open for writing. Returns 0 or errno.
-  int clear();
-  /// Writes all of `text`. Returns 0 or errno.
-  int write(std::string_view text);
+  int clear();                       ///< returns 0 or errno
+  int write(std::string_view text);  ///< returns 0 or errno
   /// Unlocks the file for other writers, also if a child of this process has inherited it, and closes it.
   void release();
 

@@ -5,7 +5,7 @@
 
 namespace hrt::plugin {
 
-/// Starts to count for forks(). Throws std::bad_alloc.
+/// Begins the count that forks() returns. Throws std::bad_alloc.
 void watch_forks();
 
 /// Returns the number of forks between the process that called watch_forks() and this one. Real-time.

@@ -1,4 +1,3 @@
-// The host's log.
 #pragma once
 
 #include <cstdint>

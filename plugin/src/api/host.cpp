@@ -67,7 +67,6 @@ hrt_result check_allocator(const hrt_host& next) {
               " blocks of memory; destroy its sessions, people and scenes first");
 }
 
-// Reads a host. Null means the defaults.
 hrt_result read_host(const hrt_host* given, hrt_host* host) {
   *host = {.struct_size = sizeof(hrt_host)};
   if (!given) return HRT_OK;

@@ -1,5 +1,4 @@
-// Conversion of the structs of the C interface to core types. Each function fails, naming the field, if a field that it
-// reads is out of range.
+// Conversion of the structs of the C interface to core types. The functions fail, naming a field that is out of range.
 #pragma once
 
 #include "haptic_retargeting/setup.h"

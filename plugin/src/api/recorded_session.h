@@ -49,12 +49,10 @@ class RecordedSession {
 
   /// Sets the initial plate orientation of a replay.
   hrt_result set_plate_orientation_deg(double orientation_deg);
-  /// Geometry of the reach in progress, for a recording.
   ReachGeometry reach_geometry() const;
 
-  /// Logs, once for each session, that a value was not finite (HRT_COMMAND_FAULT), and, once for each configuration,
-  /// that a command had HRT_COMMAND_REGISTRATION or HRT_COMMAND_IMPLAUSIBLE. `handle` identifies the session in the
-  /// log.
+  /// Logs HRT_COMMAND_FAULT once for each session, HRT_COMMAND_REGISTRATION and HRT_COMMAND_IMPLAUSIBLE once for each
+  /// configuration. `handle` identifies the session in the log.
   void log_findings(std::uint64_t handle);
 
   /// Logs a warning if the conditions under which the user was measured differ from the present ones.
@@ -63,8 +61,7 @@ class RecordedSession {
   /// Sets the session's log to `host.log`. If `host.log` is null, the session uses the log of the process.
   void set_log(const hrt_host& host) { plugin::set_log(&log_, host); }
 
-  /// Returns flags HRT_STATE_*.
-  std::uint32_t state() const;
+  std::uint32_t state() const;  ///< flags HRT_STATE_*
 
   /// Starts to record calls into a file. `handle` identifies the session in the log.
   hrt_result start_recording(const char* path, std::uint64_t handle);

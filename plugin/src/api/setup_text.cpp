@@ -10,8 +10,7 @@
 namespace hrt::plugin {
 namespace {
 
-// Indexed by SetupProblem.
-constexpr const char* problem_texts[] = {
+constexpr const char* problem_texts[] = {  // indexed by SetupProblem
     "",
     "The slide was too fast. Please move more slowly. ",
     "The slide was too slow. Please move faster. ",

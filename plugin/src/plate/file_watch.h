@@ -17,8 +17,7 @@ class FileWatch {
 
   explicit FileWatch(PlateFile file) : file_(std::move(file)) {}
 
-  /// Processes the present state of the device. Call it after each Device::wait(). `command_deg` is nullopt while the
-  /// plate has no command.
+  /// Call it after each Device::wait(). `command_deg` is nullopt while the plate has no command.
   void update(Time now, const Device& device, std::optional<double> command_deg);
   /// True if the plate has less than 80 % of the speed in the file, rests farther from its command than the error in
   /// the file, or is late. It is late if it follows its commands more than 40 ms later than the latency in the file.

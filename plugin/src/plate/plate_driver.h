@@ -59,7 +59,7 @@ class PlateDriver {
   std::string path_;
   std::optional<PlateFile> file_;
   hrt_plate_options options_;
-  std::uint32_t forks_;  // number of forks of this process and its parents when the plate was opened
+  std::uint32_t forks_;  // forks that count_forks() had counted when the plate was opened
 
   // Written by the host: wanted orientation (NaN: hold the present one), and a counter of its calls.
   std::atomic<double> wanted_deg_;

@@ -9,8 +9,7 @@
 
 namespace hrt::plate {
 
-/// Answer to HELLO.
-struct PlateGreeting {
+struct PlateGreeting {  // answer to HELLO
   double min_deg;
   double max_deg;
   double speed_deg_s;

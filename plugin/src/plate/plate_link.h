@@ -19,12 +19,11 @@ namespace hrt::plate {
 /// All calls are made on one thread.
 class PlateLink : public Device, public BoardSettings {
  public:
-  /// Sends HELLO, waits up to five seconds for the answer (boards restart when their serial line is opened), and
-  /// measures the round trip. Moves nothing. With Start::passive, an open emergency stop or a missing supply is not a
+  /// Waits up to five seconds for the answer to HELLO, because boards restart when their serial line is opened.
+  /// Measures the round trip. Moves nothing. With Start::passive, an open emergency stop or a missing supply is not a
   /// failure.
   explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
-  /// Stops the plate if it is still connected.
-  ~PlateLink() override;
+  ~PlateLink() override;  ///< stops the plate if it is still connected
   PlateLink(const PlateLink&) = delete;
   PlateLink& operator=(const PlateLink&) = delete;
 
@@ -60,8 +59,7 @@ class PlateLink : public Device, public BoardSettings {
   void save_settings() override;
   double sensor_reading() override;
 
-  /// Sends `body`, and passes each message to `handler` until `handler` returns true. Throws PlateFailure after
-  /// `limit`.
+  /// Sends `body`. Passes messages to `handler` until it returns true; if this takes `limit`, throws PlateFailure.
   void ask(const std::string& body, const std::function<bool(const PlateMessage&)>& handler,
            std::chrono::milliseconds limit = std::chrono::milliseconds(1000));
 

@@ -1,5 +1,4 @@
-// Compares the reports of a plate with its commands: detects a plate that sends no reports, is stuck, is beyond its
-// limits, or is slower than it reports.
+// Detects a plate that sends no reports, is stuck, is beyond its limits, or is slower than it reports.
 #pragma once
 
 #include <chrono>
@@ -22,8 +21,8 @@ class PlateWatch {
   void note_command(double orientation_deg);
   /// Notes a stop: from now on the plate need not move.
   void note_stop();
-  /// Notes a report. `orientation_deg` is nullopt if the orientation is unknown. Throws PlateFailure if the plate is
-  /// stuck or beyond its limits.
+  /// Notes a report; nullopt: the orientation is unknown. Throws PlateFailure if the plate is stuck or beyond its
+  /// limits.
   void note_report(Time time, std::optional<double> orientation_deg);
   /// Throws PlateFailure if no report has arrived for half a second. Call it regularly.
   void check(Time now) const;
@@ -54,8 +53,7 @@ class RoundTrips {
   using Time = PlateWatch::Time;
 
   void sent(Time time, std::uint16_t sequence);
-  /// Notes an echo. Returns false if another host has sent the message: this host has not sent that number, or a later
-  /// number was echoed already.
+  /// Notes an echo. Returns false if this host has not sent the number, or if a later one was already echoed.
   bool echoed(Time time, std::uint16_t sequence);
   /// Median; nullopt before the first echo.
   std::optional<std::chrono::nanoseconds> median() const { return median_; }

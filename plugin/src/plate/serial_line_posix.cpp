@@ -1,4 +1,3 @@
-// Serial line of POSIX systems.
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
@@ -119,8 +118,7 @@ class SerialLine : public Line {
   void set_up(speed_t speed) {
     if (tcgetattr(line_, &before_) != 0)
       throw PlateFailure(Fault::line, "is not a serial line; name a serial device, such as /dev/ttyACM0");
-    // TIOCEXCL does not exclude root, or a program that has opened the line before. flock() excludes both if they call
-    // it.
+    // TIOCEXCL does not exclude root or an earlier program. flock() excludes both if they call it.
     if (flock(line_, LOCK_EX | LOCK_NB) != 0 || ioctl(line_, TIOCEXCL) != 0)
       throw PlateFailure(Fault::line, "is in use by another program. Close that program");
     termios settings = before_;

@@ -106,7 +106,6 @@ inline bool is_row(const Record& record) {
 
 using RecordText = JsonText;
 
-/// The first line of a recording.
 inline constexpr std::string_view recording_begin = "# haptic retargeting recording, version 4\n";
 
 /// Returns the lines before the first record: format, explanation, names of the columns.
@@ -115,7 +114,6 @@ std::string recording_header();
 /// Writes the line of a record: a row of the table or a comment.
 void write_record(const Record& record, RecordText& out);
 
-/// Prefixes of comments.
 inline constexpr std::string_view config_comment = "# config ";
 inline constexpr std::string_view target_comment = "# target ";
 inline constexpr std::string_view plate_comment = "# plate ";

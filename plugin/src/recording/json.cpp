@@ -27,7 +27,6 @@ constexpr const char* profile_format = "haptic retargeting profile";
 constexpr std::size_t max_text = 65536;
 constexpr std::size_t max_fields = 64;
 
-// Calls visit(key, value) for each field.
 template <class Values>
 void visit_fields(Values& values, auto&& visit) {
   for_each_field<std::remove_const_t<Values>>([&](const auto& field) { visit(field.name, field.of(values)); });

@@ -119,7 +119,6 @@ void Recorder::write_all() {
   write(end.view());
 }
 
-// Writes the records in the ring to the file.
 void Recorder::drain() {
   for (std::uint64_t n = taken_.load(std::memory_order_relaxed);; taken_.store(++n, std::memory_order_release)) {
     const std::uint64_t held = pushed_.load(std::memory_order_acquire) - n;

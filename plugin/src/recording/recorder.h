@@ -17,24 +17,21 @@
 
 namespace hrt::plugin {
 
-/// A ring buffer of records, and a thread that writes them to a file. Calls must not be concurrent. push() is
-/// real-time.
+/// A ring buffer of records, and a thread that writes them to a file. Calls must not be concurrent.
 class Recorder {
  public:
   /// Starts a recording by writing the state of the session. `name` identifies session and file in `log`, which must
   /// outlive this object. Throws std::system_error, std::bad_alloc.
   Recorder(File file, std::string_view name, const SessionLog& log, const hrt_session_config& config,
            std::span<const TargetChanged> targets, double plate_orientation_deg);
-  /// Writes the remaining records and closes the file.
-  ~Recorder();
+  ~Recorder();  ///< writes the remaining records and closes the file
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Adds a record, or counts it as lost if the ring is full.
+  /// Adds a record, or counts it as lost if the ring is full. Real-time.
   void push(const Record& record) noexcept;
 
-  /// True in a forked child of the recording process. There, push() drops records, and the other functions must not be
-  /// called.
+  /// True in a forked child of the recording process: push() drops records, other functions must not be called.
   bool belongs_to_parent_process() const { return forks_ != forks(); }
 
   /// Ends the recording as the destructor does, and returns the final state.
@@ -65,12 +62,12 @@ class Recorder {
   std::atomic<std::uint64_t> taken_{0};   // records that the writing thread has removed from the ring
   std::atomic<std::uint64_t> lost_{0};    // records that were dropped
   std::atomic<std::uint64_t> written_{0};
-  std::atomic<std::uint64_t> written_rows_{0};  // number of those records that are rows
+  std::atomic<std::uint64_t> written_rows_{0};  // written records that are rows
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint64_t> lost_unnoted_{0};  // dropped records that no entry counts in lost_before yet
   std::atomic<bool> overrun_{false};            // true: no record is accepted until half of the ring is free
-  std::uint64_t lost_unreported_ = 0;           // used by the writing thread only, as reported_
+  std::uint64_t lost_unreported_ = 0;           // lost calls that are not in the log yet
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;

@@ -23,7 +23,6 @@ consteval std::size_t column(std::string_view name) {
   return i;
 }
 
-/// The cells of a row that is read.
 using Cells = std::array<std::string_view, columns>;
 
 /// Collects the cells of one row and writes them on destruction. Cells that are not set are empty.

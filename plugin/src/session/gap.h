@@ -33,7 +33,6 @@ class Gaps {
   const SessionModel& model_;
 };
 
-/// Assignment to one virtual target.
 struct Assigned {
   std::size_t real;  ///< index of the assigned real target or, if none is assigned, of that with the smallest gap
   bool is_feasible;  ///< true if a real target is assigned, whose gap is then feasible

@@ -30,7 +30,6 @@ struct Implausible {
 /// Writes a sentence with the values and the likely mistake, for the log.
 void write_implausible(const Implausible& found, Text<320>& text);
 
-/// Checks one reach. Real-time.
 class Plausibility {
  public:
   Plausibility() = default;

@@ -93,8 +93,7 @@ hrt_result Session::begin(const ReachRequest& request) {
   return HRT_OK;
 }
 
-// If the start is found by touch, its position in the tracker's frame is unknown, and so are directions from it: they
-// are not checked.
+// Directions from a start that is found by touch are not checked: the tracker's position of that start is unknown.
 Plausibility Session::plausibility_of(const Reach& reach) const {
   Plausibility plausibility(mm_per_m * model_.mount.surface.radius_m, reach, targets.may_be_in_radians());
   if (model_.control.start_is_felt) plausibility.retarget();
@@ -175,8 +174,7 @@ hrt_result Session::check_contact_due() const {
   return HRT_OK;
 }
 
-// Stores the contact if the reach is in progress: end() applies it after the estimates of the user. After the reach,
-// applies it immediately.
+// During the reach, only stores the contact: end() applies it after the estimates of the user.
 hrt_result Session::touched(const ContactReport& report) {
   auto* reaching = std::get_if<Reaching>(&state_);
   const EndedReach reach = reaching ? EndedReach{reaching->start, reaching->pair.real, reaching->retargeter.finger()}
@@ -240,8 +238,6 @@ void Session::learn(const Retargeter& retargeter, const ReachSummary& summary) {
   if (is_valid(next)) model_ = next;
 }
 
-// Assesses the registration for a reach: missing although required, too inaccurate at the real target, or contradicted
-// by contacts.
 Session::RegistrationAssessment Session::assess_registration(const Reach& reach) const {
   const RetargeterConfig& control = model_.control;
   const PlateRegistration& required = model_.registration;

@@ -1,5 +1,4 @@
-// A session: the state of one user at one plate, in core types. A call that fails changes nothing. Calls of a reach are
-// real-time.
+// The state of one user at one plate, in core types. Calls that fail change nothing. Calls of a reach are real-time.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +16,6 @@
 
 namespace hrt::plugin {
 
-/// Parameters of a reach, from the host.
 struct ReachRequest {
   std::uint64_t real_target = 0;
   std::uint64_t virtual_target = 0;
@@ -35,8 +33,7 @@ class Session {
   /// Replaces the model. Requires is_valid(model). Fails during a reach or a set-up.
   hrt_result set_model(const SessionModel& model);
 
-  /// Plate orientation of the last command.
-  double plate_orientation_deg() const { return plate_orientation_deg_; }
+  double plate_orientation_deg() const { return plate_orientation_deg_; }  ///< of the last command
   void set_plate_orientation_deg(double orientation_deg) { plate_orientation_deg_ = orientation_deg; }
 
   bool is_reaching() const { return std::holds_alternative<Reaching>(state_); }
@@ -78,7 +75,6 @@ class Session {
   /// The part in progress. Requires is_setting_up().
   SetupPart setup_part() const { return std::get<SettingUp>(state_)->part(); }
   SetupStep setup_step() const { return std::get<SettingUp>(state_)->step(); }
-  /// Report of the latest set-up.
   const SetupReport& setup_report() const { return *report_; }
   /// Slides of the last calibration; empty before the first one.
   const std::vector<CalibratedSlide>& slides() const {
@@ -88,7 +84,6 @@ class Session {
   Targets targets;
 
  private:
-  /// Copies of a reach's targets.
   struct Pair {
     TargetPlace real;
     TargetPlace virtual_target;

@@ -22,8 +22,8 @@ inline constexpr Range position_range_m{-1000.0, 1000.0}, fingertip_range_m{-1.0
 /// Use of the estimates from a reach.
 enum class Adaptation : std::uint8_t {
   off,     ///< the estimates are not used
-  reach,   ///< within that reach
-  carried  ///< carried to the following reaches
+  reach,   ///< used in the same reach only
+  carried  ///< also used in the following reaches
 };
 
 /// Size of the plate, and the height above it that counts as a lift.
@@ -32,8 +32,7 @@ struct PlateSurface {
   double lift_height_m = 0.015;  ///< a finger that is tracked higher than this above the plate is lifted, > 0
 };
 
-/// Pose of the plate, and the values that convert tracked positions to plate coordinates. Lengths are in metres, as in
-/// scenes.
+/// Pose of the plate, and the values that convert tracked positions to plate coordinates. Lengths are in metres.
 struct PlateMount {
   Pose pose;           ///< pose of the plate in the engine's world; does not turn with the ridges
   double scale = 1.0;  ///< length in the world of 1 m on the plate, 0.5 to 2
@@ -50,8 +49,7 @@ struct PlateRegistration {
 };
 
 struct SessionModel {
-  /// Configuration of each reach. Unless `knows_person`, control.person is the prior of an unknown person.
-  /// control.touched.home is the start.
+  /// Unless `knows_person`, `control.person` is the prior of an unknown person. `control.touched.home` is the start.
   RetargeterConfig control;
   bool guides_to_arrival = true;  ///< true: GUIDANCE_ARRIVAL; false: FIXED_DIRECTION. Unused if the plate is fixed
   Adaptation adaptation = Adaptation::carried;
@@ -63,10 +61,8 @@ struct SessionModel {
 
 bool is_valid(const SessionModel& model);
 
-/// True if the poses and scales are equal.
 bool have_same_pose(const PlateMount& a, const PlateMount& b);
 
-/// The start of reaches in the plane of the plate.
 inline const PlatePoint& start_of(const SessionModel& model) { return model.control.touched.home; }
 
 /// Computes control.person from the model's tactile weight, its SD and the bias: the prior of an unknown person or,
@@ -82,12 +78,10 @@ void know_person(const PersonBelief& belief, SessionModel* model);
 /// Returns the illusion curve of the user for a path of this length: linear if the person is unknown.
 Illusion illusion_of(const SessionModel& model, double distance_mm);
 
-/// Resets the correction of the registration by contacts.
 void forget_contacts(SessionModel* model);
 
-/// Completes the model `profile`, which is the model `session` with a profile read into it. Restores the session's pose
-/// and, if the profile has no contacts, the session's contacts. Contacts of the profile are discarded if it has another
-/// pose; otherwise, drift of the tracker is added to their covariance.
+/// Completes `profile`, which is the model `session` with a profile read into it. Restores the session's pose, and its
+/// contacts if the profile has none. Discards contacts of a profile with another pose; adds tracker drift to others.
 void take_contacts_of_profile(const SessionModel& session, bool has_contacts, SessionModel* profile);
 
 /// Converts the covariance of the plate's pose from and to metres, the unit of files and of the C interface.

@@ -45,7 +45,6 @@ class SessionSetup {
 
   SetupPart part() const { return setup_.part(); }
   SetupStep step() const { return setup_.step(); }
-  /// Processes one sample. Real-time.
   hrt_result update(const SessionModel& model, const SetupSample& sample, SetupStep* out);
   /// Continues the fit of the current part for at most a few milliseconds. When the fit is complete, applies its result
   /// to the model and adds it to the report.

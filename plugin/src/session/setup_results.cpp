@@ -10,8 +10,7 @@
 namespace hrt::plugin {
 namespace {
 
-// Converts to metres and back. Recordings and profiles contain metres, and the session must use the value that is read
-// from them.
+// Recordings and profiles contain metres, and the session must use the value that is read from them.
 double as_read_from_m(double mm) { return mm_per_m * (mm / mm_per_m); }
 
 void apply_noise(const RestNoise& rest, EstimatorConfig* config) {

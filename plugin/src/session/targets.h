@@ -1,4 +1,3 @@
-// The targets of one session.
 #pragma once
 
 #include <array>
@@ -61,7 +60,6 @@ class Targets {
   void set_served_by(std::uint64_t id, std::uint64_t real_target) { by_id_.at(id).served_by = real_target; }
   hrt_result remove(std::uint64_t id);
 
-  /// Returns the target with this id, or null.
   const Target* find(std::uint64_t id) const;
   /// Finds a target of a role, or fails naming `argument`.
   hrt_result find(const char* argument, std::uint64_t id, TargetRole role, const Target** out) const;
@@ -72,12 +70,10 @@ class Targets {
   /// True if there is a real and a virtual target, as a reach requires.
   bool has_both_roles() const { return real_count_ > 0 && by_id_.size() > real_count_; }
   /// True if there are both roles, all targets are given by directions of at most 1.6, and at least two are not 0. In
-  /// degrees, all these targets would be within 6 mm of each other at 100 mm from the start, which no application
-  /// needs.
+  /// degrees, targets at 100 mm from the start would be within 6 mm of each other, which no application needs.
   bool may_be_in_radians() const;
 
-  /// Returns the number of a target in recordings; 0 if the target does not exist. With one session, numbers begin
-  /// at 1.
+  /// Returns a target's number in recordings, from 1 in a process with one session; 0 if the target does not exist.
   std::uint64_t number(std::uint64_t id) const { return by_id_.contains(id) ? id - before_first_ : 0; }
 
  private:

@@ -15,9 +15,8 @@
 
 namespace hrt::plate::dynamixel {
 
-/// An entry of the control table. Entries with an address below 64 keep their values across power-off, and may be
-/// written only while the torque is off. `motion` consists of the profile velocity and, in the upper four bytes, the
-/// goal position.
+/// An entry of the control table. Entries below address 64 keep their values across power-off, and may be written only
+/// while the torque is off. `motion` is the profile velocity and, in the upper four bytes, the goal position.
 struct Entry {
   int address;
   int size;
@@ -70,8 +69,7 @@ class Bus {
 
   /// Sends a request once. Returns nullopt if no answer arrives. The caller handles an error in the answer.
   std::optional<Packet> try_once(const Packet& request);
-  /// Repeats a request until an undamaged answer arrives. Throws PlateFailure if the servo reports an error, or if it
-  /// does not answer.
+  /// Repeats a request until an undamaged answer arrives. Throws PlateFailure without one, or if it reports an error.
   Packet transact(const Packet& request);
   std::int64_t read(Entry entry);
   void write(Entry entry, std::int64_t value) { transact(write_request(entry, value)); }
@@ -85,7 +83,6 @@ class Bus {
   bool awaits_answer() const { return !is_answered_ && line_->now() - asked_ <= answer_limit; }
   /// Returns true, once, if the last request was not answered in time.
   bool has_missed_answer();
-  /// Last request, and the time at which it was sent.
   const Packet& request() const { return request_; }
   Line::Time asked() const { return asked_; }
   /// Throws PlateFailure if no request has been answered for half a second.

@@ -330,8 +330,7 @@ class Servo : public Device {
     bus_.send(bus_.write_request(motion, motion_of(profile_units, goal)));
   }
 
-  // Sets the goal to the present position, which is extrapolated from the last report, so that the plate does not turn
-  // back.
+  // Extrapolates the present position from the last report, and sets it as the goal: the plate does not turn back.
   void send_stop() {
     next_ = Next::poll;
     if (!orientation_deg_) return;

@@ -120,8 +120,7 @@ namespace Hrt
                        IdOf(virtualTarget, virtualIds, nameof(virtualTarget)));
         }
 
-        /// <summary>Redirects the reach to other targets, or to the current positions of the same targets. Call it in each
-        /// frame if they move.</summary>
+        /// <summary>Redirects the reach to other or moved targets. Call it each frame while they move.</summary>
         public void RetargetReach(Transform realTarget, Transform virtualTarget)
         {
             HapticRetargetingSession session = EnabledSession();
@@ -357,8 +356,7 @@ namespace Hrt
             return config;
         }
 
-        // Adds targets, moves them to the positions of their Transforms, and removes targets that are not listed or are
-        // destroyed.
+        // Adds and moves targets as their Transforms require, and removes those that are not listed or are destroyed.
         void SetTargets(HapticRetargetingSession session, List<Transform> targets, TargetRole role,
                         Dictionary<Transform, TargetId> ids)
         {

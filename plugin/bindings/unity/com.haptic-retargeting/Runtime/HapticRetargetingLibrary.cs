@@ -5,8 +5,7 @@ using AOT;
 
 namespace Hrt
 {
-    /// <summary>The native library: its version, its log, and the release of native objects before managed code is
-    /// unloaded.</summary>
+    /// <summary>The native library: its version and log, and the release of objects before code is unloaded.</summary>
     public static partial class HapticRetargetingLibrary
     {
         // Native objects of this application domain that exist, with the call that destroys each. The dictionary is its own lock.
@@ -47,8 +46,7 @@ namespace Hrt
             {
                 if (loaded) return;
                 CheckVersion();
-                // The editor keeps the library and its objects when it reloads the scripts' domain. Remaining objects
-                // would call a collected delegate.
+                // The editor keeps native objects when it reloads the scripts: they would call a collected delegate.
                 AppDomain.CurrentDomain.DomainUnload += (sender, arguments) => Shutdown();
                 AppDomain.CurrentDomain.ProcessExit += (sender, arguments) => Shutdown();
                 Result result = SetLog(Marshal.GetFunctionPointerForDelegate(onLog));

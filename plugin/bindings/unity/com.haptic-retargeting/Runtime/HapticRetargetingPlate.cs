@@ -42,8 +42,7 @@ namespace Hrt
 
         internal PlateHandle Handle => new PlateHandle { value = Value };
 
-        // Must precede the first call of libhrt_plate. Throws if the library is missing. Plates are closed before managed
-        // code is unloaded.
+        // Call it before any other call of libhrt_plate. Throws if the library is missing.
         static void Load()
         {
             HapticRetargetingLibrary.Load();

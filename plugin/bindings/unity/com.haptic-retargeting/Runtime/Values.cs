@@ -22,8 +22,7 @@ namespace Hrt
 
     internal static class Utf8
     {
-        /// <summary>Encodes a text as UTF-8 with a terminating NUL. Throws if the text contains a NUL, which would end
-        /// it in C.</summary>
+        /// <summary>Encodes a text as UTF-8 with a terminating NUL. Throws if the text contains a NUL.</summary>
         internal static byte[] NullTerminated(string text, string argument)
         {
             byte[] bytes = Bytes(text, argument);

@@ -4,8 +4,7 @@ using UnityEngine;
 namespace HrtSamples
 {
     /// <summary>
-    /// Creates a plate, a real cylinder and three virtual objects. The centre of the plate is the position of this object.
-    /// SimulatedReach moves a simulated finger over the plate.
+    /// Creates a plate, centred at this object, a real cylinder and three virtual objects.
     /// </summary>
     public sealed class Desk : MonoBehaviour
     {
