@@ -7,7 +7,7 @@
 namespace hrt {
 namespace {
 
-// Logarithm of the gamma function for x > 0, by Stirling's series for arguments of at least 8.
+// Returns ln Gamma(x) for x > 0, by Gamma(x) = Gamma(x + 1) / x up to an argument of 8, and Stirling's series from it.
 double log_gamma(double x) {
   double product = 1.0;
   while (x < 8.0) product *= x++;

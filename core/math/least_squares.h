@@ -8,12 +8,12 @@
 
 namespace hrt {
 
-/// A problem. Residuals are observed minus predicted values; derivatives are those of predicted values. Both are given
-/// for independent groups, in units of the residuals' SDs.
+/// A problem. Residuals are observed minus predicted values; derivatives are those of the predicted values by the
+/// parameters. Both are in units of the residuals' SDs. Residuals of different groups are independent.
 struct LeastSquares {
   std::size_t groups = 0;
   std::function<Eigen::VectorXd(std::size_t group, const Eigen::VectorXd& parameters)> residuals;
-  /// One-sided differences are accurate enough, since they only direct the descent.
+  /// One-sided finite differences are accurate enough, since Descent uses them only to choose its next step.
   std::function<Eigen::MatrixXd(std::size_t group, const Eigen::VectorXd& parameters)> derivatives;
   std::function<Eigen::VectorXd(Eigen::VectorXd parameters)> clamped;  ///< limits the parameters to their ranges
   Eigen::VectorXd prior_mean;
@@ -23,7 +23,7 @@ struct LeastSquares {
 struct LeastSquaresFit {
   Eigen::VectorXd parameters;
   double misfit = 0.0;   ///< sum of squared residuals
-  double penalty = 0.0;  ///< sum of squares of the prior
+  double penalty = 0.0;  ///< sum of squared deviations of the parameters from the prior means, in prior SDs
 };
 
 /// Runs the descent in steps of bounded time, which a frame loop can distribute over frames.
@@ -31,8 +31,8 @@ class Descent {
  public:
   /// `problem` must outlive the descent and must not change.
   Descent(const LeastSquares& problem, Eigen::VectorXd first);
-  /// Adds the derivatives of some groups, or tries one change of the parameters. Returns true when finished; do not
-  /// call it again then.
+  /// Computes the derivatives of some groups; after the last group, tries one change of the parameters. Returns true
+  /// when the descent is finished; do not call step() after that.
   bool step();
   const LeastSquaresFit& fit() const { return fit_; }
 
@@ -51,11 +51,11 @@ class Descent {
   double damping_ = 1e-3;
 };
 
-/// Returns the information matrix of residuals and prior, if the SDs of the residuals are right.
+/// Returns the information matrix of residuals and prior, for residuals whose SD is 1.
 Eigen::MatrixXd information_of(const std::vector<Eigen::MatrixXd>& derivatives, const Eigen::VectorXd& prior_deviation);
 
-/// Returns the covariance of the parameters for residuals of any distribution: first-order jackknife over groups, plus
-/// that of the prior. Requires at least two groups.
+/// Returns the covariance of the parameters for residuals of any distribution: the first-order jackknife over groups,
+/// plus the covariance due to the prior. Requires at least two groups.
 Eigen::MatrixXd jackknife_covariance(const std::vector<Eigen::VectorXd>& residuals,
                                      const std::vector<Eigen::MatrixXd>& derivatives,
                                      const Eigen::VectorXd& prior_deviation);

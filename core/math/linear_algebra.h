@@ -1,12 +1,12 @@
-// Products and decompositions of small dense matrices. They are compiled once, here, because Eigen's templates take
-// seconds to compile in each file that uses them.
+// Products and decompositions of small dense matrices. They are compiled once, in linear_algebra.cpp, because Eigen's
+// templates take seconds to compile in each file that uses them.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace hrt {
 
-/// Makes a variable independent of the others in a covariance matrix, and sets its variance.
+/// Makes the variable `index` of a covariance matrix independent of all others, and sets its variance.
 template <class Covariance>
 void set_independent(Covariance& covariance, int index, double variance) {
   covariance.row(index).setZero();
@@ -34,17 +34,17 @@ Eigen::VectorXd solve_symmetric(const MatrixView& symmetric, const VectorView& r
 /// Returns the lower triangular L with L L^T = covariance, which must be positive definite.
 Eigen::MatrixXd cholesky_factor(const MatrixView& covariance);
 
-/// Returns L^-1 of that factor.
+/// Returns L^-1, the inverse of cholesky_factor(covariance).
 Eigen::MatrixXd whitening_of(const MatrixView& covariance);
 
-/// Result of fitting `values` by a linear combination of columns, by least squares.
 struct LinearFit {
   Eigen::VectorXd coefficients;
   double left = 0.0;      ///< sum of squared residuals
   Eigen::Index rank = 0;  ///< rank of the matrix of columns, each scaled to length 1
 };
 
-/// A column counts as dependent if less than `rank_threshold` of it is independent of the others.
+/// Fits `values` by a linear combination of `columns`, by least squares. A column counts as linearly dependent if the
+/// others explain all of it except a part of less than `rank_threshold` of its length.
 LinearFit linear_fit(const MatrixView& columns, const VectorView& values, double rank_threshold);
 
 /// Singular values in decreasing order: matrix = left diag(values) right^T.

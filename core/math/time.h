@@ -1,4 +1,4 @@
-// Differences of times without overflow. Times are nanoseconds of the caller's monotonic clock, of any sign.
+// Differences and sums of times without overflow. Times are nanoseconds of the caller's monotonic clock, of any sign.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@ constexpr std::uint64_t elapsed_ns(std::int64_t from_ns, std::int64_t to_ns) {
   return static_cast<std::uint64_t>(to_ns) - static_cast<std::uint64_t>(from_ns);
 }
 
-/// Returns the same in seconds.
+/// Returns the seconds from `from_ns` to `to_ns`, which must not be earlier.
 constexpr double elapsed_s(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(elapsed_ns(from_ns, to_ns));
 }
 
-/// Returns the time `duration_ns` >= 0 after `time_ns`, limited to the largest number.
+/// Returns `time_ns` + `duration_ns`, or the largest std::int64_t if it is smaller. `duration_ns` >= 0.
 constexpr std::int64_t later_ns(std::int64_t time_ns, std::int64_t duration_ns) {
   constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
   return time_ns > end - duration_ns ? end : time_ns + duration_ns;
