@@ -15,7 +15,7 @@ constexpr double max_deg = 180.0;
 
 bool is_frame_covariance(const FrameCovariance& c) {
   if (!c.allFinite() || c.diagonal().minCoeff() < 0.0) return false;
-  // Positive semidefinite: correlations within [-1, 1] and a nonnegative determinant.
+  // Positive semidefinite: correlations are within [-1, 1], and their determinant is not negative.
   const auto correlation = [&](int i, int j) {
     const double scale = std::sqrt(c(i, i)) * std::sqrt(c(j, j));
     return scale > 0.0 ? c(i, j) / scale : c(i, j) == 0.0 ? 0.0 : 2.0;
@@ -28,7 +28,7 @@ bool is_frame_covariance(const FrameCovariance& c) {
 }
 
 FrameCovariance frame_covariance(const Registration& registration) {
-  // Rotation about y, and position along the plate's x and -z axes.
+  // Rotation about the plate's y axis, and position along its x and -z axes.
   Eigen::Matrix<double, 3, 7> in_plane = Eigen::Matrix<double, 3, 7>::Zero();
   in_plane(0, 1) = 1.0;
   in_plane.block<1, 3>(1, 3) = registration.rotation.col(0).transpose();
@@ -40,7 +40,7 @@ FrameCovariance frame_covariance(const Registration& registration) {
 double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start, const PlatePoint& target) {
   const double length_mm = distance_mm(start, target);
   if (!(length_mm > 0.0)) return max_deg;
-  // Unit vector across the line, to the left.
+  // Unit vector across the line from start to target, to the left.
   const double direction_deg = bearing_deg(start, target);
   const double across_right = -cos_deg(direction_deg);
   const double across_away = -sin_deg(direction_deg);

@@ -1,13 +1,14 @@
-// Effect of an uncertain pose of the plate on a reach. Samples of a reach do not reveal it: the finger is steered to
-// the estimated position of the target.
+// Effect of an uncertain pose of the plate on a reach. Samples of a reach do not reveal an error of the pose: the
+// finger is steered to the estimated position of the target.
 //
-// If the estimated frame is rotated by omega about the plate's centre and shifted by (dx, dz) from the true one, a
-// finger at (x, z), right and away, has the position error
+// If the estimated frame is rotated by omega about the plate's centre and shifted by (dx, dz) from the true frame, the
+// tracked position of a finger at (x, z), right and away, has the error
 //
 //   E = omega (-z, x) + (dx, dz)
 //
-// A reach from s to the estimated position p of the target misses it by E(p). Its bearing is wrong by the component of
-// E(p) across the line from s to p, divided by the length of the line. 1 degree about the start is 1.7 mm at 100 mm.
+// A reach from s that ends at the estimated position p of the target misses the target by E(p). The bearing of its end
+// is wrong by the component of E(p) across the line from s to p, divided by the length of this line: a rotation of
+// 1 degree about the start moves a target at 100 mm by 1.7 mm.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,11 +25,11 @@ using FrameCovariance = Eigen::Matrix3d;
 /// Returns true if the matrix is finite, symmetric and, within rounding, positive semidefinite.
 bool is_frame_covariance(const FrameCovariance& covariance);
 
-/// Returns the covariance from an accepted registration, without the contribution of its scale.
+/// Returns the covariance from an accepted registration, without the contribution of a fitted scale.
 FrameCovariance frame_covariance(const Registration& registration);
 
-/// Returns the SD, in degrees, of the bearing from `start` of a finger whose estimated position is `target`. `start` is
-/// an estimated position too. At most 180; 180 if both coincide.
+/// Returns the SD, in degrees, of the bearing of a finger from `start`, if `start` and the finger's position `target`
+/// are known in the estimated frame. At most 180; 180 if `start` and `target` coincide.
 double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start, const PlatePoint& target);
 
 }  // namespace hrt

@@ -1,14 +1,13 @@
-// Points and directions in the plane of the plate. Directions are in degrees counter-clockwise from the
-// mid-line, seen from above.
+// Points and directions in the plane of the plate. Directions: degrees counter-clockwise from the mid-line, from above.
 #pragma once
 
 namespace hrt {
 
-/// For interfaces with metres: C structs, glTF, tables. All other lengths in core are in millimetres.
+/// Millimetres per metre, for interfaces in metres: C structs, glTF, tables. All lengths in core are in millimetres.
 inline constexpr double mm_per_m = 1000.0;
 
 /// A point in the plane of the plate: `right_mm` to the user's right, `away_mm` along the mid-line away from the
-/// user. The origin is the centre of rotation.
+/// user. The origin is the plate's centre of rotation.
 struct PlatePoint {
   double right_mm = 0.0;
   double away_mm = 0.0;
@@ -28,7 +27,7 @@ constexpr double square_distance_mm2(const PlatePoint& a, const PlatePoint& b) {
   return (a.right_mm - b.right_mm) * (a.right_mm - b.right_mm) + (a.away_mm - b.away_mm) * (a.away_mm - b.away_mm);
 }
 
-/// A position of the finger and its time, in seconds from an origin that the caller chooses.
+/// A position of the finger and its time, which counts from an origin that the caller chooses.
 template <class Point>
 struct Timed {
   double time_s = 0.0;
@@ -36,7 +35,7 @@ struct Timed {
 };
 using TimedPoint = Timed<PlatePoint>;
 
-/// Returns the direction from `from` to `to`, in (-180, 180]; 0 if they coincide.
+/// Returns the direction from `from` to `to`, in (-180, 180]; 0 if the points coincide.
 double bearing_deg(const PlatePoint& from, const PlatePoint& to);
 
 double distance_mm(const PlatePoint& from, const PlatePoint& to);

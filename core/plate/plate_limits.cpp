@@ -6,10 +6,11 @@
 namespace hrt {
 namespace {
 
-// Most planned orientations lie at most this far from holding_deg towards the goal.
+// Most planned orientations are at most this much nearer to the goal than holding_deg.
 constexpr double play_deg = 30.0;
 
-// On the side of holding_deg away from the goal, the first steps may require orientations up to the bound.
+// Chooses the half turn for PlateLimits. On the side of holding_deg away from the goal, the range reaches to the bound,
+// since the first steps may require any orientation there.
 double half_turns_for_reach(const PlateStops& stops, double goal_deg, double bound_deg, double holding_deg,
                             double current_deg) {
   const double lowest_deg = holding_deg < goal_deg ? goal_deg - bound_deg : holding_deg - play_deg;

@@ -1,5 +1,5 @@
 // Limits of the plate orientation: the stops, the half turns after which ridges repeat, and the bound that limits a
-// command. Degrees. Uses no heap, lock or exception.
+// command. Angles are in degrees. Uses no heap, lock or exception.
 #pragma once
 
 #include <cmath>
@@ -10,21 +10,21 @@
 
 namespace hrt {
 
-/// Range of orientations; infinite: the plate turns freely. At least 180 wide, so that ridges can have any direction.
+/// Range of orientations, at least 180 degrees wide, so that ridges can have any direction. Infinite: no stops.
 struct PlateStops {
   double lower_deg = -std::numeric_limits<double>::infinity();
   double upper_deg = std::numeric_limits<double>::infinity();
 };
 
-/// True if every field is in its range.
 bool is_valid(const PlateStops& stops);
 
 double clamped(double orientation_deg, const PlateStops& stops);
 
-/// The limit of an orientation: a bound about the virtual direction, a stop (both `lower`, `upper`), or the rate bound.
+/// The limit of an orientation. `lower`, `upper`: a bound relative to the virtual direction or the motion, or a stop;
+/// `rate_down`, `rate_up`: the largest rotation in a step.
 enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
 
-/// An orientation to command, and the limit that determined it.
+/// An orientation to command, and the limit that determined this orientation.
 struct PlateOrientation {
   double orientation_deg = 0.0;
   ActiveBound active = ActiveBound::none;
@@ -35,7 +35,7 @@ struct PlateOrientation {
 /// half turn, the one within 90 degrees of the goal (paper section III).
 inline double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg) {
   const double offset_deg = plate_orientation_deg - goal_direction_deg;
-  // A command at a bound of 90 may exceed it by rounding, and must not be folded to the opposite bound.
+  // A command at a bound of 90 may exceed 90 by rounding, and must not be folded to the opposite bound.
   if (std::abs(offset_deg) <= 90.0 + 1e-9) return plate_orientation_deg;
   return goal_direction_deg + wrap_deg(offset_deg, 180.0);
 }
@@ -43,38 +43,39 @@ inline double ridge_normal_deg(double plate_orientation_deg, double goal_directi
 /// Returns the orientation nearest to `current_deg` within the stops that has the same ridges as `orientation_deg`.
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops);
 
-/// Interprets a reported orientation. If the plate turns freely, its encoder may differ by any number of half turns:
-/// returns the equivalent nearest to `expected_deg`. With stops, returns `orientation_deg`.
+/// Interprets a reported orientation, to which the encoder of a plate that turns freely may have added half turns:
+/// returns the orientation with the same ridges nearest to `expected_deg`. With stops, returns `orientation_deg`.
 double reported_orientation_deg(double orientation_deg, double expected_deg, const PlateStops& stops);
 
 /// Returns the integer number of half turns that must be added to the range from `lowest_deg` to `highest_deg` so that
-/// it fits between the stops or is cut least. Of equal ones, the nearest to `current_deg`.
+/// the range fits between the stops or is cut least by them. If several numbers are equally good, returns the one that
+/// brings the range nearest to `current_deg`.
 double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg, const PlateStops& stops);
 
-/// Limits of one reach.
+/// Limits of the plate orientation in one reach.
 class PlateLimits {
  public:
-  /// For a plate without a limit of speed. The ridges are the same after half a turn: each command is the orientation
-  /// with the planned ridges that is nearest to the present one.
+  /// Each command is, of the orientations with the planned ridges within the stops, the nearest to the present one.
   PlateLimits(const PlateStops& stops, double goal_direction_deg);
 
-  /// For a plate with a limit of speed: it stays within one half turn during the reach, so that the person does not
-  /// feel a rotation by half a turn. Chooses the half turn in which the stops cut least off the expected range: from 30
-  /// degrees nearer to the goal than `holding_deg`, the orientation that sustains the gap, to the bound on the same
-  /// side of the goal, `bound_deg` from it. Of several, the nearest to `current_deg`.
+  /// Keeps the plate within one half turn during the reach, so that the person does not feel a rotation by half a turn.
+  /// Chooses the half turn in which the stops cut least off the expected range: from 30 degrees nearer to the goal than
+  /// `holding_deg`, the orientation that sustains the gap, to the bound on the same side of the goal, `bound_deg` from
+  /// the goal. Of equally good half turns, chooses the nearest to `current_deg`.
   PlateLimits(const PlateStops& stops, double goal_direction_deg, double bound_deg, double holding_deg,
               double current_deg);
 
-  /// The goal direction plus the chosen half turns; plans are relative to it.
+  /// The goal direction plus the chosen half turns; plans are relative to this orientation.
   double centre_deg() const { return centre_deg_; }
 
-  /// Rotates the goal during the reach; the half turn is kept.
+  /// Rotates the goal by `by_deg` during the reach; the half turn is kept.
   void turn_goal(double by_deg) { centre_deg_ += by_deg; }
 
-  /// Clamps `planned` to the stops, if the plate stays within one half turn.
+  /// Returns `planned`, clamped to the stops if the plate stays within one half turn.
   PlateOrientation at_stops(const PlateOrientation& planned) const;
 
-  /// Returns at_stops(), or for a plate without a limit of speed the equivalent of `planned` nearest to `current_deg`.
+  /// Returns at_stops(planned) if the plate stays within one half turn; otherwise the orientation within the stops with
+  /// the same ridges as `planned` that is nearest to `current_deg`.
   PlateOrientation limit(const PlateOrientation& planned, double current_deg) const;
 
  private:

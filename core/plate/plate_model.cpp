@@ -90,7 +90,7 @@ double PlateModel::turning_at_deg(std::int64_t time_ns) const {
   return ahead.orientation_deg;
 }
 
-// Accelerates for half of the time and brakes for the other half, or has full speed in between.
+// The plate accelerates for half of the time and brakes for the other half, unless it reaches full speed in between.
 double PlateModel::reach_deg(double seconds) const {
   if (seconds <= 0.0) return 0.0;
   const double acceleration = dynamics_.max_acceleration_deg_s2;
@@ -100,7 +100,7 @@ double PlateModel::reach_deg(double seconds) const {
   return speed * (seconds - speed / acceleration);
 }
 
-// Rotates at the highest speed from which the plate can still stop at the target.
+// Rotates the plate at the highest speed from which it can still stop at the target.
 void PlateModel::turn(double seconds, Motion& motion) const {
   const double to_go_deg = motion.target_deg - motion.orientation_deg;
   const double acceleration = dynamics_.max_acceleration_deg_s2;

@@ -18,7 +18,6 @@ struct PlateDynamics {
   PlateStops stops;
 };
 
-/// True if every field is in its range.
 bool is_valid(const PlateDynamics& dynamics);
 
 /// Model of a plate. Uses no heap, lock or exception. One thread at a time.
@@ -27,8 +26,8 @@ class PlateModel {
   /// Begins at rest at `orientation_deg`. Requires is_valid(dynamics).
   PlateModel(const PlateDynamics& dynamics, double orientation_deg);
 
-  /// Advances to `time_ns`; an earlier time has no effect. With an acceleration limit, an advance of more than two
-  /// seconds is integrated more coarsely.
+  /// Advances to `time_ns`; a time before that of the model has no effect. With an acceleration limit, an advance of
+  /// more than two seconds is integrated more coarsely.
   void advance(std::int64_t time_ns) {
     if (timed_ && at_rest())
       motion_.now_ns = std::max(motion_.now_ns, time_ns);
@@ -47,12 +46,12 @@ class PlateModel {
 
   double orientation_deg() const { return motion_.orientation_deg; }
 
-  /// Returns the plate orientation at `time_ns`, not in the past, under the commands already given.
+  /// Returns the plate orientation at `time_ns`, which must not be before the model's time, under the commands given.
   double orientation_at_deg(std::int64_t time_ns) const {
     return at_rest() ? motion_.orientation_deg : turning_at_deg(time_ns);
   }
 
-  /// Returns the largest rotation in `seconds`, from rest to rest.
+  /// Returns the largest rotation in `seconds`, from rest to rest; infinity for a plate that follows immediately.
   double reach_deg(double seconds) const;
 
  private:
@@ -75,8 +74,8 @@ class PlateModel {
   PlateDynamics dynamics_;
   Motion motion_;
   bool timed_ = false;
-  // Commands that have not taken effect, oldest first. Commands within 1/63 of the latency replace each other, and take
-  // effect early by at most that time.
+  // Commands that have not taken effect, oldest first. A command within 1/63 of the latency after another one replaces
+  // that one, and takes effect early by at most 1/63 of the latency.
   std::array<Command, 64> pending_{};
   int pending_count_ = 0;
 };
@@ -87,7 +86,7 @@ class PlateTrace {
  public:
   void clear() { count_ = 0; }
 
-  /// Adds an orientation at `time_s`, not earlier than the last entry.
+  /// Adds an orientation at `time_s`, which must not be earlier than that of the last entry.
   void add(double time_s, double orientation_deg);
 
   /// Returns the orientation at a time: linear between entries, constant before and after them. Requires an entry.
@@ -101,7 +100,7 @@ class PlateTrace {
   const Entry& entry(int i) const { return entries_[static_cast<unsigned>(first_ + i) % capacity]; }
 
   static constexpr int capacity = 128;
-  // Minimum spacing of every other entry, so that all entries span a second.
+  // Minimum spacing of an entry and the second one after it, so that all entries span a second.
   static constexpr double min_spacing_s = 0.016;
   std::array<Entry, capacity> entries_{};
   int first_ = 0;

@@ -15,17 +15,17 @@ constexpr double min_spread_mm = 10.0;
 // Weight of the assumed SD of a touch, as a number of squared residuals.
 constexpr double assumed_squares = 6.0;
 constexpr double max_offset_sd_mm = 5.0;
-// Lower limit of the smallest eigenvalue of the information matrix in fit_fingertip(). Below it, the finger was turned
-// too little between touches. No eigenvalue exceeds 2 per touch.
+// Lower limit of the smallest eigenvalue of the information matrix in fit_fingertip(). Below this limit, the finger was
+// turned too little between touches. No eigenvalue exceeds 2 times the number of touches.
 constexpr double min_turned = 1e-6;
 constexpr double min_cosine_up = 0.5;
 constexpr double min_scale = 0.5;
 constexpr double max_scale = 2.0;
 constexpr int touches_to_leave_one_out = 5;
-// Standard normal quantile of 99.9 %.
+// 99.9 % quantile of the standard normal distribution.
 constexpr double normal_999 = 3.0902;
 
-// The 99.9 % quantile of chi-squared (Wilson and Hilferty, 1931).
+// Returns the 99.9 % quantile of chi-squared, by the approximation of Wilson and Hilferty (1931).
 double chi_squared_limit(double freedom) {
   const double ninth = 2.0 / (9.0 * freedom);
   const double root = 1.0 - ninth + normal_999 * std::sqrt(ninth);
@@ -161,7 +161,7 @@ Registration fit_any(const RegistrationConfig& config, std::span<const MarkTouch
   const Fit all = fit(config, touches);
   if (is_consistent(config, all)) return finished(config, all, touches);
 
-  // One wrong touch makes the fit to all touches inconsistent, and every fit that includes it.
+  // One wrong touch makes every fit that includes this touch inconsistent.
   refused = finished(config, all, touches);
   refused.verdict = RegistrationVerdict::inconsistent;
   if (given.size() < touches_to_leave_one_out) return refused;
@@ -200,13 +200,13 @@ RegistrationCheck check_registration(const Registration& registration, const Mar
   const double deviation = std::sqrt(off_mm.dot(solve_symmetric(covariance, off_mm)));
   const double limit = std::sqrt(chi_squared_limit(3.0));
   const double distance_mm = off_mm.norm();
-  // SD in the direction of the deviation; without a deviation, the mean over all directions.
+  // SD in the direction of the deviation; without a deviation, root mean square over all directions.
   const double sd_mm = deviation > 0.0 ? distance_mm / deviation : std::sqrt(covariance.trace() / 3.0);
   return {.distance_mm = distance_mm, .allowed_mm = limit * sd_mm, .holds = deviation <= limit};
 }
 
 FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const TurnedTouch> touches) {
-  // joint_i + R_i offset - mark = 0, linear in (offset, mark). The mean joint is the origin, for accuracy.
+  // joint_i + R_i offset - mark = 0, linear in (offset, mark). The joint's mean position is the origin, for accuracy.
   FingertipOffset result{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(HUGE_VAL), false};
   if (touches.size() < 3) return result;
   Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();

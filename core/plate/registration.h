@@ -3,9 +3,8 @@
 //
 //   touched_i = s R mark_i + p + noise
 //
-// in closed form (Umeyama, IEEE T-PAMI 13, 1991). Uses no heap. A frame that is rotated by 1 degree rotates every reach
-// by 1 degree, and no sample of a reach reveals it. A constant offset between the tracked fingertip and the skin is
-// part of the pose while the hand keeps its orientation; otherwise fit_fingertip() determines the offset.
+// in closed form (Umeyama, IEEE T-PAMI 13, 1991). A constant offset between the tracked fingertip and the skin is part
+// of the pose while the hand keeps its orientation; otherwise fit_fingertip() determines the offset.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,9 +19,9 @@ struct MarkTouch {
 };
 
 struct RegistrationConfig {
-  /// Assumed SD of each coordinate of a touch, finite, > 0. The residuals correct it.
+  /// Assumed SD of each coordinate of a touch, finite, > 0. Registration::touch_sd_mm combines it with the residuals.
   double touch_sd_mm = 3.0;
-  /// True: estimates the scale of the tracker's unit of length, within a factor of 0.5 to 2.
+  /// True: estimates the scale of the tracker's unit of length; an estimate outside 0.5 to 2 is replaced by 1.
   bool fit_scale = false;
   /// Upward direction in the tracker's frame, of any length: the plate's normal must be within 60 degrees of it. Zero:
   /// no check, so that swapped left and right marks are accepted as an upside-down plate.
@@ -37,24 +36,24 @@ enum class RegistrationVerdict {
   upside_down,   ///< the plate's normal is not upward: marks on opposite sides were swapped
 };
 
-/// Result. The other fields are valid if the touches are accepted. If they are inconsistent or upside down, they
-/// describe the fit to all touches, for its residuals.
+/// Result of fit_registration(). With the verdict `accepted`, all fields are valid. With `inconsistent` or
+/// `upside_down`, the fields describe the rejected fit, so that residual_mm() shows the disagreement.
 struct Registration {
   RegistrationVerdict verdict = RegistrationVerdict::too_few;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from plate coordinates to the tracker's
-  Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();   ///< position of the plate's centre
+  Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();   ///< position of the plate's centre, in the tracker's frame
   double scale = 1.0;                                      ///< 1 unless fitted
   /// Covariance of rotation about the plate's axes (rad), position (mm) and scale; 0 for a scale that was not fitted.
   Eigen::Matrix<double, 7, 7> covariance = Eigen::Matrix<double, 7, 7>::Zero();
-  double touch_sd_mm = 0.0;     ///< SD of a touch: weighted combination of the assumed and the observed one
+  double touch_sd_mm = 0.0;     ///< SD of a coordinate of a touch, from the assumed SD and the residuals
   double residual_mm = 0.0;     ///< root mean square distance of touches from their marks
   std::optional<int> left_out;  ///< index of an excluded touch that does not fit the others
 };
 
-/// Estimates the pose from `touches`, all finite. Of at least 5 touches, one that does not fit the others is excluded.
+/// Estimates the pose from finite `touches`. If one of at least 5 touches does not fit the others, excludes this touch.
 Registration fit_registration(const RegistrationConfig& config, std::span<const MarkTouch> touches);
 
-/// Returns the distance of a touch from the expected position of its mark.
+/// Returns the distance, in mm, of a touch from the expected position of its mark.
 double residual_mm(const Registration& registration, const MarkTouch& touch);
 
 /// Result of comparing a later touch of a mark with an accepted registration.
@@ -65,13 +64,14 @@ struct RegistrationCheck {
 };
 RegistrationCheck check_registration(const Registration& registration, const MarkTouch& touch);
 
-/// A touch of one mark with the tracked joint rotated differently each time.
+/// One of several touches of the same mark, between which the finger must be rotated.
 struct TurnedTouch {
-  Eigen::Matrix3d joint_rotation;
-  Eigen::Vector3d joint_mm;
+  Eigen::Matrix3d joint_rotation;  ///< R: from the tracked joint's axes to the tracker's
+  Eigen::Vector3d joint_mm;        ///< tracked position of the joint
 };
 
 /// Offset from the joint to the skin in the joint's axes, such that joint + R offset is the same for all touches.
+/// Requires at least 3 touches; with fewer, `known` is false.
 struct FingertipOffset {
   Eigen::Vector3d offset_mm;
   Eigen::Vector3d sd_mm;

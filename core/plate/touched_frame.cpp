@@ -29,14 +29,14 @@ Matrix24 by_entries(const Eigen::Vector2d& r) {
   return by;
 }
 
-// Covariance of D r before any contact.
+// Covariance of D r before any contact. r: `place` minus home; `square_mm2`: its squared length.
 Eigen::Matrix2d prior_mm2(const FrameCovariance& registered, const PlatePoint& place, double square_mm2) {
   Eigen::Matrix<double, 2, 3> by;
   by << -place.away_mm, 1.0, 0.0, place.right_mm, 0.0, 1.0;
   return by * registered * by.transpose() + prior_sd * prior_sd * square_mm2 * Eigen::Matrix2d::Identity();
 }
 
-// Covariance of the entries of D: a Kronecker product with the identity, so that D r has the covariance prior_mm2().
+// Covariance of the entries of D before any contact: a Kronecker product with which D r has the covariance prior_mm2().
 Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place, double square_mm2) {
   const Eigen::Matrix2d entries = prior_mm2(registered, place, square_mm2) / square_mm2;
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
@@ -48,11 +48,11 @@ Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place
 
 Eigen::Matrix2d matrix(const TouchedFrame& frame) { return Eigen::Matrix2d::Identity() + frame.stretch; }
 
-// Prior of a contact: covariance of D, derivatives, innovation.
+// Prediction of a contact.
 struct Expectation {
-  Eigen::Matrix4d entries;
-  Matrix24 by;
-  Eigen::Vector2d innovation_mm;
+  Eigen::Matrix4d entries;         // covariance of the entries of D
+  Matrix24 by;                     // by_entries() at the tracked position
+  Eigen::Vector2d innovation_mm;   // place minus finger
   Eigen::Matrix2d covariance_mm2;  // covariance of the innovation
 };
 

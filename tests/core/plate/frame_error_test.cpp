@@ -17,7 +17,7 @@ FrameCovariance of_turn_about(const PlatePoint& centre, double sd_deg) {
   return sd_rad * sd_rad * outer;
 }
 
-// 100 mm * 1 degree in radians = 1.745 mm, for any start.
+// At 100 mm, 1 degree is 1.745 mm, for any start.
 TEST(FrameError, ARotationAboutTheStart_ChangesTheBearingByItsAngle) {
   for (const PlatePoint start : {PlatePoint{0.0, 0.0}, PlatePoint{0.0, -50.0}, PlatePoint{20.0, 10.0}}) {
     for (const double direction_deg : {0.0, -5.0, 30.0, 90.0}) {
@@ -29,7 +29,7 @@ TEST(FrameError, ARotationAboutTheStart_ChangesTheBearingByItsAngle) {
   }
 }
 
-// The target is 10 cm from the start, but only 5 cm from the centre.
+// The first target is 100 mm from the start, but only 50 mm from the centre; the second one is at the centre.
 TEST(FrameError, ARotationAboutTheCentre_ChangesTheBearingByHalfOfIt) {
   EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 50.0}), 0.5, 1e-6);
   EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 0.0}), 0.0, 1e-9);

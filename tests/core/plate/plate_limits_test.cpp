@@ -13,7 +13,7 @@ TEST(PlateLimits, AnyOrientation_GivesTheNormalWithin90DegreesOfTheGoal) {
   EXPECT_DOUBLE_EQ(ridge_normal_deg(-171.0, 10.0), 9.0);
 }
 
-// By rounding, goal + 90 - goal may differ from 90.
+// Because of rounding, (goal + 90) - goal may differ from 90.
 TEST(PlateLimits, AnOrientationAtTheBound_IsUnchanged) {
   for (int i = -600; i <= 600; ++i) {
     const double goal_deg = i / 7.0;
@@ -22,7 +22,7 @@ TEST(PlateLimits, AnOrientationAtTheBound_IsUnchanged) {
   }
 }
 
-// Ridges at 94.5 equal ridges at -85.5, which are nearer to 0.
+// 94.5 and -85.5 degrees have the same ridges; -85.5 is nearer to 0.
 TEST(PlateLimits, EquivalentOrientations_GiveTheNearest) {
   EXPECT_DOUBLE_EQ(nearest_equivalent_deg(94.5, 0.0, {}), -85.5);
   EXPECT_DOUBLE_EQ(nearest_equivalent_deg(80.0, 0.0, {}), 80.0);
@@ -42,15 +42,15 @@ TEST(PlateLimits, EquivalentOrientations_GiveTheNearest) {
   }
 }
 
-// The range from 30 to 80 fits between stops at +-90 only without half turns. Between stops at +-360, it also fits
-// after 1, -1 or -2 half turns: the nearest is used.
+// The range from 30 to 80 fits between stops at +-90 only without a half turn. Between stops at +-360, the range also
+// fits after 1, -1 or -2 half turns: the number that brings it nearest to the present orientation is used.
 TEST(PlateLimits, Stops_GiveTheHalfTurnsThatFit) {
   const PlateStops half{.lower_deg = -90.0, .upper_deg = 90.0};
   for (const double current : {-90.0, 0.0, 90.0}) EXPECT_EQ(half_turns_between_stops(30.0, 80.0, current, half), 0.0);
-  // At 40 to 110 the upper stop cuts 20, at -140 to -70 the lower one cuts 50.
+  // The upper stop cuts 20 degrees off 40 to 110; the lower stop cuts 50 degrees off -140 to -70.
   EXPECT_EQ(half_turns_between_stops(40.0, 110.0, -90.0, half), 0.0);
   EXPECT_EQ(half_turns_between_stops(80.0, 150.0, 90.0, half), -1.0);
-  // At 60 to 120 and at -120 to -60 the stops cut 30 each.
+  // The stops cut 30 degrees off both 60 to 120 and -120 to -60.
   EXPECT_EQ(half_turns_between_stops(60.0, 120.0, 80.0, half), 0.0);
   EXPECT_EQ(half_turns_between_stops(60.0, 120.0, -80.0, half), -1.0);
 
@@ -71,7 +71,7 @@ TEST(PlateLimits, StopsLessThan180Apart_AreInvalid) {
   EXPECT_FALSE(is_valid(PlateStops{.lower_deg = std::nan("")}));
 }
 
-// A gap of 10 at w_T = 0.15 is sustained at 56.7 from the goal: the range is from 26.7 to 84.5.
+// With w_T = 0.15, a plate 56.7 degrees from the goal sustains a gap of 10: the range is 26.7 to 84.5 from the goal.
 TEST(PlateLimits, AReach_StaysWithinOneHalfTurn) {
   const PlateLimits below({-90.0, 90.0}, 5.0, 84.5, 61.7, -80.0);
   EXPECT_EQ(below.centre_deg(), 5.0);

@@ -17,7 +17,7 @@ TEST(PlateModel, DefaultDynamics_FollowImmediately) {
   EXPECT_EQ(plate.orientation_deg(), 30.0);
 }
 
-// 400 degrees a second after 30 ms: 28 degrees at 100 ms, 60 degrees after 180 ms.
+// 400 deg/s after a latency of 30 ms: 28 degrees after 100 ms, 60 degrees after 180 ms.
 TEST(PlateModel, ACommand_RotatesAtFullSpeedAfterTheLatency) {
   PlateModel plate({.max_speed_deg_s = 400.0, .latency_ns = 30 * ms}, 0.0);
   plate.advance(0);
@@ -42,8 +42,8 @@ TEST(PlateModel, LaterCommands_ReplaceEarlierOnesInOrder) {
   EXPECT_NEAR(plate.orientation_at_deg(100 * ms), -1.0, 1e-9);
 }
 
-// From rest to rest: 1000 deg/s^2 for 0.1 s and back covers 2 * 5 degrees, at 100 deg/s at most; in 0.3 s
-// another 0.1 s at full speed adds 10.
+// From rest to rest, 1000 deg/s^2 for 0.1 s and -1000 deg/s^2 for 0.1 s cover 2 * 5 degrees, and reach the limit of
+// 100 deg/s; in 0.3 s, another 0.1 s at full speed adds 10 degrees.
 TEST(PlateModel, AnAccelerationLimit_GivesTheHandCalculatedRotation) {
   const PlateDynamics dynamics{.max_speed_deg_s = 100.0, .max_acceleration_deg_s2 = 1000.0};
   PlateModel plate(dynamics, 0.0);
@@ -76,7 +76,7 @@ TEST(PlateModel, AReport_ReplacesTheModelledOrientation) {
   EXPECT_NEAR(plate.orientation_deg(), 14.0, 1e-9);
 }
 
-// One command per millisecond with a latency of 100 ms: more commands are pending than are stored.
+// With one command per millisecond and a latency of 100 ms, more commands are pending than the model stores.
 TEST(PlateModel, MoreCommandsThanCapacity_AreFollowedWithinTwo) {
   PlateModel plate({.latency_ns = 100 * ms}, 0.0);
   for (int i = 0; i <= 400; ++i) {
@@ -116,7 +116,7 @@ TEST(PlateModel, DynamicsOutOfRange_AreInvalid) {
   EXPECT_FALSE(is_valid(PlateDynamics{.stops = {-80.0, 80.0}}));
 }
 
-// A half turn at 30 degrees per second takes six seconds, also if seconds pass between two calls.
+// A half turn at 30 deg/s takes six seconds, also if seconds pass between two calls.
 TEST(PlateModel, AGap_DoesNotStopTheRotation) {
   for (const double acceleration_deg_s2 : {std::numeric_limits<double>::infinity(), 600.0}) {
     PlateModel plate({.max_speed_deg_s = 30.0, .max_acceleration_deg_s2 = acceleration_deg_s2}, 0.0);
@@ -153,7 +153,7 @@ TEST(PlateTrace, EqualTimes_UseTheLastEntry) {
   EXPECT_NEAR(trace.at(5.05), 4.5, 1e-9);
 }
 
-// A plate that rotates at 100 degrees per second: at any sample rate, at least the last second is stored.
+// The plate rotates at 100 deg/s. At any sample rate, at least the last second is stored.
 TEST(PlateTrace, AnyRate_KeepsOneSecond) {
   for (const double rate_hz : {90.0, 240.0, 1000.0, 2000.0}) {
     PlateTrace trace;

@@ -28,7 +28,7 @@ Matrix3d some_rotation() {
   return (AngleAxisd(0.7, Vector3d::UnitY()) * AngleAxisd(-0.2, Vector3d::UnitX())).toRotationMatrix();
 }
 
-// Touches with noise of a plate rotated by some_rotation().
+// Returns noisy touches of a plate that is rotated by some_rotation().
 std::vector<MarkTouch> touches_of(const Vector3d& position_mm, double noise_mm, Draws& draws, double scale = 1.0,
                                   const std::vector<Vector3d>& touched = marks()) {
   std::vector<MarkTouch> touches;
@@ -51,7 +51,7 @@ double turn_rad(const Matrix3d& found, const Matrix3d& truth) {
   return 0.5 * (error(0, 2) - error(2, 0));
 }
 
-// A quarter turn about the normal maps the user's right (+X) to ahead (-Z).
+// A quarter turn about the normal maps the plate's right (+X) to straight ahead (-Z) in the tracker's frame.
 TEST(Registration, AQuarterTurn_GivesTheHandCalculatedPose) {
   const Matrix3d quarter = AngleAxisd(90.0 * rad_per_deg, Vector3d::UnitY()).toRotationMatrix();
   const std::vector<MarkTouch> touches = {{{75.0, 0.0, 0.0}, {1000.0, 800.0, -2075.0}},
@@ -66,8 +66,8 @@ TEST(Registration, AQuarterTurn_GivesTheHandCalculatedPose) {
   EXPECT_FALSE(found.left_out.has_value());
 }
 
-// With exact touches the variance is 6 / (6 + 3 * 6 - 6) of the assumed one. The rotation about the normal has the
-// information sum (x^2 + z^2) / variance about the mean mark.
+// With exact touches, the variance is 6 / (6 + 3 * 6 - 6) of the assumed variance. The information of the rotation
+// about the normal is the sum of (x^2 + z^2) / variance, where x and z are relative to the mean mark.
 TEST(Registration, ExactTouches_GiveTheHandCalculatedRotationSd) {
   const Registration found =
       fit_registration({.touch_sd_mm = 3.0}, exact_touches(some_rotation(), {1000.0, 800.0, -2000.0}));
@@ -78,7 +78,7 @@ TEST(Registration, ExactTouches_GiveTheHandCalculatedRotationSd) {
   EXPECT_NEAR(found.covariance(1, 1), variance_mm2 / spread_mm2, 1e-12);
 }
 
-// 1,000 fits each: bounds of four binomial SDs about 95 %.
+// 1,000 fits for each assumed SD; the true one is 3 mm. With this one, the lower bound is 95 % minus four binomial SDs.
 TEST(Registration, NoisyTouches_LieWithinTheIntervals) {
   for (const double assumed_mm : {2.0, 3.0, 4.0}) {
     int turn_covered = 0, place_covered = 0, fitted = 0;
@@ -131,13 +131,13 @@ TEST(Registration, InconsistentTouches_AreRejected) {
   touches[3].touched_mm.z() += 50.0;
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::inconsistent);
 
-  // Four touches show that one is bad, but not which.
+  // Four touches show that one is wrong, but not which one.
   touches = exact_touches(some_rotation(), {0.0, 0.0, 0.0});
   touches.resize(4);
   touches[0].touched_mm.x() += 50.0;
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::inconsistent);
 
-  // Left and right are swapped, on marks at several heights: a mirror image is no pose.
+  // Left and right are swapped on marks at several heights: no pose is a mirror image.
   const std::vector<Vector3d> corners = {{100.0, 0.0, 0.0}, {-100.0, 0.0, 0.0}, {0.0, 100.0, 0.0}, {0.0, 0.0, 100.0}};
   touches.clear();
   for (const Vector3d& corner : corners) touches.push_back({corner, {-corner.x(), corner.y(), corner.z()}});
@@ -155,7 +155,7 @@ TEST(Registration, SwappedMarks_AreRejectedAsUpsideDown) {
   std::swap(touches[2].touched_mm, touches[4].touched_mm);
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::accepted);
   EXPECT_EQ(fit_registration({.up = up}, touches).verdict, RegistrationVerdict::upside_down);
-  // A plate that leans by 50 degrees is accepted, one that leans by 70 is rejected.
+  // A plate that leans by 50 degrees is accepted; a plate that leans by 70 degrees is rejected.
   const auto leaning = [&](double by_deg) {
     const Matrix3d lean = AngleAxisd(by_deg * rad_per_deg, Vector3d::UnitX()).toRotationMatrix();
     return fit_registration({.up = up}, exact_touches(lean, position)).verdict;
@@ -216,7 +216,7 @@ TEST(Registration, ATrackerOfAnotherScale_IsFittedOnRequest) {
   EXPECT_EQ(fit_registration({.touch_sd_mm = 1.0}, touches).verdict, RegistrationVerdict::inconsistent);
 }
 
-// A check at the start after the plate has moved, with touches of 3 mm (SD).
+// Checks by one touch at the start, after the plate has moved. Touches have errors of 3 mm (SD).
 TEST(Registration, APlateMovedBy20Mm_FailsTheCheck) {
   const auto share_found = [](double moved_mm) {
     int found = 0, held = 0;
@@ -237,7 +237,7 @@ TEST(Registration, APlateMovedBy20Mm_FailsTheCheck) {
   EXPECT_GT(share_found(20.0), 90.0);
 }
 
-// A joint 12 mm behind and 8 mm above the skin.
+// The joint is 12 mm behind and 8 mm above the skin.
 TEST(Fingertip, RotatedTouches_GiveTheOffset) {
   Draws draws(7, 0, 0, 0);
   const Vector3d offset(0.0, -8.0, -12.0);
@@ -259,7 +259,7 @@ TEST(Fingertip, TouchesWithoutRotation_LeaveTheOffsetUnknown) {
   const TurnedTouch touch{Matrix3d::Identity(), {100.0, 200.0, 300.0}};
   EXPECT_FALSE(fit_fingertip({}, std::vector<TurnedTouch>{touch, touch}).known);
   EXPECT_FALSE(fit_fingertip({}, std::vector<TurnedTouch>{touch, touch, touch, touch}).known);
-  // Rotations about one axis leave the offset along it unknown.
+  // Rotations about one axis do not determine the offset along this axis.
   std::vector<TurnedTouch> about_one;
   for (int i = 0; i < 6; ++i)
     about_one.push_back({AngleAxisd(0.3 * i, Vector3d::UnitY()).toRotationMatrix(), {100.0, 200.0, 300.0}});

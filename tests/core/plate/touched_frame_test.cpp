@@ -15,8 +15,8 @@ const FrameCovariance exact = FrameCovariance::Zero();
 
 TouchedFrame frame() { return {.home = home}; }
 
-// A prior of 2 % of 100 mm is 2 mm: a contact of 2 mm (SD) moves the position half of the way to the contact, in each
-// coordinate, and halves the variance. At half of the distance, the correction is half.
+// At 100 mm from home, the prior SD of 0.02 is 2 mm. A contact of 2 mm (SD) therefore moves the position half of the
+// way to the contact, in each coordinate, and halves the variance. At half of the distance, the correction is halved.
 TEST(TouchedFrame, AContact_IsDividedByVariance) {
   const PlatePoint true_place{ahead.right_mm + 4.0, ahead.away_mm - 2.0};
   const TouchedFrame after = after_contact(frame(), exact, {ahead, true_place, 4.0});
@@ -29,7 +29,7 @@ TEST(TouchedFrame, AContact_IsDividedByVariance) {
   EXPECT_TRUE(is_valid(after));
 }
 
-// The prior of the second contact is 2 mm / sqrt(2), plus 0.2 %.
+// The prior variance of the second contact is (2 mm)^2 / 2 + (0.2 mm)^2.
 TEST(TouchedFrame, TimeBetweenContacts_WidensTheCovariance) {
   const TouchedFrame once = after_contact(frame(), exact, {ahead, ahead, 4.0});
   const TouchedFrame twice = after_contact(once, exact, {ahead, ahead, 4.0});
@@ -37,8 +37,8 @@ TEST(TouchedFrame, TimeBetweenContacts_WidensTheCovariance) {
   EXPECT_NEAR(twice.covariance(1, 1), before_mm2 * 4.0 / (before_mm2 + 4.0) / 1e4, 1e-12);
 }
 
-// A registration whose rotation has an SD of 0.04 rad about a centre 50 mm from the target: an SD of 2 mm to the right
-// at the target, which adds to the 2 mm of a frame with an SD of 2 % at 100 mm from home.
+// The registration's rotation has an SD of 0.04 rad about a centre 50 mm from the target: an SD of 2 mm to the right at
+// the target, in addition to the 2 mm of the prior of D at 100 mm from home.
 TEST(TouchedFrame, TheFirstContact_UsesTheUncertaintyOfTheRegistration) {
   FrameCovariance registered = exact;
   registered(0, 0) = 0.04 * 0.04;
@@ -57,7 +57,7 @@ TEST(TouchedFrame, ACorrection_RotatesTheBearing) {
   EXPECT_NEAR(turned_deg(after, after, left), 0.0, 1e-12);
 }
 
-// Exact contacts at two positions determine a frame with a rotation of 2 degrees and a scale of 5 %.
+// Exact contacts at two positions determine a frame that is rotated by 2 degrees and stretched by 5 % to the right.
 TEST(TouchedFrame, ExactContacts_GiveAnyLinearFrame) {
   const auto seen = [](double right_mm, double away_mm) {
     return PlatePoint{home.right_mm + 1.05 * right_mm - 0.035 * away_mm, home.away_mm + 0.035 * right_mm + away_mm};
@@ -74,7 +74,7 @@ TEST(TouchedFrame, ExactContacts_GiveAnyLinearFrame) {
   EXPECT_NEAR(place.away_mm, home.away_mm + 60.0, 1e-2);
 }
 
-// 3.717 SDs of 2 mm are the 99.9 % quantile for two coordinates.
+// The 99.9 % quantile for two coordinates is 3.717 SDs of 2 mm: 7.43 mm.
 TEST(TouchedFrame, ALargeCorrection_ContradictsTheRegistration) {
   for (const double off_mm : {7.4, 7.5}) {
     const Contact contact{ahead, {ahead.right_mm + off_mm, ahead.away_mm}, 1e-8};
