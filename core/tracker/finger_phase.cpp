@@ -10,7 +10,8 @@
 namespace hrt {
 namespace {
 
-// Largest distance of a window's ends, and largest sagitta, of a rest: as a multiple of the limit of the displacement.
+// Upper limit, in a rest, of the distance between the first and last position of the window and of the sagitta, as a
+// multiple of the limit of the displacement.
 constexpr double clearly_moving_limits = 4.0;
 
 }  // namespace
@@ -25,7 +26,7 @@ PhaseDetector<Point>::PhaseDetector(const std::optional<Point>& start, const std
 template <class Point>
 double PhaseDetector<Point>::sigma_mm() const {
   double variance_mm2 = noise().variance_mm2();
-  // Until the noise is estimated, the steps between positions are used, with an allowance for their small number.
+  // At least the SD that the differences of successive positions show, with an allowance for their small number.
   if (noise_.steps() > 0 && !noise_.known())
     variance_mm2 =
         std::max(variance_mm2, noise_.step_variance_mm2() * square(1.0 + tuning_.hidden_share / noise_.steps()));
@@ -37,7 +38,7 @@ typename PhaseDetector<Point>::Outcome PhaseDetector<Point>::process(double time
   if (at_rest()) {
     if (is_outlier(time_s, position)) return Outcome::ignored;
     if (std::exchange(outliers_, 0) > tuning_.max_outliers)
-      phase_ = Phase::lifted;  // too many for outliers: a rest elsewhere
+      phase_ = Phase::lifted;  // too many successive outliers: the finger rests elsewhere
   }
   const double gap_s = places_.count() > 0 ? time_s - places_[0].time_s : 0.0;
   if (!places_.add(time_s, position)) return Outcome::merged;
@@ -138,8 +139,8 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   if (limit_mm <= 0.0 ||
       square_distance_mm2(places_[0].position, places_[count - 1].position) > square(clearly_moving_limits * limit_mm))
     return false;
-  // Least-squares parabola with orthogonal polynomials: slope and curvature are the moments divided by the sums of
-  // squares.
+  // Least-squares parabola with orthogonal polynomials; slope and curvature are `moment / spread`, `bend /
+  // bend_spread`.
   const Point zero = 0.0 * places_[0].position;
   Point moment = zero;
   Point bend = zero;
@@ -165,7 +166,7 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   pause_at(begun_s, places_.mean_of_last(counted));
   rest_.places = counted;
   rest_.seen = count;
-  // A finger that soon returns to its rest position had not left: the cause was noise or tremor.
+  // A finger that soon returns to the former rest position has not left it: the cause was noise or tremor.
   if (begun_s - moving_since_s_ < tuning_.max_departure_s &&
       square_distance_mm2(rest_.place, before.place) < square(leaving_mm()))
     rest_.since_s = before.since_s;

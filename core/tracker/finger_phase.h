@@ -7,18 +7,20 @@
 // sigma is the SD of the noise of a coordinate: known, or estimated while the finger rests (noise_learner.h). The
 // tests, with the numbers of PhaseTuning:
 //
-//   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this in 1 of
-//            10^7 means. After n steps between positions, sigma is at least their SD times 1 + 2 / n.
-//   still    Over the last T seconds, with at least 10 positions that are later than the test "left", the displacement d
-//            along the least-squares line is small, and the sagitta of the least-squares parabola is at most four times
-//            as large: a finger that turns back has no displacement. A line through n positions of white noise has
-//            d = sigma sqrt(12 / n), correlated noise up to sqrt(2) sigma. If the speed v of the motion is known:
-//            T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma / (15 mm/s), so that a
-//            slow motion is not mistaken for a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a resting hand drifts.
-//   outlier  At rest, a position further from the last one than 600 mm/s * elapsed + 5.7 sigma (4 SDs of a difference)
-//            is ignored, at most twice in succession. The third is accepted as the rest position.
-//   rest     Its position is the running mean of positions within 3 sigma, with a memory of 1 s. It ends when the finger
-//            has been away for more than 0.5 s. More than 0.2 s without a position restart its duration.
+//   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this limit in 1
+//            of 10^7 means. If the noise is estimated, sigma is at least 1 + 2 / n times the SD that n differences of
+//            successive positions show.
+//   still    Over the last T seconds, with at least 10 positions, all later than the detection of the motion, the
+//            displacement d along the least-squares line is below a limit, and the sagitta of the least-squares parabola
+//            is at most four times this limit: a finger that turns back has no displacement. A line through n positions
+//            of white noise has a d of sigma sqrt(12 / n) (SD), of correlated noise up to sqrt(2) sigma. If the speed v
+//            of the motion is known: T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma /
+//            (15 mm/s), so that a slow motion is not mistaken for a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a
+//            resting hand drifts.
+//   outlier  At rest, a position further from the last one than 600 mm/s * elapsed time + 5.7 sigma (4 SDs of a
+//            difference) is ignored, at most twice in succession. The third one begins a rest at another position.
+//   rest     The rest position is the running mean of positions within 3 sigma of it, with a memory of 1 s. A finger that
+//            returns within 0.5 s has rested meanwhile. The duration restarts after 0.2 s without a position.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,32 +34,32 @@
 
 namespace hrt {
 
-/// Parameters of the detector. Fields `..._deviations` are in SDs of the noise of a coordinate. Numbers were chosen by
-/// search on the simulated people of hrt-study robustness, except those with [model]: from the model above.
+/// Parameters of the detector. Fields `..._deviations` are in units of sigma. Numbers were chosen by search on the
+/// simulated people of hrt-study robustness, except numbers with [model], which follow from the model above.
 struct PhaseTuning {
   double leaving_deviations = 3.3;  ///< distance from the rest position at which the mean of 3 positions has left
-  double min_leaving_mm = 1.0;      ///< mm: lower limit of that distance: tremor and skin
-  double hidden_share = 2.0;        ///< the SD of n steps is multiplied by 1 + hidden_share / n
+  double min_leaving_mm = 1.0;      ///< mm: lower limit of this distance, for tremor and motion of the skin
+  double hidden_share = 2.0;        ///< the SD that n differences show is multiplied by 1 + hidden_share / n
   double still_places = 10;         ///< minimum number of positions in the test "still"
   double still_s = 0.11;            ///< s: minimum duration of the test "still"
   double still_deviations = 2.5;    ///< limit of the displacement in the test "still"
-  double slow_mm_s = 15.0;  ///< mm/s: a motion at this speed fails the test "still"; a slower one may pass as a rest
+  double slow_mm_s = 15.0;  ///< mm/s: a motion at this speed fails the test "still"; a slower motion may pass as a rest
   double max_creep_mm_s = 8.6;          ///< mm/s: upper limit of the drift of a resting hand
   double max_start_speed_mm_s = 600.0;  ///< mm/s: upper limit of the speed of a first motion from rest
   double outlier_deviations = 5.7;      ///< [model] 4 SDs of the difference of two positions
   double max_outliers = 2;              ///< number of successive outliers that are ignored
-  double rest_place_deviations = 3.0;   ///< [model] positions further away are not in the mean of the rest position
+  double rest_place_deviations = 3.0;   ///< [model] positions further from the rest position do not change it
   double place_memory_s = 1.0;          ///< s: memory of the mean of the rest position
   double start_tolerance_mm = 15.0;     ///< mm: a first position further from the expected start is a rest elsewhere
-  /// a position closer to the rest position shows that the finger still rests
+  /// a position closer to the rest position than this shows that the finger still rests
   double seen_at_rest_deviations = 1.0;
-  double min_seen_at_rest_mm = 0.1;  ///< mm: lower limit of that distance
+  double min_seen_at_rest_mm = 0.1;  ///< mm: lower limit of this distance
   double max_gap_s = 0.2;            ///< s: a longer time without a position restarts the duration of a rest
   double max_departure_s = 0.5;      ///< s: a shorter departure does not end the rest
   double min_place_sd_mm = 0.05;     ///< mm: lower limit of the SD of the rest position
 };
 
-/// Phase of the finger. The end of a reach also depends on position and duration of the rest: see reach_end.h.
+/// Phase of the finger.
 enum class Phase {
   waiting,  ///< at rest, before its first motion
   moving,
@@ -76,18 +78,16 @@ class PhaseDetector {
 
   enum class Outcome {
     ignored,  ///< an outlier during a rest
-    merged,   ///< averaged with the last position; the phase is unchanged
+    merged,   ///< the position was averaged with the last one; the phase is unchanged
     place,    ///< a new position
-    set_down  ///< a new position, the first of another rest
+    set_down  ///< a new position, the first after a lift or at another rest position
   };
-  /// Processes one position, not earlier than the last one. The phase may become moving, and after a lift waiting or
-  /// paused.
+  /// Processes one position, not earlier than the last one. May set the phase to moving; after a lift, to a rest.
   Outcome process(double time_s, const Point& position);
-  /// Tests whether a moving finger has come to rest; call it after process(). `expected_mm_s`: speed that the motion is
-  /// expected to have, if known; no pause is detected if it is too low to be distinguished from a rest. Returns true if
-  /// the phase became paused.
+  /// Tests, after process(), whether a moving finger has come to rest, and returns true if the phase became paused.
+  /// `expected_mm_s`: expected speed of the motion, if known; a speed like that of a resting finger prevents a pause.
   bool find_pause(std::optional<double> expected_mm_s = {});
-  /// Calls process() and find_pause(), with a time in nanoseconds.
+  /// Calls process() and, after a new position, find_pause(); with a time in nanoseconds.
   void observe(std::int64_t time_ns, const Point& position);
   void lift() { phase_ = Phase::lifted; }
   /// Sets the phase to paused: the finger rests at `place` from `time_s` on.
@@ -104,7 +104,7 @@ class PhaseDetector {
   Point smoothed() const { return places_.mean_of_last(std::min(3, places_.count())); }
   /// Duration of the rest; 0 unless at_rest().
   double rest_s() const { return at_rest() && places_.count() > 0 ? places_[0].time_s - rest_.since_s : 0.0; }
-  /// Last time at which the finger was at rest, as far as the noise permits to determine it.
+  /// Last time at which a position was close to the rest position.
   double left_s() const { return rest_.seen_s; }
   const RecentPlaces<Point>& places() const { return places_; }
   const TrackerNoise& noise() const { return noise_.noise(); }
@@ -113,10 +113,10 @@ class PhaseDetector {
  private:
   struct Rest {
     Point place;
-    int places = 0;  // number of positions in the mean
-    int seen = 0;    // positions since the rest began
-    double since_s = 0.0;
-    double seen_s = 0.0;
+    int places = 0;        // number of positions in the mean
+    int seen = 0;          // positions since the rest began
+    double since_s = 0.0;  // time at which the rest began
+    double seen_s = 0.0;   // last time at which a position was close to `place`
   };
   double sigma_mm() const;
   bool is_outlier(double time_s, const Point& position);
@@ -134,7 +134,7 @@ class PhaseDetector {
   bool start_known_;
   bool moved_ = false;
   double moving_since_s_ = 0.0;
-  int outliers_ = 0;  // successive outliers
+  int outliers_ = 0;  // number of successive outliers
 };
 
 using FingerPhase = PhaseDetector<PlatePoint>;

@@ -8,15 +8,16 @@
 namespace hrt {
 namespace {
 
-// Weights of the assumed noise, as numbers of differences. A rest of few time constants shows only the white part.
+// Weights of the assumed noise, as numbers of differences. A rest of few time constants does not show correlated noise.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
-// If the noise is below the assumed one, the assumed correlated part is reduced, at least to this fraction.
+// If the observed noise is below the assumed noise, the assumed correlated part is reduced, at most to this fraction.
 constexpr double min_assumed_share = 0.6;
-// The first eight differences give the first estimate, and every eighth one later updates it.
+// Every eighth difference updates the estimate.
 constexpr int steps_per_estimate = 8;
-// Upper limit of noise: more is a motion. During a motion, one departure counts as at most three SDs.
+// Upper limit of each part of the noise: larger differences are a motion.
 constexpr double max_noise_mm = 4.0;
+// During a motion, the distance of a position from the line through its neighbours counts as at most three SDs.
 constexpr double max_departure_deviations = 3.0;
 // Lower limit of each part, since without noise a filter would attribute every deviation to the person.
 constexpr double min_part_mm = 0.02;
@@ -85,8 +86,7 @@ void NoiseLearner<Point>::learn(const RecentPlaces<Point>& places, int rested) {
   update();
 }
 
-// Uses the distance of a position from the line through the positions before and after it, in which a uniform motion
-// cancels.
+// Uses the distance of a position from the line through its neighbours, which a uniform motion does not change.
 template <class Point>
 void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
   if (known_ || places.count() < 3) return;

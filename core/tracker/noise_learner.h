@@ -3,12 +3,12 @@
 //
 //   position = rest position + n + e,   dn/dt = -n / tau + noise (stationary, variance c),   e white, variance w
 //
-// Half of the mean square difference of positions that are t apart does not depend on the rest position:
+// Half of the mean square difference of positions x that are the time t apart does not depend on the rest position:
 //
-//   D(t) = E (x(s + t) - x(s))^2 / 2 = w + c (1 - exp(-t / tau))
+//   D(t) = mean of (x(s + t) - x(s))^2 / 2 = w + c (1 - exp(-t / tau))
 //
-// (structure function; Kolmogorov 1941). Successive positions show the white noise, the growth of D the correlated
-// noise. Tremor and drift of a resting finger cannot be separated from noise, and count as correlated noise.
+// (structure function; Kolmogorov 1941). D of successive positions shows the white noise, and the growth of D with t
+// the correlated noise. Tremor and drift of a resting finger count as correlated noise.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@
 
 namespace hrt {
 
-/// Noise of a tracked coordinate: SDs > 0. Defaults: those assumed of an unknown tracker.
+/// Noise of a tracked coordinate: SDs >= 0. The defaults are assumed for an unknown tracker.
 struct TrackerNoise {
   double white_mm = 0.8;
   double correlated_mm = 0.9;
@@ -32,14 +32,14 @@ struct TrackerNoise {
 
 inline double square_distance_mm2(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).squaredNorm(); }
 
-/// Sums for D at lags of 1, 2, 4, ... positions. Those of several rests may be added.
+/// Sums for D at lags of 1, 2, 4, ... 32 positions, with the indices 0 to 5. Sums of several rests may be added.
 struct StructureFunction {
   static constexpr int lags = 6;
-  static constexpr int places(int lag) { return 1 << lag; }
+  static constexpr int places(int lag) { return 1 << lag; }  ///< number of positions of a lag
 
   struct Sum {
-    double square_mm2 = 0.0;  ///< sum of half the square difference of a coordinate
-    double time_s = 0.0;
+    double square_mm2 = 0.0;  ///< sum of half the squared differences of a coordinate
+    double time_s = 0.0;      ///< sum of the times between the two positions
     double count = 0.0;
 
     double mean_mm2() const { return square_mm2 / count; }
@@ -52,13 +52,13 @@ struct StructureFunction {
   void add(const StructureFunction& other, double sign);
 };
 
-/// Result of fitting w and c >= 0 to D for a given tau by least squares of relative errors. The weight of a lag is its
-/// number of differences that do not overlap.
 struct NoiseParts {
-  double white_mm2;
-  double correlated_mm2;
-  double cost;
+  double white_mm2;       ///< w
+  double correlated_mm2;  ///< c
+  double cost;            ///< weighted sum of squared relative errors
 };
+/// Fits w >= 0 and c >= 0 to D for a given tau, `correlation_s`, by least squares of relative errors. The weight of a
+/// lag is the number of its differences that do not overlap.
 NoiseParts separate(const StructureFunction& differences, double correlation_s);
 
 /// Estimates the noise: the white part always, the correlated part while the finger rests. `Point`: PlatePoint or
@@ -66,19 +66,19 @@ NoiseParts separate(const StructureFunction& differences, double correlation_s);
 template <class Point>
 class NoiseLearner {
  public:
-  /// `known`: configured noise, which replaces the estimate.
+  /// `known`: configured noise, which positions do not change.
   explicit NoiseLearner(const std::optional<TrackerNoise>& known = {})
       : noise_(known.value_or(TrackerNoise{})), known_(known.has_value()) {}
 
-  /// Processes the last of `places`; the last `rested` + 1 positions belong to one rest.
+  /// Processes the last of `places` of a resting finger; the last `rested` + 1 positions belong to the same rest.
   void learn(const RecentPlaces<Point>& places, int rested);
   /// Processes the last of `places` of a moving finger, which shows the white noise only.
   void learn_moving(const RecentPlaces<Point>& places);
 
-  /// Weighted mean of assumed and estimated noise; the weight is the number of differences.
+  /// Weighted mean of the assumed noise and the estimate, whose weight is the number of differences.
   const TrackerNoise& noise() const { return noise_; }
   bool known() const { return known_; }
-  /// Number of differences of successive positions, and their D.
+  /// Number of differences of successive positions, and D at this lag.
   int steps() const { return static_cast<int>(differences_.sums[0].count); }
   double step_variance_mm2() const { return differences_.sums[0].mean_mm2(); }
 

@@ -15,10 +15,10 @@ template <class Point>
 class RecentPlaces {
  public:
   static constexpr int capacity = 128;
-  /// Positions closer in time are averaged; the finger moves by less than 2 mm meanwhile.
+  /// Positions closer in time than this are averaged; a finger slower than 0.5 m/s moves by less than 2 mm meanwhile.
   static constexpr double min_spacing_s = 0.004;
 
-  /// Returns false if the position was averaged with the last one.
+  /// Adds a position, not earlier than the last one. Returns false if it was averaged with the last one.
   bool add(double time_s, const Point& position) {
     if (count_ > 0 && time_s - (*this)[0].time_s < min_spacing_s) {
       ++merged_;
@@ -35,7 +35,7 @@ class RecentPlaces {
 
   /// Number of stored places, from 0 to `capacity`.
   int count() const { return count_; }
-  /// Returns the last position for `back` 0, the one before for 1, ...; `back` < count().
+  /// Returns the last position for `back` = 0, the position before it for 1, and so on; `back` < count().
   const Timed<Point>& operator[](int back) const { return places_[static_cast<unsigned>(last_ - back) % capacity]; }
   /// Returns the mean of the last `places` positions, 1 to count().
   Point mean_of_last(int places) const {
@@ -50,7 +50,7 @@ class RecentPlaces {
   std::array<Timed<Point>, capacity> places_{};
   int last_ = -1;
   int count_ = 0;
-  int merged_ = 0;  // number of positions in the average of the last one
+  int merged_ = 0;  // number of positions that are averaged in the last one
 };
 
 }  // namespace hrt

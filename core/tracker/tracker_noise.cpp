@@ -14,11 +14,11 @@ constexpr std::size_t min_blocks = 8;
 constexpr double max_correlation_s = 2.0;
 constexpr double min_correlation_s = 0.01;
 constexpr int times = 48;  // points of the grid of correlation times
-// Smallest correlation time in sample periods: e^(-1 / 0.7) is about a quarter.
+// Smallest correlation time in sample periods: about a quarter of the noise, e^(-1 / 0.7), is left after one period.
 constexpr double min_periods = 0.7;
-// If the correlation time may be shorter than this many periods, the parts cannot be separated.
+// If the correlation time may be shorter than this number of periods, the parts cannot be separated.
 constexpr double min_separate_periods = 1.5;
-// Upper limit of an informative interval from 0, as a fraction of the total SD.
+// An interval from 0 is informative, and its part known, if its upper end is below this fraction of the total SD.
 constexpr double little = 0.7;
 // A position is an outlier if it is more than this many SDs from the median position of the rest that it belongs to.
 constexpr double grossly_outlying = 6.0;
@@ -33,7 +33,7 @@ constexpr double max_misfit_share = 0.1;
 // Coordinates that differ by less are equal.
 constexpr double same_coordinate_mm = 1e-6;
 
-// Leaving out one block takes 10 us on a core of 3 GHz, the median of a rest 20 us.
+// Limits of one step(). A fit without one block takes 10 us on a core of 3 GHz, the median of a rest 20 us.
 constexpr int blocks_per_step = 25;
 constexpr int rests_per_noise_step = 16;
 
@@ -48,7 +48,7 @@ PlatePoint middle_of(const std::vector<TimedPoint>& rest) {
   return {median(std::move(right)), median(std::move(away))};
 }
 
-// Assigns each difference to the block of its later position.
+// Returns the differences in blocks of block_s. A difference belongs to the block of its later position.
 std::vector<StructureFunction> blocks_of(const Rests& rests) {
   std::vector<StructureFunction> blocks;
   for (const std::vector<TimedPoint>& rest : rests) {
@@ -69,7 +69,7 @@ std::vector<StructureFunction> blocks_of(const Rests& rests) {
   return blocks;
 }
 
-// Jackknife SD of a statistic, from its values without one block each.
+// Returns the jackknife SD of a statistic from its values, each of which leaves out one block.
 double jackknifed(const std::vector<double>& without_one) {
   double mean = 0.0, squares = 0.0;
   const auto count = static_cast<double>(without_one.size());
@@ -78,7 +78,7 @@ double jackknifed(const std::vector<double>& without_one) {
   return std::sqrt((count - 1.0) / count * squares);
 }
 
-// Interval of an SD from that of its square.
+// Returns the interval of an SD from the variance and the SD of the variance.
 Interval deviation_interval(double variance_mm2, double sd_mm2, double total_mm) {
   const double half_mm2 = quantile * sd_mm2;
   Interval interval{std::sqrt(variance_mm2), std::sqrt(std::max(0.0, variance_mm2 - half_mm2)),
@@ -87,7 +87,8 @@ Interval deviation_interval(double variance_mm2, double sd_mm2, double total_mm)
   return interval;
 }
 
-// Returns the step to which coordinates are rounded; infinite if all are equal.
+// Returns the smallest difference of successive coordinates that are not equal; infinity if all are equal. Rounded
+// coordinates differ by at least the step of the rounding.
 double quantum_mm(const Rests& rests) {
   double min_mm = HUGE_VAL;
   for (const std::vector<TimedPoint>& rest : rests)
@@ -127,7 +128,6 @@ bool RestNoiseFit::step() {
   return true;
 }
 
-// Removes the outliers.
 void RestNoiseFit::screen() {
   const double max_mm = grossly_outlying * median(std::exchange(distances_, {})) / median_distance;
   for (std::size_t r = 0; r < rests_.size(); ++r)

@@ -28,8 +28,8 @@ struct FingerWatch {
   }
 };
 
-// The motion is detected when the mean of three positions is 3.3 * 0.5 = 1.65 mm off: those of 1, 2 and 3 mm, at 0.53
-// s.
+// The motion is detected when the mean of three positions is 3.3 * 0.5 = 1.65 mm from the rest position: with the
+// positions at 1, 2 and 3 mm, at 0.53 s.
 TEST(FingerPhase, AMotion_IsDetectedByTheMeanOfThreePositions) {
   FingerWatch watch;
   watch.until(0.53);
@@ -43,7 +43,7 @@ TEST(FingerPhase, AMotion_IsDetectedByTheMeanOfThreePositions) {
   EXPECT_NEAR(watch.finger.rest_place().away_mm, -50.0, 0.1);
 }
 
-// The window is 0.11 + 2.5 * 0.5 / 15 = 0.193 s, and a rest's displacement in it at most 8.6 * 0.2 = 1.72 mm.
+// The window is 0.11 + 2.5 * 0.5 / 15 = 0.193 s long, and the displacement within it at most 8.6 * 0.2 = 1.72 mm.
 TEST(FingerPhase, APause_IsDetectedAndDatedBack) {
   FingerWatch watch;
   watch.until(1.1);
@@ -68,7 +68,7 @@ TEST(FingerPhase, AFingerAsSlowAsExpected_DoesNotPause) {
   }
 }
 
-// 30 mm after 10 ms is more than 0.6 m/s * 0.01 s + 5.7 * 0.5 = 8.85 mm.
+// An outlier is 30 mm away after 10 ms, which is more than 600 mm/s * 0.01 s + 5.7 * 0.5 mm = 8.85 mm.
 TEST(FingerPhase, TwoOutliersAtRest_AreIgnoredAndTheThirdIsAccepted) {
   FingerWatch watch;
   watch.until(0.5);
@@ -98,7 +98,6 @@ TEST(FingerPhase, Touchdown_SetsTheRestPosition) {
   }
 }
 
-// A tremor by which the finger is 3 mm off for 50 ms.
 TEST(FingerPhase, ADepartureOf50Ms_DoesNotEndTheRest) {
   FingerWatch watch;
   watch.until(0.4);
@@ -109,7 +108,7 @@ TEST(FingerPhase, ADepartureOf50Ms_DoesNotEndTheRest) {
   EXPECT_NEAR(watch.finger.rest_s(), 0.84, 1e-9);
 }
 
-// 60 mm away and back at 0.4 m/s: the line through a window about the reversal is level.
+// 60 mm away and back at 0.4 m/s. The least-squares line through a window around the reversal has a slope of about 0.
 TEST(FingerPhase, AReversal_IsNoPause) {
   FingerWatch watch;
   watch.until(0.5);
@@ -127,7 +126,6 @@ TEST(FingerPhase, AGap_RestartsTheDurationOfTheRest) {
   EXPECT_EQ(watch.finger.rest_s(), 0.0);
 }
 
-// At most one of 40 fingers that rest for ten seconds is reported as moving.
 TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {
@@ -147,8 +145,8 @@ TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
   }
 }
 
-// 100 mm, minimum jerk, after 0.5 s at rest: the motion is found, no pause is reported between 30 and 85 % of it, and
-// its end is found within half a second.
+// A minimum-jerk motion over 100 mm, after a rest of 0.5 s. No pause may be reported between 30 and 85 % of its
+// duration, and its end must be detected within 0.7 s.
 TEST(FingerPhase, AnySpeedAndNoise_GivesMotionAndPause) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {

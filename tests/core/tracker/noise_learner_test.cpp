@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// D(t) = w + c (1 - exp(-t / tau)) at lags of 10 ms, 20 ms, 40 ms, ...
+// Returns D(t) = w + c (1 - exp(-t / tau)) at lags of 10 ms, 20 ms, 40 ms, ...
 StructureFunction structure_of(double white_mm2, double correlated_mm2, double correlation_s) {
   StructureFunction differences;
   for (int lag = 0; lag < StructureFunction::lags; ++lag) {
@@ -41,7 +41,7 @@ TEST(StructureFunction, AnyStructureFunction_GivesNonnegativeParts) {
   EXPECT_EQ(separate(steep, 0.1).white_mm2, 0.0);
 }
 
-// Two positions that are 2 mm apart to the right: 4 / 4 = 1 mm^2 of a coordinate.
+// The positions are 2 mm apart in one of two coordinates. Half of the mean of 4 and 0 mm^2 is 1 mm^2.
 TEST(NoiseLearner, TwoPositions_GiveTheHandCalculatedVariance) {
   RecentPlaces<PlatePoint> places;
   NoiseLearner<PlatePoint> learner;
@@ -54,7 +54,7 @@ TEST(NoiseLearner, TwoPositions_GiveTheHandCalculatedVariance) {
 }
 
 // The middle position is 3 mm from the line through its neighbours. The variance is 9 / 1.5 mm^2 across this line and 0
-// along it, with a mean of 3 mm^2.
+// along the line; the mean is 3 mm^2.
 TEST(NoiseLearner, ABentMotion_GivesTheHandCalculatedVariance) {
   RecentPlaces<PlatePoint> places;
   NoiseLearner<PlatePoint> learner;
@@ -75,8 +75,7 @@ TEST(NoiseLearner, AKnownNoise_IsUnchanged) {
   EXPECT_EQ(learner.noise().correlated_mm, 1.0);
 }
 
-// After two seconds the error of the mean estimate is at most a fifth of the noise, plus 0.3 mm due to the weight that
-// the assumed noise still has.
+// The tolerance is a fifth of the noise, plus 0.3 mm because the assumed noise has some weight after two seconds.
 TEST(NoiseLearner, TwoSecondsAtRest_GiveTheNoise) {
   for (const double rate_hz : {30.0, 90.0, 240.0}) {
     for (const double noise_mm : {0.3, 1.2, 2.5}) {

@@ -69,7 +69,7 @@ TEST(TrackerNoise, NoOrShortRests_GiveUnknownNoise) {
   expect_unknown(fit_rest_noise(simulate_rests(tracker, 1, 0.5, 0)));
 }
 
-// The correlated part is given only with its time constant, and only if its interval excludes 0.
+// The correlated part is given only if its interval excludes 0 and its time constant is known.
 TEST(TrackerNoise, KnownParts_AreGivenToTheController) {
   RestNoise noise{.white_mm = {3.0, 2.0, 4.0, true},
                   .correlated_mm = {4.0, 3.0, 5.0, true},
@@ -126,7 +126,7 @@ TEST(TrackerNoise, AnotherPositionAndUnit_ScalesTheNoise) {
   EXPECT_NEAR(there.correlation_s.value, here.correlation_s.value, 1e-6);
 }
 
-// From n values, the SD of white noise is known to a fraction 1 / sqrt(2 n); the interval must be about as wide.
+// The SD of white noise, from n values, has a relative error of 1 / sqrt(2 n) (SD). The interval must correspond to it.
 TEST(TrackerNoise, WhiteNoise_HasAnIntervalOfTheExpectedWidth) {
   const SimulatedTracker tracker{"white", 1.2, 0.0, 0.1, 90.0};
   const Rests rests = simulate_rests(tracker, 1, 20.0, 0);
@@ -141,11 +141,10 @@ TEST(TrackerNoise, WhiteNoise_HasAnIntervalOfTheExpectedWidth) {
 
 class TrackerNoiseCoverage : public testing::TestWithParam<SimulatedTracker> {};
 
-// The number of people for whom a value is known, and of those whose interval covers the truth.
 struct Coverage {
   double truth;
-  int known = 0;
-  int covered = 0;
+  int known = 0;    // number of people for whom the value is known
+  int covered = 0;  // number of these people whose interval covers the truth
 
   void count(const Interval& interval) {
     EXPECT_LE(interval.lower, interval.value);
@@ -155,7 +154,7 @@ struct Coverage {
   }
 };
 
-// If the coverage is 95 %, more than 8 of 40 intervals miss the truth with a probability below 0.1 %.
+// With a coverage of 95 %, the probability that more than 8 of 40 intervals miss the truth is below 0.1 %.
 TEST_P(TrackerNoiseCoverage, SimulatedTrackers_LieWithinTheKnownIntervals) {
   const SimulatedTracker& tracker = GetParam();
   constexpr int people = 40;
@@ -169,7 +168,7 @@ TEST_P(TrackerNoiseCoverage, SimulatedTrackers_LieWithinTheKnownIntervals) {
   }
   for (const Coverage& coverage : {white, correlated, time}) EXPECT_GE(coverage.covered, coverage.known - 8);
   if (tracker.correlated_mm > 0.0 && tracker.correlation_s * tracker.rate_hz < 1.5) {
-    EXPECT_LE(time.known, people / 20) << "its parts cannot be separated";
+    EXPECT_LE(time.known, people / 20) << "white and correlated noise cannot be separated";
     return;
   }
   // Rests of half a second are short for a noise with a long time constant.
