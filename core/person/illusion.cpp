@@ -11,7 +11,7 @@ namespace {
 constexpr double scale_deg = 75.0;
 
 constexpr double ridge_spacing_mm = 10.0;
-// Newton's method converges quadratically: a change below this limit leaves an error far below it.
+// Newton's method converges quadratically: after a change below this limit, the error is far below the limit.
 constexpr double max_newton_change_deg = 0.05;
 
 }  // namespace
@@ -46,7 +46,7 @@ FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
 MaxShift max_shift(const Illusion& illusion, double bound_deg) {
   double offset_deg = std::min(bound_deg, 89.0);
   if (illusion.curve > 0.0) {
-    // g' = 0 at the maximum
+    // At the maximum for f = 0, g' = 0.
     offset_deg = std::min(offset_deg, scale_deg * std::sqrt(illusion.weight / (3.0 * illusion.curve)));
   }
   FeltShift felt = felt_shift(illusion, offset_deg);

@@ -11,12 +11,13 @@ namespace {
 
 using T = PersonState;
 
-constexpr int rates_to_a_side = 3;  // rates of the grid on each side of the middle one
+constexpr int rates_to_a_side = 3;  // number of rates in the grid below, and above, the mean of the prior
 
 }  // namespace
 
-// For each candidate rate, the path covered so far determines the onset. The squared distances of the positions along
-// the path from those that the rate predicts, plus the prior of the rate, select the candidate.
+// For each candidate rate, the path covered so far determines the onset. The candidate with the least cost is selected:
+// the sum of the squared differences between observed and predicted distances along the path, in SDs of the noise, plus
+// the squared deviation from the mean of the prior, in SDs.
 MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& origin, const PersonBelief& belief,
                      double path_mm, double noise_variance_mm2, const Tuning& tuning) {
   const double seen_s = places[1].time_s;

@@ -7,13 +7,13 @@
 namespace hrt {
 
 struct MotionFit {
-  double log_rate;
-  double onset_s;
+  double log_rate;  ///< natural logarithm of one over the duration in seconds
+  double onset_s;   ///< time of the onset
 };
 
-/// Returns the maximum of the posterior of log rate and onset, searched over a grid of rates, for a motion over
-/// `path_mm` that began at rest at `origin`. Requires at least three places. `noise_variance_mm2`: variance of the
-/// tracker noise of one coordinate. Uses no heap, lock or exception.
+/// Returns the most probable log rate and onset, searched over a grid of rates, of a motion over `path_mm` that began
+/// at rest at `origin`. Requires at least three positions. `noise_variance_mm2`: variance of the tracker noise of one
+/// coordinate. Uses no heap, lock or exception.
 MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& origin, const PersonBelief& belief,
                      double path_mm, double noise_variance_mm2, const Tuning& tuning);
 

@@ -1,13 +1,13 @@
 // Stores the positions of one motion, and estimates the person from them after the motion.
 //
 // The SD of the wander is a parameter of the filter, not a state, so the filter cannot estimate it. After the reach,
-// three filters whose log_wander differs by -eps, 0 and eps (`wander_step`) process the positions. From their log
-// likelihoods, with the covariance S of an innovation,
+// three filters, whose log_wander differs by -eps, 0 and eps (`wander_step`) from the mean of its prior, process the
+// positions. Their log likelihoods are, with the normalised innovation squared (nis) and covariance S of an innovation,
 //   l = beta sum over the positions of -(nis + log det S) / 2
-// the posterior of log_wander is approximated by a normal distribution with precision 1 / var - l'' and a mean that
-// lies l' / precision above that of the prior. var is the variance of the prior, l' and l'' are finite differences over
-// eps, and beta < 1 (`wander_evidence`) accounts for correlation between positions that the model neglects. A fourth
-// filter with that mean then processes the positions, and estimates the other traits.
+// From l, the posterior of log_wander is approximated by a normal distribution with precision 1 / var - l'' and a mean
+// that is l' / precision above that of the prior. var is the variance of the prior, l' and l'' are finite differences
+// over eps, and beta < 1 (`wander_evidence`) accounts for correlation between positions that the model neglects. A
+// fourth filter with the mean of the posterior then processes the positions, and estimates the other traits.
 #pragma once
 
 #include <array>
@@ -25,15 +25,15 @@ class MotionLog {
 
   /// Deletes all positions, and stores `filter` as the state at `onset_s`.
   void begin(const PersonFilter& filter, double onset_s);
-  /// Adds a position relative to the rest position, and the ridge normal whose effect the person perceives at that
-  /// time. `time_s` must be later than that of the previous position. Has no effect after close().
+  /// Adds a position relative to the rest position, and the direction of the ridge normal whose effect the person
+  /// perceives at `time_s`, which must be later than that of the previous position. Has no effect after close().
   void add(double time_s, const PlatePoint& position, double felt_plate_deg);
-  /// Ends the log, at a pause, a lift, a jump or another target: later positions are ignored.
+  /// Ends the log early, at a pause, a lift, a jump or a move of the target: later positions are ignored.
   void close() { closed_ = true; }
 
   int count() const { return count_; }
-  /// Returns the posterior of the person after the motion. `learnt`: posterior of the filter that ran during the reach;
-  /// if the log was closed early, it is returned with a new log_wander only.
+  /// Returns the posterior of the person after the motion. `learnt`: posterior of the filter that ran during the reach.
+  /// If the log was closed, returns `learnt` with a new log_wander; if the log is empty, returns `learnt` unchanged.
   PersonBelief belief(const PersonBelief& learnt) const;
 
  private:

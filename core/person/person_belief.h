@@ -20,27 +20,27 @@ struct PersonBelief {
 inline double trait_sd(const PersonBelief& belief, int trait) { return std::sqrt(belief.covariance(trait, trait)); }
 
 /// Returns the prior of a person who has not been measured. `tactile_weight`, `tactile_weight_sd`: mean and SD of w_T
-/// if the illusion were linear; mean and SD of w, and of the curvature b, follow from them (tuning.h). `bias_deg`: bias
-/// from a calibration, or 0. Means are clamped to the ranges in person_state.h.
+/// if the illusion were linear; mean and SD of w and of the curvature b follow from these two values (tuning.h).
+/// `bias_deg`: mean of the bias. Means are clamped to the ranges in person_state.h.
 PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05, double bias_deg = 0.0,
                             const Tuning& tuning = {});
 
-/// Returns the prior of a person whose w_T (of a linear illusion) and bias are known exactly.
+/// Returns the prior of a person whose illusion is linear with a known w_T, and whose bias is known.
 PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& tuning = {});
 
-/// Replaces the distribution of one trait: `mean`, clamped to its range, and `sd`, independent of the others.
+/// Sets mean and SD of one trait, and makes it independent of the other traits. `mean` is clamped to the trait's range.
 void set_trait_prior(PersonBelief& belief, PersonState::Index trait, double mean, double sd);
 
-/// Returns the SD of the habit from reach to reach.
+/// Returns the SD, in degrees, of the habit from reach to reach.
 double habit_scatter_deg(const PersonBelief& belief, const Tuning& tuning);
 
 /// Sets the variance of a trait and keeps its correlations.
 void set_variance(PersonBelief& belief, int trait, double variance);
 
-/// Returns the belief with which a reach begins: `belief`, with an SD of the habit of at most steered_habit_sd_deg.
+/// Returns the belief with which a reach begins: `belief`, with the SD of the habit limited to steered_habit_sd_deg.
 PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning);
 
-/// The weight of the linear illusion that causes the same shift at 60 degrees, clamped to 0.001 to 0.499, and its SD.
+/// The weight of the linear illusion that causes the same shift at 60 degrees, clamped to [0.001, 0.499], and its SD.
 struct LinearIllusion {
   double weight;
   double weight_sd;
@@ -52,7 +52,7 @@ LinearIllusion linear_illusion(const PersonBelief& belief);
 /// Returns true if each mean is in its range, and the covariance is finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);
 
-/// Traits that a calibration determines.
+/// Results of a calibration.
 struct CalibratedTraits {
   Interval weight;
   Interval curve;
@@ -62,7 +62,7 @@ struct CalibratedTraits {
 };
 
 /// Returns the prior of a calibrated person; traits that no calibration determines keep the prior of unknown_person().
-/// Each SD has a lower bound (`min_*_sd` in tuning.h), because people change and may not have a cubic curve.
+/// Each SD has a lower bound (`min_*_sd` in tuning.h), because people change and their illusion may not be cubic.
 PersonBelief calibrated_person(const CalibratedTraits& traits, const Tuning& tuning = {});
 
 }  // namespace hrt

@@ -11,7 +11,7 @@
 namespace hrt {
 namespace {
 
-// Maximum number of stored positions that one update processes: bounds the time of an update.
+// Maximum number of stored positions that one update processes, which bounds the time of an update.
 constexpr int max_replayed = 6;
 
 double dot(const PlatePoint& a, const PlatePoint& b) { return a.right_mm * b.right_mm + a.away_mm * b.away_mm; }
@@ -87,8 +87,7 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
     return;
   }
   log_.close();
-  // If the target moves again before the person has responded, both moves are answered together, a reaction time after
-  // the first.
+  // A person who has not responded when the target moves again responds to both moves, a reaction time after the first.
   if (!retarget_)
     retarget_ = {.time_s = time_s + tuning().reaction_time_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
   retarget_->virtual_direction_deg = virtual_direction_deg;
@@ -158,7 +157,7 @@ bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
   if (find_pause(innovation.nis)) {
     clock_stopped_ = true;
     relocate(finger_.rest_place());
-    fit_ = {};  // the filter did not model the deceleration
+    fit_ = {};  // the filter had not predicted the deceleration
     return true;
   }
   fit_.add(tuning(), innovation.off_mm, innovation.nis);

@@ -2,9 +2,9 @@
 // jumps and rests.
 //   gate    OutlierGate rejects outliers; a run of outliers is accepted as a jump
 //   phase   FingerPhase: waiting until the onset, moving, paused or lifted (tracker/finger_phase.h)
-//   filter  PersonFilter runs during the motion; ModelFit measures how well it predicts the positions
-// The onset is detected late. motion_fit estimates its time from the first positions, and the filter then processes the
-// positions since the onset, a few with each new sample.
+//   filter  PersonFilter runs during the motion; ModelFit measures how well the filter predicts the positions
+// The onset is detected late. motion_fit estimates the time of the onset from the first positions, and the filter then
+// processes the positions since the onset, a few with each new sample.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,11 @@
 
 namespace hrt {
 
-/// Counts successive implausible positions. Up to a maximum they are outliers; the next one is accepted as a jump.
+/// Counts successive implausible positions: the first `max_outliers` are outliers; the next one is accepted as a jump.
 class OutlierGate {
  public:
   enum Result { accepted, outlier, relocated };
 
-  /// `max_outliers`: integer >= 0.
   explicit OutlierGate(double max_outliers) : max_outliers_(max_outliers) {}
 
   Result test(bool plausible) {
@@ -38,8 +37,8 @@ class OutlierGate {
 };
 
 /// Measures how well the filter predicts positions before it processes them, as running means over about 20 positions:
-///   nis          normalised innovation squared; its expectation is 2 if the model is right
-///   correlation  of successive innovations; its expectation is 0 if the model is right
+///   nis          normalised innovation squared; the expectation is 2 if the model is right
+///   correlation  correlation of successive innovations; the expectation is 0 if the model is right
 class ModelFit {
  public:
   /// Adds the innovation of a position and its NIS, also for outliers.
@@ -47,8 +46,8 @@ class ModelFit {
 
   double nis() const { return nis_; }
 
-  /// Returns true if the model describes the motion. Correlated innovations do not count if the mean NIS is small: with
-  /// a tracker that has hardly any noise, every deviation of the person from the model correlates.
+  /// Returns true if the model describes the motion. Correlated innovations are accepted if the mean NIS is small: with
+  /// a tracker that has hardly any noise, innovations show every deviation of the person from the model, and correlate.
   bool holds(const Tuning& tuning) const;
 
  private:
@@ -61,38 +60,37 @@ class ModelFit {
 class PersonEstimator {
  public:
   /// Begins before the motion: the finger is near `start`, and will move over `path_mm` towards
-  /// `virtual_direction_deg`. `noise`: noise of the tracker; if unknown, it is estimated while the finger rests.
+  /// `virtual_direction_deg`. `noise`: noise of the tracker; nullopt: it is estimated while the finger rests.
   PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const PlatePoint& start,
                   const std::optional<TrackerNoise>& noise, const Tuning& tuning = {});
 
   /// Processes a position observed at `time_s`, later than the previous one. `plate`: plate orientations of the last
-  /// second. Returns false if the position is an outlier.
+  /// second. Returns false if the position is an outlier or a jump.
   bool observe(double time_s, const PlatePoint& position, const PlateTrace& plate);
 
   /// Advances to `time_s` without a sample.
   void predict(double time_s, const PlateTrace& plate);
 
-  /// Reports that the finger is lifted. It may be set down at another position.
+  /// Reports that the finger is lifted. The finger may be set down at another position.
   void lift(double time_s, const PlateTrace& plate);
 
-  /// Reports that the target moved at `time_s`, to `virtual_direction_deg`, and that the path is `longer_mm` longer.
-  /// The person responds after Tuning::reaction_time_s.
+  /// Reports that the target moved at `time_s`, to `virtual_direction_deg`, and made the path `longer_mm` longer. The
+  /// person responds after Tuning::reaction_time_s.
   void retarget(double time_s, double virtual_direction_deg, double longer_mm);
 
   /// True once the onset has been detected.
   bool begun() const { return finger_.has_moved(); }
-  /// True if the finger moves, and has neither paused on the way nor been lifted. A finger that rests where the filter
-  /// expects the end of the motion has not paused.
+  /// True if the finger has begun to move, and is neither lifted nor paused. A rest at the expected end is no pause.
   bool moving() const { return begun() && !clock_stopped_; }
   /// True if the filter has processed all positions, so that its state is that of the last sample.
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
   const FingerPhase& finger() const { return finger_; }
-  /// Returns a copy of the filter with the target's move applied; nullopt if no response to a move is pending.
+  /// Returns a copy of the filter that expects the response to the target's move; nullopt if no response is pending.
   std::optional<PersonFilter> after_retarget() const;
   /// Time of the filter's state; before the onset, time of the last position.
   double time_s() const { return filter_s_; }
-  /// Rest position of the finger: origin of the filter's positions.
+  /// Rest position of the finger, which is the origin of the filter's positions.
   const PlatePoint& origin() const { return begun() ? origin_ : finger_.rest_place(); }
   /// Last position, observed or predicted.
   PlatePoint place() const;
@@ -123,7 +121,7 @@ class PersonEstimator {
   double path_mm_;
   FingerPhase finger_;
   PersonFilter filter_;
-  std::optional<Retarget> retarget_;  // response that is still pending
+  std::optional<Retarget> retarget_;  // move of the target whose response is pending
   PlatePoint origin_;                 // position of the rest before the motion
 
   OutlierGate gate_;

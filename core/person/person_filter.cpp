@@ -145,9 +145,9 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   unanswered_deg_ *= turn_kept(seconds);
 }
 
-// P becomes F P F^T, computed as (P F^T)^T F^T, since columns are contiguous. Traits do not change in a step. `f` is a
-// copy, so that the compiler knows that writing into P does not change it. Traits from felt_traits on are independent
-// of all others.
+// P becomes F P F^T (F: Jacobian of the step), computed as (P F^T)^T F^T, since columns are contiguous. Traits do not
+// change in a step. `f` is a copy, so that the compiler knows that writing into P does not change `f`. Traits from
+// felt_traits on are independent of all other states.
 void PersonFilter::carry(Step f) {
   constexpr int motion = X::count - X::traits;
   // Multiplies a row by F^T. Each statement uses only elements that are not yet changed.
@@ -178,8 +178,8 @@ void PersonFilter::carry(Step f) {
   for (int i = X::traits; i < X::count; ++i) transform(covariance_.row(i));
 }
 
-// Moves the state, and adds the process noise: that of the random walks, and that of the correlated quantities, whose
-// variance is stationary.
+// Moves the state, and adds process noise: to the random walks, and to the correlated quantities of stationary
+// variance.
 void PersonFilter::advance(const Step& step) {
   mean_(X::right) -= step.travel_mm * step.sine;
   mean_(X::away) += step.travel_mm * step.cosine;
@@ -270,7 +270,7 @@ void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool
 
   const double left = 1.0 - pace(mean_(X::phase)).share;
   const double left_mm = std::max(path_mm_ * left + longer_mm, min_path_mm);
-  if (left_mm <= tuning_.max_stretch * path_mm_ * left) {  // the same motion with a rescaled path
+  if (left_mm <= tuning_.max_stretch * path_mm_ * left) {  // the motion continues over a rescaled path
     const double stretch = left_mm / (path_mm_ * left);
     covariance_(X::log_rate, X::log_rate) += square(stretch - 1.0);
     path_mm_ *= stretch;

@@ -2,8 +2,8 @@
 //
 // The person moves along a path of length L with the pace s(u) of pace.h. The ridges shift the perceived direction by g
 // (illusion.h). The person steers the perceived direction towards the goal G, which is the virtual direction V plus the
-// bias B. In addition, the hand follows without delay an own path o, which leaves the line to the goal and returns to
-// it. With dots for time derivatives and s_u = ds/du:
+// bias B. In addition, the direction of the hand deviates without delay by the own path o, so that the hand leaves the
+// line to the goal and returns to this line. With s_u = ds/du:
 //
 //   progress    v = L r s_u(u),   du/dt = r = exp(rho)
 //   own path    o = omega + c (1 - 2 s(u)) - y / (L (1 - s)),   dy/dt = v (omega - y / (L (1 - s)))
@@ -30,13 +30,13 @@ namespace hrt {
 /// One step of the response dpsi/dt = -k e to the perceived-direction error e = psi + g - G.
 struct SteeringStep {
   double felt_error_deg;  ///< e at the start of the step
-  double decay_per_s;     ///< rate at which e decays with the plate at rest, 1/s: -d(dpsi/dt) / dpsi
+  double decay_per_s;     ///< rate at which e decays with the plate at rest: -d(dpsi/dt) / dpsi
   double turn_deg;        ///< change of psi within the step
 };
 
-/// Integrates the response over `seconds` >= 0 for a gain k. The method is implicit in the effect of psi on e: stable
-/// for any step and of second order. `max_slope` bounds |1 - dg/dtheta|, since the slope of g may be steep over less
-/// than a degree, for example where the cue from touch decays along the ridges.
+/// Integrates the response over `seconds` >= 0 for a gain k. The method is implicit in the effect of psi on e: it is
+/// stable for any step, and of second order. `max_slope` bounds |1 - dg/dtheta|, since g may be steep over less than a
+/// degree, for example where the cue from touch decays along the ridges.
 SteeringStep steer(double gain_per_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
                    double max_slope = Tuning{}.max_slope);
 
@@ -51,23 +51,23 @@ class PersonFilter {
   PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const TrackerNoise& noise,
                const Tuning& tuning = {});
 
-  /// Begins the motion with a log rate that fits its first samples. `onset_sd_s`, `place_sd_mm`: SDs of the time of the
-  /// onset and of the rest position.
+  /// Begins the motion. `log_rate`: see motion_fit.h. `onset_sd_s`, `place_sd_mm`: SDs of onset time and rest position.
   void begin(double log_rate, double onset_sd_s, double place_sd_mm);
 
   /// Returns a copy of this filter, in its state before the motion, with a log_wander that is larger by `change`.
   PersonFilter with_wander(double change) const;
 
-  static constexpr double max_step_s = 0.012;  ///< longest step of move()
+  static constexpr double max_step_s = 0.012;
   /// Advances the motion by `seconds`, at most max_step_s. `felt_plate_deg`: plate orientation one sensory delay ago.
   void move(double seconds, double felt_plate_deg);
 
   /// Advances by `seconds` in which the finger rests: the phase u does not change.
   void rest(double seconds);
 
-  /// A measured position minus its prediction, which is the position plus the correlated noise. H: its derivative.
+  /// A measured position minus its prediction: position of the state plus correlated noise. H: derivative of the
+  /// prediction by the state; P: covariance of the state; R: covariance of the white noise.
   struct Innovation {
-    PlatePoint off_mm;                         ///< nu
+    PlatePoint off_mm;                         ///< nu: measured minus predicted position
     Eigen::Matrix<double, X::count, 2> cross;  ///< P H^T
     Eigen::Matrix2d information;               ///< S^-1, S = H P H^T + R
     double nis;  ///< nu^T S^-1 nu: chi-squared with 2 degrees of freedom if the model is right
@@ -77,14 +77,14 @@ class PersonFilter {
   /// Corrects the state by `innovation`. The filter must not have changed since innovation() returned it.
   void correct(const Innovation& innovation);
 
-  /// Sets the position: the tracker has jumped, or the finger was lifted and set down.
+  /// Sets the position, after a jump of the tracker or when a lifted finger is set down.
   void place_at(const PlatePoint& position);
 
   /// Changes the target during the motion, to `virtual_direction_deg` and a path that is `longer_mm` longer.
-  /// `answered`: true if the person responds now; false if the response is still to come.
+  /// `answered`: true: the person has responded; false: the response is still to come, and goal_deg() approaches it.
   void retarget(double virtual_direction_deg, double longer_mm, bool answered);
 
-  /// Increases the uncertainty of the phase u by an SD of `seconds`.
+  /// Increases the variance of the phase u by that of a time with the SD `seconds`.
   void add_phase_sd(double seconds);
 
   double mean(X::Index index) const { return mean_(index); }
@@ -92,30 +92,26 @@ class PersonFilter {
   const State& mean() const { return mean_; }
   const Covariance& covariance() const { return covariance_; }
   PlatePoint position() const { return {mean_(X::right), mean_(X::away)}; }
-  /// Variance of the position in the direction of the unit vector (`right`, `away`).
+  /// Variance of `right` x + `away` z, where (x, z) is the position.
   double position_variance_mm2(double right, double away) const;
 
-  /// Illusion at a speed after a travelled distance.
   Illusion illusion(double speed_mm_s, double travelled_mm) const;
-  /// Illusion at the mean speed of the reach, after ridges have been crossed.
+  /// Illusion at the mean speed of the reach, after the whole path.
   Illusion mean_illusion() const { return illusion(mean_speed_mm_s(), path_mm_); }
-  /// r: one over the duration, 1/s.
-  double rate() const { return rate_; }
+  double rate() const { return rate_; }  ///< r: one over the duration, 1/s
   double mean_speed_mm_s() const { return path_mm_ * rate_; }
-  /// v, the present speed.
-  double speed_mm_s() const { return mean_speed_mm_s() * pace(mean_(X::phase)).rate; }
+  double speed_mm_s() const { return mean_speed_mm_s() * pace(mean_(X::phase)).rate; }  ///< v: present speed
   double path_mm() const { return path_mm_; }
-  /// phi, the direction of motion.
-  double direction_deg() const;
-  /// G while `turn_kept` (0 to 1) of the response to a moved target is still to come.
+  double direction_deg() const;  ///< phi: direction of the motion
+  /// G, when the fraction `turn_kept` of the response to a moved target is still to come.
   double goal_deg(double turn_kept = 1.0) const {
     return virtual_direction_deg_ + mean_(X::bias) + turn_kept * unanswered_deg_;
   }
-  /// Fraction of the response to a moved target that is still to come after `seconds`; 1 without such a response.
+  /// Fraction of the response to a moved target that is still to come after `seconds`; 1 if no response is pending.
   double turn_kept(double seconds) const;
-  /// Direction o of the own path at a fraction of the path, if `wander_kept` (0 to 1) of the present wander remains.
+  /// Own path o at a fraction of the path, when the fraction `wander_kept` of the present wander remains.
   double own_deg(double path_fraction, double wander_kept) const;
-  /// Lateral distance, left positive, that the own path will add until arrival, where it returns to the line.
+  /// Lateral distance, left positive, that the own path will add until arrival at the end of the line.
   double own_to_come_mm() const;
   Progress pace(double phase) const { return progress(mean_(X::evenness), phase, tuning_.pace_skew); }
 

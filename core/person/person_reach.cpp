@@ -32,7 +32,7 @@ ReachGoal goal_of(const PersonReachConfig& config, const Reach& reach) {
           .frame_sd_deg = bearing_sd_deg(config.touched, config.frame, reach.start, target)};
 }
 
-// A plate that turns freely uses the nearest orientation; a plate with stops stays within one half turn for the reach.
+// A plate without stops uses the nearest orientation; a plate with stops stays within one half turn for the reach.
 PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, double plate_deg) {
   const PlateStops& stops = config.plate.stops;
   const double goal_deg = reach.virtual_direction_deg;
@@ -86,7 +86,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   const double longer_mm = now.real_distance_mm - distance_mm(now.start, goal_.target);
   limits_.turn_goal(now.virtual_direction_deg - reach.virtual_direction_deg);
   reach.virtual_direction_deg = now.virtual_direction_deg;
-  // The direction from the start, within half a turn of that from the finger.
+  // The direction from the start, wrapped to within half a turn of the direction from the finger.
   reach.real_direction_deg =
       now.real_direction_deg + wrap_deg(bearing_deg(reach.start, real) - now.real_direction_deg, 360.0);
   reach.real_distance_mm = distance_mm(reach.start, real);
@@ -101,7 +101,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   }
 }
 
-// Converts a tracked position. If the user feels the start, the tracked rest position is the start.
+// Converts a tracked position to the plate. If the user feels the start, the tracked rest position is the start.
 PlatePoint PersonReach::on_plate(const PlatePoint& seen) const {
   return config_.start_is_felt ? seen - estimator_.origin() + goal_.reach.start : seen;
 }
@@ -160,7 +160,7 @@ bool PersonReach::observe(const FingerSample& sample, double time_s) {
   return false;
 }
 
-// `answered`: the estimator's filter; while a response to a moved target is pending, that of after_retarget().
+// `answered`: the estimator's filter or, while a response to a moved target is pending, the copy of after_retarget().
 PersonReach::Decision PersonReach::decide(const PersonFilter& answered, std::int64_t now_ns) const {
   const Reach& reach = goal_.reach;
   const PlatePoint origin = on_plate(estimator_.origin());
@@ -176,7 +176,7 @@ PersonReach::Decision PersonReach::decide(const PersonFilter& answered, std::int
                                      .line_deg = bearing_deg(goal_.aimed_from.value_or(origin), goal_.target),
                                      .dead_s = effective_s - estimator_.time_s(),
                                      .felt_plate_deg = felt_plate_deg});
-  // Converts a miss across the line from the position of the last retarget to one across the line from the start.
+  // Converts the plan's miss, across the line from aimed_from, to a miss across the line from the start.
   const double miss_fraction = cos_deg(goal_.aimed_direction_deg - reach.real_direction_deg);
   return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach.virtual_direction_deg, plan.active},
                                  plate_.orientation_deg()),
@@ -184,9 +184,9 @@ PersonReach::Decision PersonReach::decide(const PersonFilter& answered, std::int
           .unreachable = !gap_is_feasible(answered)};
 }
 
-// Returns false if the gap is clearly infeasible: if the largest shift minus the gap is below a margin. The margin is
-// reduced by some SDs of that difference, to first order in w, b, f, B and the error of the frame, so that few feasible
-// gaps are reported as infeasible (hrt-study robustness counts both errors).
+// Returns false if the gap is clearly infeasible: if the largest shift minus the gap is below min_margin_deg minus
+// margin_deviations SDs of this difference, to first order in w, b, f, B and the error of the frame. The SDs are
+// subtracted so that few feasible gaps are reported as infeasible.
 bool PersonReach::gap_is_feasible(const PersonFilter& answered) const {
   const FeltShift largest = max_shift(answered.mean_illusion(), config_.control.bound_deg).felt;
   const double gap_deg = goal_.reach.virtual_direction_deg + answered.mean(X::bias) - goal_.aimed_direction_deg;
@@ -200,7 +200,7 @@ bool PersonReach::gap_is_feasible(const PersonFilter& answered) const {
          tuning.min_margin_deg - tuning.margin_deviations * std::sqrt(std::max(0.0, variance_deg2));
 }
 
-// The command and its flags, as a function of the state. `decided`: the plan was made with the last sample.
+// Returns the command and its flags for the present state. `decided`: a plan was made with the last sample.
 PlateCommand PersonReach::command_now(const PersonFilter& answered, bool decided) const {
   const auto& p = filter().covariance();
   const LinearIllusion linear = linear_illusion(filter().mean(X::weight), filter().mean(X::curve),
@@ -215,7 +215,7 @@ PlateCommand PersonReach::command_now(const PersonFilter& answered, bool decided
       .finger_direction_deg = direction_deg,
       .perceived_direction_deg =
           direction_deg + felt_shift(illusion, plate_.orientation_deg() - direction_deg).shift_deg,
-      // Close to the target, its direction from the finger is undefined.
+      // Close to the target, the direction from the finger to the target is undefined.
       .aimed_direction_deg = to_go_mm > config_.tuning.min_aim_fraction * goal_.reach.real_distance_mm
                                  ? bearing_deg(finger, goal_.target)
                                  : goal_.aimed_direction_deg,
@@ -251,7 +251,7 @@ void PersonReach::add_progress(const PersonFilter& answered, PlateCommand& comma
     command.predicted_miss_deg = wrap_deg(command.bearing_deg - goal_.reach.real_direction_deg, 360.0);
   const double intended_deg = filter().goal_deg() + command.finger_direction_deg - filter().mean(X::steered);
   command.felt_error_deg = command.perceived_direction_deg - intended_deg;
-  // SD across the line to the target: position of the finger as an angle, frame and tracked bearing.
+  // SDs of the bearing due to the frame, the tracker, and the filter's position across the line to the target.
   const PlatePoint to_target = goal_.target - goal_.reach.start;
   const double per_mm = 1.0 / goal_.reach.real_distance_mm;
   const double place_mm2 = filter().position_variance_mm2(-per_mm * to_target.away_mm, per_mm * to_target.right_mm);

@@ -17,15 +17,15 @@
 namespace hrt {
 
 struct PersonReachConfig {
-  PersonBelief person;  ///< is_valid(person)
+  PersonBelief person;  ///< prior of the person; is_valid()
   ReachControlConfig control;
   PlateDynamics plate;
-  std::optional<TrackerNoise> noise;    ///< noise of the tracker; nullopt: estimated while the finger rests
-  std::int64_t tracker_latency_ns = 0;  ///< age of a position at the time of its sample, 0 to 0.5 s
-  double tracker_bearing_sd_deg = 0.0;  ///< SD of the tracked bearing of a reach, 0 to 45
-  std::int64_t step_period_ns = 100'000'000;
-  bool plate_waits = false;    ///< the plate does not turn before the motion
-  bool start_is_felt = false;  ///< the finger is at the start when it rests, for example in a dimple
+  std::optional<TrackerNoise> noise;                ///< noise of the tracker; nullopt: estimated while the finger rests
+  std::int64_t tracker_latency_ns = 0;              ///< age of a position at the time of its sample, 0 to 0.5 s
+  double tracker_bearing_sd_deg = 0.0;              ///< SD of the tracked bearing of a reach, 0 to 45
+  std::int64_t step_period_ns = 100'000'000;        ///< period of the steps that PlateCommand::step counts
+  bool plate_waits = false;                         ///< the plate does not turn before the motion
+  bool start_is_felt = false;                       ///< the first rest of the finger is at the start, as in a dimple
   FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; is_frame_covariance()
   TouchedFrame touched;                             ///< correction of the tracker's frame by contacts
   Tuning tuning;
@@ -33,17 +33,16 @@ struct PersonReachConfig {
 
 /// Present targets of a reach.
 struct ReachGoal {
-  Reach reach;        ///< reach as seen from the start
+  Reach reach;        ///< present targets as seen from the start
   PlatePoint target;  ///< position of the real target
-  /// Position of the finger when the targets last moved; nullopt if they have not moved. aimed_direction_deg: direction
-  /// of the real target from there, or from the start.
+  /// Position of the finger when the targets last moved; nullopt if the targets have not moved during the motion.
   std::optional<PlatePoint> aimed_from;
-  double aimed_direction_deg;
-  double tracker_sd_deg;  ///< SD of the tracked bearing from reach to reach
-  double frame_sd_deg;    ///< SD of the target's bearing from the start due to the uncertain pose of the plate
+  double aimed_direction_deg;  ///< direction of the real target from `aimed_from` or from the start
+  double tracker_sd_deg;       ///< SD of the tracked bearing from reach to reach
+  double frame_sd_deg;         ///< SD of the target's bearing from the start due to the uncertain pose of the plate
 
-  /// Returns the largest observed miss for which the true miss is more likely than not within hrt::near_deg. With the
-  /// observed miss x and an SD sigma of all errors, the median of the squared true miss is about x^2 + 0.455 sigma^2.
+  /// Returns the largest observed miss for which the true miss is probably within hrt::near_deg. With the observed miss
+  /// x and the SD sigma of tracker and frame, the median of the squared true miss is about x^2 + 0.455 sigma^2.
   double near_deg() const;
 };
 
@@ -57,14 +56,14 @@ class PersonReach {
   /// Processes a sample, not earlier than the previous one; its observation must not be a direction.
   const PlateCommand& update(const FingerSample& sample);
 
-  /// Changes the real target to `real`. `now`: the reach as seen from the finger.
+  /// Changes the real target to `real`. `now`: the remaining reach, as seen from the finger.
   void retarget(const PlatePoint& real, const Reach& now);
 
   /// The last command; before the first sample, that of the constructor.
   const PlateCommand& command() const { return command_; }
-  /// Position of the finger; nullopt before it moves.
+  /// Position of the finger; nullopt before the motion.
   std::optional<PlatePoint> place() const;
-  /// Variance of that position: mean over both coordinates.
+  /// Variance of a coordinate of place(): mean over both coordinates.
   double place_variance_mm2() const;
   /// Estimated speed of the finger; 0 before the motion and in a pause.
   double speed_mm_s() const;
@@ -83,7 +82,7 @@ class PersonReach {
   struct Decision {
     PlateOrientation plate;
     double predicted_miss_deg = 0.0;
-    bool unreachable = false;  // the gap is not feasible
+    bool unreachable = false;
   };
 
   void prepare_plate();

@@ -1,5 +1,5 @@
-// States of the person filter, one row each. The first `traits` states describe a person and keep their meaning in
-// every reach; their indices in the C interface are HRT_PERSON_ and the name.
+// States of the person filter, one row each. The first `traits` states describe a person and are carried from reach to
+// reach; their indices in the C interface are named HRT_PERSON_ and the name.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@ struct PersonState {
     curve,     ///< b of the illusion
     gain,      ///< k: rate at which the perceived error is corrected
     bias,      ///< B: goal minus virtual direction
-    habit,     ///< c: the own path curves, from +c at the start to -c at the end
+    habit,     ///< c: direction of the own path, from +c at the start to -c at the end
     evenness,  ///< a of the pace
     log_rate,  ///< rho: natural logarithm of one over the duration in seconds
     fading,    ///< f of the illusion

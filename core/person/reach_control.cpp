@@ -20,13 +20,13 @@ struct Motion {
   double own_deg;
   double phase;
   Progress pace;
-  // Lateral position relative to the line, left positive, including what the own path will still add.
+  // Lateral position relative to the line, left positive, including what the own path will add until arrival.
   double lateral_mm;
   double turn_kept;  // fraction of the response to a moved target that is still to come
   double shift_deg;  // shift in the middle of the dead time
 };
 
-// One step of the motion, with pace, own path and shift of its middle.
+// Predicts the motion over the dead time in one step, with pace, own path and shift at the middle of the step.
 Motion carry_over_dead_time(const PersonFilter& filter, const ReachOutlook& outlook) {
   const Tuning& tuning = filter.tuning();
   const double dead_s = outlook.dead_s;
@@ -56,10 +56,9 @@ Motion carry_over_dead_time(const PersonFilter& filter, const ReachOutlook& outl
           .shift_deg = felt.shift_deg};
 }
 
-// m and M: miss at arrival for Gamma = 0, and its derivative by Gamma.
 struct Arrival {
-  double miss_mm;
-  double leverage_mm_deg;
+  double miss_mm;          // m: miss at arrival for Gamma = 0
+  double leverage_mm_deg;  // M: derivative of the miss by Gamma
 };
 
 Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) {
@@ -100,7 +99,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
       present_shift_deg - leverage * (arrival.miss_mm + leverage * present_shift_deg) /
                               (leverage * leverage + tuning.change_weight_mm_deg * tuning.change_weight_mm_deg);
   const double error_deg = motion.steered_deg - filter.goal_deg(motion.turn_kept);
-  // A larger error that exists without the plate may remain; the plate must not increase it.
+  // A larger error that exists without the plate may remain; the plate must not increase this error.
   const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
   shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
 

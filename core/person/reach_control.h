@@ -18,31 +18,32 @@
 namespace hrt {
 
 struct ReachControlConfig {
-  /// Largest angle between ridge normal and motion, (0, 89]. The angle also stays below that of the illusion's maximum.
+  /// Largest angle between ridge normal and motion, in (0, 90). Plans also stay below the angle of the largest shift.
   double bound_deg = 75.0;
   /// Limit of the perceived-direction error that the plate causes, > 0.
   double max_felt_error_deg = 5.0;
 };
 
-/// Situation at the time of a plan, in addition to the filter's state. Positions are relative to the finger's rest.
+/// Input of a plan, in addition to the filter's state. Positions are relative to the finger's rest position.
 struct ReachOutlook {
-  PlatePoint target;      ///< the real target
-  double line_deg;        ///< direction of the target, seen from the start of the path; the miss is measured across it
+  PlatePoint target;  ///< the real target
+  /// direction to the target from the rest position or that at the last retarget; the miss is measured across this line
+  double line_deg;
   double dead_s;          ///< dead time: time from the state of the filter until a command given now affects the motion
-  double felt_plate_deg;  ///< ridge normal whose effect the person perceives in the middle of the dead time
+  double felt_plate_deg;  ///< plate orientation whose effect the person perceives in the middle of the dead time
 };
 
 struct ReachPlan {
   double plate_deg;       ///< direction of the ridge normal to command
-  double felt_error_deg;  ///< predicted perceived minus intended direction when the plate has that orientation
+  double felt_error_deg;  ///< predicted perceived-direction error when the plate has this orientation
   double miss_mm;         ///< predicted lateral miss at arrival, left positive
-  ActiveBound active;     ///< the bound that the plan reaches, if it requires a larger shift than the plate can cause
+  ActiveBound active;  ///< bound of the shift, `lower` or `upper`, if the plan requires more than the plate can cause
 };
 
 /// Computes a plan. Uses no heap, lock or exception.
 ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, const ReachOutlook& outlook);
 
-/// Returns the plate orientation that the plan for `target` requires at the onset.
+/// Returns the plate orientation that the plan for `target` requires at the onset. `resting`: filter before the motion.
 double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const PlatePoint& target);
 
 }  // namespace hrt

@@ -1,10 +1,10 @@
 // Every tuned number of the controller for people, with value, unit, source and meaning. `hrt-study robustness --tune
 // NAME=VALUE` runs a variant; tuning_fields() lists names and ranges.
 //
-// A comment has the unit of a number and its meaning. Numbers were chosen by search on the simulated people of
-// hrt-study robustness, except those with [model] (from the model, core/person/README.md) and [time] (limited by
-// computing time). "Kept for" names the test that fails without a number whose effect on the results in
-// samples/study/RESULTS.md is below half a point.
+// A comment has the unit of a number (if it has one) and its meaning. Numbers were chosen by search on the simulated
+// people of hrt-study robustness, except numbers with [model] (from the model, core/person/README.md) and [time]
+// (limited by computing time). "Kept for" names a test that fails without this number, if the number changes the
+// results in samples/study/RESULTS.md by less than half a percentage point.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@
 
 namespace hrt {
 
-/// Prior of a trait of an unknown person; all values are chosen by search.
+/// Prior of a trait of an unknown person.
 struct TraitTuning {
-  double mean;    ///< mean of the prior
-  double sd;      ///< SD of the prior
+  double mean;
+  double sd;
   double change;  ///< SD of the change from one reach to the next
 };
 
@@ -30,7 +30,7 @@ struct Tuning {
       {1.1, 1.6, 0.03},    // curve
       {14.0, 4.0, 0.7},    // gain, 1/s
       {0.0, 4.0, 0.5},     // bias, deg
-      {0.0, 9.0, 0.4},     // habit, deg; recorded people and targets: 9.3
+      {0.0, 9.0, 0.4},     // habit, deg; SD over recorded people and targets: 9.3
       {0.05, 0.35, 0.05},  // evenness
       {-0.65, 0.55, 0.1},  // log_rate
       {0.05, 0.6, 0.02},   // fading
@@ -43,8 +43,8 @@ struct Tuning {
   double known_bias_sd_deg = 0.05;         ///< deg
   double known_fading_sd = 0.01;
   double known_scatter_sd_deg = 0.05;   ///< deg
-  double min_weight_sd = 0.01;          ///< lower bounds of the SDs of calibrated_person(): people change
-  double min_curve_sd = 0.015;          ///< includes the misfit of curves that are not cubic
+  double min_weight_sd = 0.01;          ///< this and the next three: lower bounds of SDs in calibrated_person()
+  double min_curve_sd = 0.015;          ///< includes the misfit of illusions that are not cubic
   double min_bias_sd_deg = 0.5;         ///< deg
   double min_habit_sd_deg = 0.4;        ///< deg
   double max_correlation = 0.95;        ///< largest correlation of weight and curve in calibrated_person()
@@ -52,51 +52,52 @@ struct Tuning {
 
   // Illusion.
   double touch_memory_s = 0.3;  ///< s: [model] time constant of the decay of the cue from touch
-  double first_ridge = 1.2;     ///< A of a finger that has just travelled one ridge spacing
-  double max_slope = 3.0;       ///< [model] bound of |1 - dg/dtheta| in person_filter.h
+  double first_ridge = 1.2;     ///< second term of A after one ridge spacing of travel
+  double max_slope = 3.0;       ///< [model] bound of |1 - dg/dtheta| in steer()
 
   // Filter. A density is the variance that a state gains per second as process noise.
   double first_direction = 0.2;            ///< h: initial direction as a fraction of the virtual direction
   double first_direction_sd = 0.45;        ///< SD of h from reach to reach
-  double direction_density_deg2_s = 14.0;  ///< deg^2/s: density of psi
-  double log_rate_density_s = 0.07;        ///< 1/s: rho, the log rate
-  double place_density_mm2_s = 0.018;      ///< mm^2/s: x and z
-  /// s: process noise along the motion, per squared speed. Kept for RetargetTest.SteersAPersonToTheMovedTarget.
+  double direction_density_deg2_s = 14.0;  ///< deg^2/s: density of psi, the steered direction
+  double log_rate_density_s = 0.07;        ///< 1/s: density of rho, the log rate
+  double place_density_mm2_s = 0.018;      ///< mm^2/s: density of x and z, the position
+  /// s: density of the position along the motion, divided by the squared speed. Kept for
+  /// RetargetTest.SteersAPersonToTheMovedTarget.
   double speed_variance_s = 4e-4;
-  double resting_density_mm2_s = 0.5;  ///< mm^2/s: process noise of the position in a pause
+  double resting_density_mm2_s = 0.5;  ///< mm^2/s: density of the position in a pause
   double wander_s = 0.3;               ///< s: [model] time constant of the wander, the random part of the own path
-  /// SD of the habit from reach to reach over the SD of the wander; recorded reaches have 9.1 over 3.8 degrees
+  /// SD of the habit from reach to reach divided by the SD of the wander; recorded reaches have 9.1 and 3.8 degrees
   double habit_scatter = 1.0;
   double min_return_fraction =
       0.1;                 ///< [model] smallest fraction of the path over which the finger returns to the line
-  double pace_skew = 0.4;  ///< [model] skew of the pace; recorded reaches have 0.54 and 0.14, +-0.4
-  double answer_s = 0.3;   ///< s: [model] time constant of the response to a moved target
-  /// s: [model] delay from the plate to the perceived direction; half of the largest simulated delay of 0.12
+  double pace_skew = 0.4;  ///< [model] skew of the pace
+  double answer_s = 0.3;   ///< s: [model] time constant with which plans expect the response to a moved target
+  /// s: [model] delay from the plate to the perceived direction; half of 0.12 s, the largest simulated delay
   double sensory_delay_s = 0.06;
   /// SD of the response to a moved target, as a fraction of the change of direction
   double turn_sd_fraction = 0.5;
-  /// a moved target that lengthens the remaining path by more than this factor requires another motion
+  /// a moved target that lengthens the remaining path by more than this factor requires a second motion
   double max_stretch = 1.5;
-  double new_motion_sd_s = 0.15;  ///< s: SD of the phase if another motion follows
+  double new_motion_sd_s = 0.15;  ///< s: SD of the phase, as a time, at the beginning of the second motion
 
   // Onset.
   double fit_spacing_s = 0.02;   ///< s: [time] spacing of the positions in the fit of the onset
-  double rate_deviations = 0.8;  ///< step of the grid of rates, in SDs
+  double rate_deviations = 0.8;  ///< step of the grid of rates, in SDs of the prior
   double onset_sd_s = 0.02;      ///< s: SD of the onset
 
   // Gate and fit statistics.
   double max_accepted_nis = 25.0;  ///< a position with a NIS above this is an outlier
-  /// successive outliers before a position is accepted as a jump. Kept for
+  /// number of successive outliers before a position is accepted as a jump. Kept for
   /// PersonEstimatorTest.AnOutlierIsRejectedAndAJump_IsFollowed.
   double max_outliers = 4;
   double fit_sample_weight = 0.05;  ///< weight of one position in the running means
   /// upper bound of the NIS of one position in the mean. Kept for
   /// PersonTest.ImpossibleMotionIsAMisfitAndChangesNoEstimate.
   double max_counted_nis = 9.0;
-  double misfit_nis = 6.0;           ///< mean above which the model does not fit
-  double misfit_correlation = 0.75;  ///< correlation above which the model does not fit
+  double misfit_nis = 6.0;           ///< mean NIS above which the model does not fit
+  double misfit_correlation = 0.75;  ///< correlation of successive innovations above which the model does not fit
   /// with a mean NIS below this, the model fits at any correlation. Kept for
-  /// PersonReach.PeopleOfTheModel_ReachTheRealTarget, with a tracker without noise.
+  /// PersonReach.PeopleOfTheModel_ReachTheRealTarget, whose tracker has no noise.
   double min_correlated_nis = 1.0;
 
   // Rest and motion: core/tracker/finger_phase.h.
@@ -105,47 +106,47 @@ struct Tuning {
   // Pauses.
   double min_pausing_nis = 6.0;          ///< lower bound of the NIS of the first position of a pause
   double min_pausing_speed_mm_s = 25.0;  ///< mm/s: pauses of a slower finger are not detected
-  double pause_clock_sd_s = 0.07;        ///< s: SD that the phase gains at the start and at the end of a pause
+  double pause_clock_sd_s = 0.07;        ///< s: SD of the phase, as a time, added at start and end of a pause
   double reaction_time_s = 0.2;          ///< s: [model] time from a target's move to the person's response
 
   // Plan.
-  /// mm/deg: miss that is accepted to avoid a change of the shift by one degree
+  /// mm/deg: lambda: miss that costs as much as a change of the shift by one degree
   double change_weight_mm_deg = 0.08;
-  double weight_caution = 0.2;    ///< SDs by which the plan's weight is below its mean
+  double weight_caution = 0.2;    ///< number of SDs by which the plan's weight is below the mean
   double min_plan_weight = 0.03;  ///< lower limit of the plan's weight
 
   // Flags.
   /// [model] fraction of the duration after which the person no longer responds to the plate
   double last_phase = 0.97;
   double first_judged_phase = 0.5;  ///< fraction of the duration before which OFF_TARGET is not raised
-  double min_margin_deg = 0.3;      ///< deg: the gap is unreachable if the margin is below this
-  double margin_deviations = 0.9;   ///< SDs subtracted from min_margin_deg
-  /// fraction of the path; if less remains, the bearing of the target from the finger is no longer updated
+  double min_margin_deg = 0.3;      ///< deg: a gap that is larger than the largest shift minus this is unreachable
+  double margin_deviations = 0.9;   ///< number of SDs of shift minus gap that are subtracted from min_margin_deg
+  /// if the finger is nearer to the target than this fraction of the distance of the targets,
+  /// PlateCommand::aimed_direction_deg is no longer the direction from the finger
   double min_aim_fraction = 0.1;
 
-  // Tracker noise that the host knows.
+  // Tracker noise.
   /// mm: lower limit of each part; without noise, every deviation would be attributed to the person
   double min_known_noise_mm = 0.02;
-  double white_noise_fraction = 0.66;  ///< parts of a total noise; their squares add up to 1
-  double correlated_noise_fraction = 0.75;
-  double min_leg_mm = 10.0;  ///< mm: smaller distances do not determine a bearing, because of tracker noise
+  double white_noise_fraction = 0.66;       ///< white part of a configured total noise, as a fraction
+  double correlated_noise_fraction = 0.75;  ///< correlated part; the squares of both fractions add up to 1
+  double min_leg_mm = 10.0;                 ///< mm: two tracked positions determine a bearing from this distance on
 
   // Learning.
   /// difference of log_wander between the three filters that motion_log.h compares
   double wander_step = 0.5;
   /// factor of the log likelihood of a motion; below 1, because successive positions are correlated
   double wander_evidence = 0.8;
-  /// limit of the change of log_wander in one reach: beyond it the quadratic approximation is invalid
+  /// limit of the change of log_wander in one reach: for larger changes the quadratic approximation is invalid
   double max_wander_change = 1.0;
-  /// a reach that ends before this fraction of the duration changes no estimate, as hrt_adaptation promises.
-  double min_taught_phase = 0.7;
+  double min_taught_phase = 0.7;  ///< a reach that ends before this fraction of the duration changes no estimate
   /// drop of the weight, in SDs, at which the illusion is reset to its prior. Kept for
   /// SimulationPeople.AWeightThatDrops_IsEstimatedAgainWithinTwoReaches.
   double illusion_fall_deviations = 1.2;
   double min_scatter_deg = 0.2;  ///< deg: lower bound of the scatter
-  /// lower bound of the SD of w_T after a reach with the paper's estimator: people change
+  /// lower bound of the SD of w_T after a reach under the paper's controller, since people change
   double min_carried_weight_sd = 0.01;
-  double min_carried_motor_variance_sd_deg2 = 0.1;  ///< deg^2: lower bound of the SD of sigma_u^2, likewise
+  double min_carried_motor_variance_sd_deg2 = 0.1;  ///< deg^2: the same bound for the SD of sigma_u^2
 };
 
 /// A field of a Tuning: its name, its value, and the range in which it may be set.

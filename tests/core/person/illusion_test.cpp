@@ -13,7 +13,7 @@ constexpr Illusion curved{.weight = 0.3, .curve = 0.12};
 TEST(Illusion, Offsets_GiveTheLinearMinusTheCubicTerm) {
   EXPECT_DOUBLE_EQ(felt_shift(straight, 30.0).shift_deg, 6.0);
   EXPECT_DOUBLE_EQ(felt_shift(straight, -30.0).shift_deg, -6.0);
-  // g(t) = w t - b t (t / 75)^2 and g' = w - 3 b (t / 75)^2, at t = 75, w = 0.3, b = 0.12.
+  // g(t) = w t - b t (t / 75)^2 and g'(t) = w - 3 b (t / 75)^2, at t = 75, with w = 0.3, b = 0.12.
   EXPECT_DOUBLE_EQ(felt_shift(curved, 75.0).shift_deg, 13.5);
   EXPECT_NEAR(felt_shift(curved, 75.0).by_offset, -0.06, 1e-15);
   EXPECT_EQ(felt_shift(curved, 0.0).shift_deg, 0.0);
@@ -63,7 +63,7 @@ TEST(Illusion, ADecayingCue_HasItsMaximumBelowTheBound) {
   EXPECT_GT(max.felt.shift_deg, felt_shift(fading, max.offset_deg + 1.0).shift_deg);
 }
 
-// The maximum is at 75 sqrt(0.3 / 0.36) = 68.465, where the shift is two thirds of 0.3 times that.
+// The maximum is at t = 75 sqrt(0.3 / 0.36) = 68.465, where the shift is 0.3 t * 2 / 3.
 TEST(Illusion, TheMaximum_IsAtZeroSlopeOrAtTheBound) {
   EXPECT_NEAR(max_shift(curved, 75.0).offset_deg, 68.4653, 1e-4);
   EXPECT_NEAR(max_shift(curved, 75.0).felt.shift_deg, 13.69306, 1e-5);

@@ -13,8 +13,8 @@ using X = PersonState;
 
 constexpr double motion_mm = 100.0;
 
-// A motion of one second over a plate without effect, sampled at `rate_hz`. The direction over the fraction s of the
-// path is bend_deg * cos(2 pi s), which returns to the line.
+// Returns the log of a motion of one second over a plate without effect. The direction at the fraction s of the path is
+// bend_deg * cos(2 pi s), with which the finger returns to the line.
 MotionLog motion(double bend_deg, int rate_hz = 100) {
   PersonFilter filter(unknown_person(), 0.0, motion_mm, {.white_mm = 0.2, .correlated_mm = 0.2});
   filter.begin(0.0, 0.02, 0.1);

@@ -10,7 +10,7 @@
 namespace hrt {
 namespace {
 
-// A finger that moves straight away from the user over 100 mm, minimum jerk, from `onset_s` on; the plate is at 0.
+// A finger that moves straight away from the user over 100 mm, with minimum jerk, from `onset_s` on.
 struct Finger {
   double onset_s = 0.3;
   double duration_s = 1.5;
@@ -49,8 +49,8 @@ TEST_F(PersonEstimatorTest, WithoutASample_ThePositionIsTheStart) {
   EXPECT_EQ(distance_mm(estimator.place(), {30.0, -20.0}), 0.0);
 }
 
-// The tracker is precise, because noise would hide the first millimetres. The peak of the speed is at half of the time,
-// later than the prior of the evenness expects.
+// The tracker is precise, because noise would hide the first millimetres. The speed peaks at half of the time, later
+// than with the estimator's Tuning::pace_skew.
 TEST_F(PersonEstimatorTest, PrecisePositions_DateTheOnsetWithin40Ms) {
   PersonBelief belief = unknown_person();
   belief.mean(PersonState::evenness) = 0.0;
@@ -110,7 +110,6 @@ TEST_F(PersonEstimatorTest, ALiftedFinger_MayBeSetDownElsewhere) {
   EXPECT_TRUE(estimator_.moving());
 }
 
-// 0.3 s without samples in a motion of 1.5 s.
 TEST_F(PersonEstimatorTest, ADropout_IsPredicted) {
   const Finger finger;
   watch(finger, 0.0, 0.9);

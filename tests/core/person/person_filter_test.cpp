@@ -17,7 +17,7 @@ namespace {
 using F = PersonFilter;
 using X = PersonState;
 
-// Corrects the filter by a position unless its NIS exceeds `gate`; returns the NIS.
+// Corrects the filter by a position unless the NIS of the position exceeds `gate`. Returns the NIS.
 double observe(PersonFilter& filter, const PlatePoint& position, double gate) {
   const F::Innovation innovation = filter.innovation(position);
   if (innovation.nis <= gate) filter.correct(innovation);
@@ -31,7 +31,7 @@ PersonFilter moving_filter() {
   return filter;
 }
 
-// Smallest eigenvalue of the correlation matrix.
+// Returns the smallest eigenvalue of the correlation matrix.
 double min_eigenvalue(const F::Covariance& covariance) {
   const F::State sd = covariance.diagonal().cwiseSqrt();
   const F::Covariance symmetric = 0.5 * (covariance + covariance.transpose());
@@ -42,8 +42,8 @@ double min_eigenvalue(const F::Covariance& covariance) {
   return Eigen::SelfAdjointEigenSolver<F::Covariance>(correlation).eigenvalues()(0);
 }
 
-// A person without illusion starts in the direction h V and turns towards V: phi = V (1 - (1 - h) exp(-k t)). After one
-// second at a constant pace of 1/s, the path is complete.
+// A person without illusion starts in the direction h V and turns towards V: phi = V (1 - (1 - h) exp(-k t)). At a
+// constant speed, the path of 100 mm is complete after one second.
 TEST(PersonFilter, APersonWithoutIllusion_MovesByTheClosedForm) {
   PersonBelief belief = unknown_person();
   belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.5;
@@ -69,8 +69,8 @@ TEST(PersonFilter, APersonWithoutIllusion_MovesByTheClosedForm) {
   EXPECT_EQ(filter.mean(X::away), end_mm);
 }
 
-// With a variance in one trait only, cov(x, trait) / var(trait) after some steps is the derivative of x by the trait,
-// which is compared with differences of whole motions.
+// With a variance in one trait only, cov(x, trait) / var(trait) after some steps is the derivative of x by the trait.
+// The test compares this derivative with difference quotients of whole motions.
 TEST(PersonFilter, Covariances_FollowTheDerivativesOfTheMotion) {
   const struct {
     X::Index trait;
@@ -103,8 +103,8 @@ TEST(PersonFilter, Covariances_FollowTheDerivativesOfTheMotion) {
   }
 }
 
-// Variances in mm^2: prior 4, white noise 1, correlated noise 2. The position takes 4/7 of the innovation, the
-// correlated noise 2/7; the NIS is 9/7.
+// The variances are 4 mm^2 (prior), 1 mm^2 (white noise) and 2 mm^2 (correlated noise). 4/7 of the innovation of 3 mm
+// are attributed to the position, and 2/7 to the correlated noise; the NIS is 9/7.
 TEST(PersonFilter, AnInnovation_IsDividedByVariance) {
   PersonFilter filter(unknown_person(), 0.0, 100.0, {.white_mm = 1.0, .correlated_mm = std::sqrt(2.0)});
   filter.begin(0.0, 0.0, 2.0);
@@ -123,7 +123,7 @@ TEST(PersonFilter, ARejectedPosition_LeavesTheStateUnchanged) {
   EXPECT_EQ(filter.covariance(), covariance);
 }
 
-// While the finger rests, 1/e of the correlated noise remains after its time constant.
+// While the finger rests, 1/e of the correlated noise remains after one time constant.
 TEST(PersonFilter, ARestingFinger_LosesCorrelatedNoiseWithItsTimeConstant) {
   for (const double correlation_s : {0.03, 0.3}) {
     PersonFilter filter(unknown_person(), 5.0, 100.0, {0.1, 3.0, correlation_s});
@@ -133,7 +133,7 @@ TEST(PersonFilter, ARestingFinger_LosesCorrelatedNoiseWithItsTimeConstant) {
     ASSERT_GT(before_mm, 2.5);
     filter.rest(correlation_s);
     EXPECT_NEAR(filter.mean(X::noise_right), before_mm / std::exp(1.0), 1e-9);
-    // The variance returns to the stationary one.
+    // The variance returns to its stationary value, 9 mm^2.
     EXPECT_LT(filter.covariance()(X::noise_right, X::noise_right), 8.0);
     filter.rest(20.0 * correlation_s);
     EXPECT_NEAR(filter.covariance()(X::noise_right, X::noise_right), 9.0, 1e-6);

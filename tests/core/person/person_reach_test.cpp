@@ -64,7 +64,7 @@ TEST(PersonReach, ARestingFinger_LeavesThePlateAtItsFirstOrientation) {
   for (int i = 0; i < 500; ++i) {
     const PlateCommand command = reach.update(sample_at(i * 11 * ms, {0.1 * (i % 3), 0.0}));
     EXPECT_EQ(command.plate_orientation_deg, ready_deg);
-    EXPECT_EQ(command.held, i > 0) << "the first command turns the plate ready";
+    EXPECT_EQ(command.held, i > 0) << "the first command rotates the plate to the orientation for the onset";
     EXPECT_EQ(command.step, -1);
   }
   EXPECT_TRUE(reach.seen());
@@ -93,12 +93,12 @@ TEST(PersonReach, AMotion_GivesItsRemainingTime) {
   trial.run_for(1200);
   const double to_go_s = trial.last.time_to_go_s;
   EXPECT_NEAR(to_go_s, 0.8, 0.25);
-  // The time to go also decreases in a dropout.
+  // The time to go decreases also in a dropout.
   const PlateCommand later = trial.reach.update({.time_ns = trial.time_ns - 10 * ms + 300 * ms});
   EXPECT_NEAR(later.time_to_go_s, to_go_s - 0.3, 1e-6);
 }
 
-// The person aims at 5 + 3 degrees, and perceives that direction.
+// The person aims at 5 + 3 degrees. The perceived error is relative to this goal.
 TEST(PersonReach, AKnownBias_IsPartOfTheGoal) {
   Person person = linear_person();
   person.bias_deg = 3.0;
@@ -130,7 +130,7 @@ TEST(PersonReach, ADropoutIsPredicted_AndDuplicatesAreDropped) {
   EXPECT_EQ(twice.reach.summary().dropped_samples, 1);
 }
 
-// Within 75 degrees, w_T = 0.05 causes a shift of at most 3.75 degrees; the gap is 10.
+// With the plate within 75 degrees of the motion, w_T = 0.05 causes a shift of at most 3.75 degrees. The gap is 10.
 TEST(PersonReach, AWeakIllusion_IsReportedUnreachable) {
   Trial weak(linear_person(0.05, 2.0), {.person = known_person(0.05, 0.0)});
   weak.run_for(500);
@@ -154,7 +154,6 @@ TEST(PersonReach, ASummary_CountsStepsAndSamples) {
   EXPECT_NEAR(summary.person->duration_s, 1.5, 0.5);
 }
 
-// Commands stay within the stops, whichever half turn is chosen.
 TEST(PersonReach, Stops_LimitEveryCommand) {
   for (const double lower_deg : {-180.0, -100.0, -20.0, 10.0}) {
     PersonReachConfig config{.person = unknown_person()};

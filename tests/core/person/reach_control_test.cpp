@@ -21,7 +21,7 @@ PersonBelief person_of(double sign) {
   return belief;
 }
 
-// Real target 100 mm straight ahead, virtual one `sign` times 8 degrees to the left; 0.5 s into a motion of 2 s.
+// Returns the filter 0.5 s after the onset of a motion of 2 s to a virtual target at `sign` times 8 degrees.
 PersonFilter under_way(double sign) {
   PersonFilter filter(person_of(sign), sign * 8.0, 100.0, {});
   filter.begin(-std::log(2.0), 0.02, 0.3);
@@ -29,7 +29,7 @@ PersonFilter under_way(double sign) {
   return filter;
 }
 
-// A plan for a plate that has had `plate_deg` for long.
+// Returns a plan for a plate that has been at `plate_deg` for a long time.
 ReachPlan plan(const ReachControlConfig& config, const PersonFilter& filter, double plate_deg,
                const PlatePoint& target = {0.0, 100.0}, double dead_s = 0.09) {
   return plan_reach(
@@ -48,7 +48,7 @@ TEST(ReachControl, MirroredInput_GivesAMirroredPlan) {
 TEST(ReachControl, FarTargets_KeepTheErrorWithinItsLimit) {
   for (const double limit_deg : {0.5, 2.0, 5.0, 20.0}) {
     for (const double right_mm : {-60.0, -10.0, 0.0, 10.0, 60.0}) {
-      // A strong illusion, so that the limit is active and not the bound.
+      // With a strong illusion, the limit of the error is reached before the plate's bound.
       PersonBelief belief = unknown_person();
       belief.mean(PersonState::weight) = 0.6;
       belief.mean(PersonState::curve) = 0.0;
@@ -64,7 +64,7 @@ TEST(ReachControl, FarTargets_KeepThePlateWithinTheBound) {
   for (const double bound_deg : {1.0, 40.0, 75.0, 89.0}) {
     for (const double right_mm : {-200.0, 0.0, 200.0}) {
       const PersonFilter filter = under_way(1.0);
-      // Without dead time, so that the plan is relative to the present direction.
+      // Without dead time, the plate's bound is relative to the present direction.
       const ReachPlan planned =
           plan({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 35.0, {right_mm, 100.0}, 0.0);
       EXPECT_LE(std::abs(planned.plate_deg - filter.direction_deg()), bound_deg + 1e-9);
@@ -74,7 +74,7 @@ TEST(ReachControl, FarTargets_KeepThePlateWithinTheBound) {
   }
 }
 
-// A person of the model, without noise and with known traits, arrives at the target.
+// The people have known traits and no noise.
 TEST(ReachControl, PeopleOfTheModel_ArriveAtTheTarget) {
   for (const double duration_s : {1.0, 1.5, 3.0}) {
     for (const double virtual_deg : {-gap_deg, 0.0, gap_deg, 2.0 * gap_deg}) {
@@ -98,7 +98,6 @@ TEST(ReachControl, PeopleOfTheModel_ArriveAtTheTarget) {
   }
 }
 
-// The first plan of the motion requires the orientation that the plate already has.
 TEST(ReachControl, TheReadyOrientation_IsThatOfTheFirstPlan) {
   const PersonFilter filter(unknown_person(), 10.0, 100.0, {});
   const double ready_deg = ready_orientation_deg({}, filter, {0.0, 100.0});
@@ -107,13 +106,13 @@ TEST(ReachControl, TheReadyOrientation_IsThatOfTheFirstPlan) {
   EXPECT_GT(ready_deg, 20.0);
 }
 
-// Without a gap, for an unbiased person who starts straight, the ridges stay across the motion.
+// Without a gap and a bias, the ridges are across the motion.
 TEST(ReachControl, NoGap_KeepsTheRidgesAcrossTheMotion) {
   const PersonFilter filter(unknown_person(), 0.0, 100.0, {});
   EXPECT_NEAR(ready_orientation_deg({}, filter, {0.0, 100.0}), 0.0, 1e-9);
 }
 
-// k = 10 /s for 10 ms at 10 degrees from the goal, without a shift: 10 x 10 x 0.01 / 1.05.
+// k = 10 /s, 10 ms, 10 degrees from the goal, without a shift: 10 x 10 x 0.01 / 1.05.
 TEST(Steering, OneStep_GivesTheHandCalculatedRotation) {
   const SteeringStep step = steer(10.0, 0.0, {}, 10.0, 0.01);
   EXPECT_DOUBLE_EQ(step.felt_error_deg, -10.0);
@@ -130,7 +129,7 @@ TEST(Steering, SmallSteps_FollowTheClosedForm) {
 
 TEST(Steering, ALongStep_IsStable) {
   EXPECT_LT(steer(20.0, 0.0, {}, 10.0, 5.0).turn_deg, 20.0);
-  // Beyond the maximum of the illusion, the plate increases the error.
+  // Beyond the maximum of the illusion, a rotation of the motion towards the goal increases the error.
   EXPECT_DOUBLE_EQ(steer(20.0, 0.0, {.shift_deg = 0.0, .by_offset = 3.0}, 10.0, 0.1).turn_deg, 20.0);
 }
 
