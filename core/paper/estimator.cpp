@@ -10,15 +10,15 @@
 namespace hrt {
 namespace {
 
-// Density of the random walk of the speed: covers a minimum-jerk motion of 100 mm in 2 to 4 s.
+// Density of the random walk of the speed, for minimum-jerk motions of 100 mm in 2 to 4 s.
 constexpr double speed_density_mm2_s3 = 300.0;
 // Initial estimate: a slow motion along the mid-line.
 constexpr double initial_speed_mm_s = 30.0;
 constexpr double initial_speed_sd_mm_s = 30.0;
 constexpr double initial_direction_sd_deg = 4.0;
-// SD of the drift of w_T in a model step: a tenth of its prior SD over a reach.
+// SD of the drift of w_T in a model step. Over a reach of 30 steps, this is a tenth of the prior SD of w_T.
 constexpr double weight_drift_sd = 0.001;
-// Variance of an exact direction.
+// Variance assumed for an exact direction.
 constexpr double exact_direction_variance_deg2 = 1e-12;
 // Limit of the NIS of a position (Mahalanobis distance 5).
 constexpr double outlier_innovation = 25.0;
@@ -95,9 +95,9 @@ void Estimator::end_step(double plate_orientation_deg, double gain, double step_
   step_variance_deg2_ = covariance_(direction, direction);
 }
 
-// The samples of a step act like one measurement of its direction, which changes it by delta and reduces its variance V
-// by D. The derivative of the log-likelihood by V, and therefore by sigma_u^2, which V contains, is (delta^2 - D) / 2
-// V^2, with information D^2 / 2 V^4.
+// The samples of a step act like one measurement of the direction that changes the direction by delta and reduces its
+// variance V by D. V is the sum of sigma_u^2 and other variances, so the derivative of the log-likelihood by sigma_u^2
+// is that by V: (delta^2 - D) / (2 V^2), with the information D^2 / (2 V^4).
 void Estimator::learn_motor_variance() {
   if (step_variance_deg2_ <= 0.0) return;
   const double delta = state_(direction) - step_direction_deg_;
@@ -125,7 +125,7 @@ bool Estimator::observe_position(const PlatePoint& position) {
       (a * c - b * b);
   if (normalised_innovation_ > outlier_innovation && ++outliers_ <= max_outliers) return false;
   if (outliers_ > max_outliers) {
-    // The tracker has jumped, or the finger was moved: replaces the estimated position.
+    // The tracker has jumped, or the finger was moved: the measured position replaces the estimated one.
     for (const int index : {right, away}) set_independent(covariance_, index, noise_mm2_);
     state_(right) = position.right_mm;
     state_(away) = position.away_mm;

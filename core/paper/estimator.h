@@ -27,26 +27,25 @@ struct EstimatorConfig {
   double motor_variance_sd_deg2 = 0.5;
   /// SD of white noise of a tracked coordinate, in [0, 100]; 0: estimated from the samples.
   double tracker_noise_mm = 0.0;
-  /// For the controller for people: SD of noise that is correlated with time constant `correlation_s`, in [0, 100]; 0:
-  /// unknown, and tracker_noise_mm includes it.
+  /// For the controller for people: SD of the noise that is correlated with the time constant `correlation_s`, in [0,
+  /// 100]; 0: unknown, and tracker_noise_mm is the SD of all noise.
   double correlated_noise_mm = 0.0;
-  /// Time constant of the correlated noise, 0.01 to 2.
+  /// Time constant of the correlated noise, 0.01 to 2 s.
   double correlation_s = 0.1;
 };
 
-/// True if every field is in its range.
 bool is_valid(const EstimatorConfig& config);
 
-/// Assumed SD of white noise of an unknown tracker.
+/// Assumed SD of the white noise of an unknown tracker, under the paper's controller.
 inline constexpr double assumed_noise_mm = 0.3;
 
-/// Returns the configured noise of the tracker; nullopt if it is to be estimated.
+/// Returns the configured noise of the tracker; nullopt if the noise is to be estimated.
 std::optional<TrackerNoise> given_noise(const EstimatorConfig& config);
 
 /// Estimator for one reach. Uses no heap, lock or exception. One thread at a time.
 class Estimator {
  public:
-  /// Begins at rest at `start`, before a motion along the mid-line. Requires valid arguments.
+  /// Begins at rest at `start`; assumes that the motion begins along the mid-line. Requires valid arguments.
   Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
             const PlatePoint& start);
 
@@ -60,8 +59,7 @@ class Estimator {
   void move(double elapsed_s);
 
   /// Ends a model step: the participant perceives the plate at `plate_orientation_deg`, which is within 90 degrees of
-  /// the goal, and steers. `gain`, `step_variance_deg2`: gain of the perception filter, and variance of the noise that
-  /// the step adds to the direction.
+  /// the goal, and steers. `gain`: Kalman gain K. `step_variance_deg2`: variance that the step adds to the direction.
   void end_step(double plate_orientation_deg, double gain, double step_variance_deg2);
 
   /// Sets the direction to an exact observation.
@@ -80,7 +78,7 @@ class Estimator {
   double tactile_weight_sd() const { return std::sqrt(std::max(covariance_(weight, weight), 0.0)); }
   FingerEstimate estimate() const;
 
-  /// Normalised innovation squared (NIS) of the last position: chi-squared with 2 degrees of freedom.
+  /// NIS of the last position: chi-squared with 2 degrees of freedom if the model is right.
   double normalised_innovation() const { return normalised_innovation_; }
 
   static constexpr int max_outliers = 5;
@@ -105,13 +103,13 @@ class Estimator {
   double goal_direction_deg_;
   State state_;
   Covariance covariance_;
-  bool moved_ = false;  // before the motion, position and speed do not depend on direction and w_T
+  bool moved_ = false;  // false: before the motion, position and speed do not depend on direction and w_T
   double normalised_innovation_ = 0.0;
   int outliers_ = 0;
 
-  double step_direction_deg_ = 0.0;  // at the start of the current step, before its samples correct the direction
-  double step_variance_deg2_ = 0.0;  // 0 before the first step has ended
-  double motor_variance_deg2_;       // assumed variance
+  double step_direction_deg_ = 0.0;  // direction at the start of the current step, before samples correct it
+  double step_variance_deg2_ = 0.0;  // variance of step_direction_deg_; 0 before the first step has ended
+  double motor_variance_deg2_;       // mean of the prior
   double motor_variance_score_ = 0.0;
   double motor_variance_information_;
 };

@@ -9,8 +9,8 @@ namespace {
 // A smaller gain is treated as 0.
 constexpr double min_gain = 1e-12;
 
-// Omits steps without gain: their rate bound is added to that of the next step, and their weight to that of the next
-// miss, because the finger's direction does not change.
+// Returns the problem without steps of gain 0. Their rate bounds are added to that of the next step, and their weights
+// to that of the next miss, because the finger's direction does not change in these steps.
 Window window_of(const MpcConfig& config, const MpcProblem& problem, double last_plate_deg) {
   Window window;
   window.steps = 0;
@@ -52,8 +52,7 @@ Mpc::Mpc(const MpcConfig& config) : config_(config) {
   }
 }
 
-// Sets `path` by the table of gains, clamped to the bounds, and then moves it to the optimum. Returns false at the
-// iteration limit.
+// Sets `path` by the table of gains and the bounds, and moves it to the optimum. Returns false at the iteration limit.
 bool Mpc::solve_window(const Window& window, WindowPath& path) const {
   double finger_deg = window.finger_deg;
   double last_deg = window.last_plate_deg;
@@ -74,7 +73,7 @@ bool Mpc::solve_window(const Window& window, WindowPath& path) const {
   return window.steps == 0 || solve_active_set(window, path);
 }
 
-// Returns the optimum if a bound is active.
+// Returns the optimum of a problem whose bounds may be active.
 Mpc::Command Mpc::solve_bounded(const MpcProblem& problem, double last_deg, MpcPlan* plan) const {
   const double bound_deg = config_.plate_bound_deg;
   const double rate_deg = config_.plate_rate_bound_deg;
@@ -83,8 +82,8 @@ Mpc::Command Mpc::solve_bounded(const MpcProblem& problem, double last_deg, MpcP
   const bool optimal = solve_window(window, path);
   Command first{};
   for (int step = 0, i = 0; step < (plan ? config_.horizon : 1); ++step) {
-    // At an active bound, the offset is set from the bound, so that rounding cannot exceed it. In a step that is not
-    // perceived, the plate rotates towards the offset of the next step that is.
+    // At an active bound, the offset is computed from the bound, so that the offset cannot exceed the bound by
+    // rounding. In a step that is not perceived, the plate rotates towards the offset of the next perceived step.
     const bool perceived = problem.gains[step] >= min_gain;
     const int side = !perceived ? 0 : path.pin[i] ? path.pin[i] : path.link[i];
     const double wanted_deg = side ? side * 2.0 * bound_deg : i < window.steps ? path.plate_deg[i] : last_deg;

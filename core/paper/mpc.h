@@ -15,22 +15,21 @@ struct MpcProblem {
   double finger_offset_deg;  ///< p_k, finite
   double real_offset_deg;    ///< p_R, finite
   double tactile_weight;     ///< w_T in (0, 0.5)
-  /// t_k-1: current plate offset, finite. Used only with a rate bound. If it is farther beyond the plate bound than the
-  /// plate can rotate in one step, the plate returns at full rate.
+  /// t_k-1: current plate offset, finite. Used only with a rate bound. If the plate is farther beyond the plate bound
+  /// than it can rotate in one step, it returns at full rate.
   double plate_offset_deg;
-  /// K_k .. K_k+N-1, `horizon` gains in [0, 1]. In a step with a gain below 1e-12 the plate is not perceived: it
+  /// K_k .. K_k+N-1, `horizon` gains in [0, 1]. In a step with a gain below 1e-12 the plate is not perceived: the plate
   /// rotates towards the offset of the next step with a larger gain or, without such a step, does not move.
   const double* gains;
 };
 
-/// Plate offsets over the window. Only `horizon` elements are written, and none if the plate returns from beyond its
-/// bound.
+/// Plate offsets over the window: the first `horizon` elements, or none if the plate returns from beyond its bound.
 struct MpcPlan {
   std::array<double, max_horizon> plate_offset_deg;  ///< t_k .. t_k+N-1
-  std::array<ActiveBound, max_horizon> active;       ///< the plate bound, or else the rate bound
+  std::array<ActiveBound, max_horizon> active;       ///< bound that limits each offset; the plate bound, if both do
 };
 
-/// Solves each problem exactly. Uses no heap, lock or exception; bounded time. Any thread.
+/// Solver. Uses no heap, lock or exception, and takes bounded time. Any thread.
 class Mpc {
  public:
   /// Requires is_valid(config).
@@ -52,7 +51,7 @@ class Mpc {
   bool solve_window(const Window& window, WindowPath& path) const;
 
   MpcConfig config_;
-  // g_n by the number n of steps left: e = g (p - p_R) without active bounds
+  // g_n for n remaining steps, including the present one: without active bounds, e = g_n (p - p_R)
   std::array<double, max_horizon + 1> free_gain_{};
 };
 

@@ -9,7 +9,7 @@ namespace {
 constexpr int max_iterations = 1000;
 
 // Primal active-set method. The constraints that are held as equalities are the pins and links of the path; links join
-// steps to runs. A run contains at most one pin, and none if it is linked to t_-1, so they are linearly independent.
+// steps to runs. They are linearly independent: a run contains at most one pin, and none if it is linked to t_-1.
 class ActiveSet {
  public:
   ActiveSet(const Window& window, WindowPath& path)
@@ -30,8 +30,8 @@ class ActiveSet {
   WindowPath& path_;
   double finger_weight_;                                        // 1 - w_T
   double tolerance_deg_;                                        // rounding error of perceived angles such as e_i
-  std::array<bool, max_horizon> fixed_;                         // the constraints held determine t_i
-  std::array<double, max_horizon> law_slope_, law_offset_deg_;  // t_i = slope p_i + offset where fixed or not linked
+  std::array<bool, max_horizon> fixed_;                         // true: the held constraints determine t_i
+  std::array<double, max_horizon> law_slope_, law_offset_deg_;  // t_i = slope p_i + offset, if t_i is fixed or unlinked
   std::array<double, max_horizon> target_deg_;
   std::array<double, max_horizon + 1> finger_deg_;  // p_i on the target path
   std::array<double, max_horizon> error_deg_;       // e_i
@@ -61,8 +61,7 @@ void ActiveSet::fix_runs() {
 
 // Sets the target path to the optimum under the held constraints alone, by dynamic programming from the last step to
 // the first. The least cost of the steps from i on is pp p_i^2 + 2 pt p_i t_i-1 + tt t_i-1^2 + 2 p1 p_i + 2 t1 t_i-1
-// plus a constant; it depends on t_i-1 only if step i is linked to it. The t_i that minimises the cost is a linear law
-// of p_i.
+// plus a constant; only if step i is linked to t_i-1 does it depend on t_i-1. The best t_i is a linear law of p_i.
 void ActiveSet::optimise() {
   fix_runs();
   const double q = window_.perceived_weight;
@@ -99,8 +98,8 @@ void ActiveSet::optimise() {
   }
 }
 
-// Moves the path towards the target as far as the bounds allow. If a bound blocks the path, holds it and returns false;
-// otherwise returns true. Bounds of steps that the held constraints determine are not considered.
+// Moves the path towards the target path as far as the bounds allow. If a bound blocks the path, holds this bound and
+// returns false; otherwise returns true. Bounds of steps that the held constraints determine are not considered.
 bool ActiveSet::advance() {
   double fraction = 1.0;
   std::int8_t* blocking = nullptr;
@@ -130,10 +129,11 @@ bool ActiveSet::advance() {
   return false;
 }
 
-// Releases constraints whose multipliers have the wrong sign, at the optimum under the constraints held. Half the
-// derivative of the cost by t_i is g_i = K_i w_T (q_perceived e_i - c_i+1), where c_i is half the derivative by p_i of
-// the cost from step i on. The multipliers satisfy g_i + pin_i + link_i - link_i+1 = 0: that of a link is the sum of g
-// over the steps of its run before it, or minus the sum over those after it, on a side without a pin or t_-1.
+// At the optimum under the held constraints, releases constraints whose multipliers have the wrong sign, and returns
+// true if there were any. Half the derivative of the cost by t_i is g_i = K_i w_T (q_perceived e_i - c_i+1), where c_i
+// is half the derivative by p_i of the cost from step i on. The multipliers satisfy g_i + pin_i + link_i - link_i+1 =
+// 0: the multiplier of a link is the sum of g over the steps of its run before the link, or minus the sum over the
+// steps after the link, on a side without a pin or t_-1.
 bool ActiveSet::release(bool only_first) {
   struct Part {
     double gradient;
@@ -145,7 +145,7 @@ bool ActiveSet::release(bool only_first) {
   const int n = window_.steps;
   const double q = window_.perceived_weight;
   std::array<Part, max_horizon> step;
-  std::array<Part, max_horizon> after;  // step i and those linked to it after it
+  std::array<Part, max_horizon> after;  // step i and the later steps that are linked to it
   double costate = window_.miss_weight[n] * (finger_deg_[n] - window_.real_deg);
   double weights = q + window_.miss_weight[n];
   for (int i = n - 1; i >= 0; --i) {

@@ -8,7 +8,7 @@
 
 namespace hrt {
 
-/// Minimise  sum of q_perceived e_i^2 + miss_weight_i (p_i - p_R)^2  over the plate offsets t_i, in degrees, where
+/// Problem: minimise  sum of q_perceived e_i^2 + miss_weight_i (p_i - p_R)^2  over the plate offsets t_i, where
 /// e_i = K_i (w_T t_i + (1 - w_T) p_i)  and  p_i+1 = p_i - e_i,  subject to  |t_i| <= L  and  |t_i - t_i-1| <= R_i.
 struct Window {
   int steps;                                        ///< 1 to max_horizon
@@ -31,7 +31,7 @@ struct WindowPath {
 };
 
 /// Moves `path` to the optimum. Requires a path within the bounds with at most one active bound per step. Returns false
-/// if the iteration limit is reached; `path` is then within the bounds but not optimal.
+/// if the iteration limit is reached; `path` is then within the bounds, but may not be optimal.
 bool solve_active_set(const Window& window, WindowPath& path);
 
 }  // namespace hrt

@@ -1,4 +1,3 @@
-// Parameters of the controller of paper section III.
 #pragma once
 
 #include <limits>
@@ -8,10 +7,10 @@ namespace hrt {
 /// Largest number of steps in the controller's window.
 inline constexpr int max_horizon = 20;
 
-/// Largest number of steps between a command and its effect at the finger.
+/// Largest number of steps between a command and its effect on the plate.
 inline constexpr int max_lead = 8;
 
-/// Parameters of the controller; is_valid() checks the ranges.
+/// Parameters of the controller of paper section III; is_valid() checks the ranges.
 struct MpcConfig {
   int horizon = 3;                ///< N, steps in the window, 1 to max_horizon
   double perceived_weight = 1.0;  ///< q_perceived, > 0
@@ -22,7 +21,6 @@ struct MpcConfig {
   double plate_rate_bound_deg = std::numeric_limits<double>::infinity();
 };
 
-/// True if every field is in its range.
 bool is_valid(const MpcConfig& config);
 
 }  // namespace hrt

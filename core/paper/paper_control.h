@@ -1,5 +1,5 @@
-// The controller of paper section III for a plate with dynamics: plans from the first step that a new command can
-// change.
+// Applies the controller of paper section III to a plate with latency: plans from the first step that a command
+// changes.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ namespace hrt {
 /// Controller of one reach. Uses no heap, lock or exception. One thread at a time.
 class PaperControl {
  public:
-  /// The rotation within a step is bounded by `plate` as well as by `config`. Requires valid arguments, and a latency
-  /// of at most `max_lead` steps.
+  /// Bounds the rotation within a step by the smaller of the limits of `plate` and `config`. Requires valid arguments,
+  /// and a latency of at most `max_lead` steps.
   PaperControl(const MpcConfig& config, const PlateDynamics& plate, std::int64_t step_period_ns,
                double goal_direction_deg);
 
-  /// Returns the plate orientation at the end of the first step that a new command can change, relative to
-  /// `centre_deg`, an orientation whose ridge normal is the goal. Earlier steps end with the orientations of `plate`
-  /// under the commands already given.
+  /// Returns the plate orientation for the end of the first step that a new command can change. Earlier steps end with
+  /// the orientations of `plate` under the commands already given. `centre_deg`: the orientation whose ridge normal is
+  /// the goal, in the half turn of the reach.
   PlateOrientation plan(const ReachEstimator& reach, double aimed_direction_deg, double centre_deg,
                         const PlateModel& plate);
 
-  /// True if the plate has a rate bound, which the plan includes.
+  /// True if the plate has a rate bound, so that plans include its rotation.
   bool plans_turns() const;
 
  private:

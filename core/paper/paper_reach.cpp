@@ -120,8 +120,8 @@ PlateHandover PaperReach::handover() const {
           dropped_before_ + counts.dropped_samples};
 }
 
-// If w_T is adapted and the gap is not feasible, the aim is the nearest feasible direction: one that is farther away
-// would increase the perceived-direction error without bringing the finger nearer.
+// If w_T is adapted and the gap is not feasible, the aim is the nearest feasible direction: an aim nearer to the target
+// would increase the perceived-direction error without bringing the finger nearer to the target.
 inline PaperReach::Aim PaperReach::aim() const {
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double gap_deg = goal_deg_ - reach_.real_direction_deg;
@@ -138,7 +138,7 @@ inline PlateOrientation PaperReach::plan(const Aim& aim) {
   return control_.plan(estimator_, aim.direction_deg, limits_.centre_deg(), plate_);
 }
 
-// Counts only the last decision of a step.
+// Counts the decision before, if it was the last one of its step.
 inline void PaperReach::decide(const Decision& decision) {
   if (decision.step != decision_.step) {
     saturated_steps_ += is_saturated(decision_.plate.active);

@@ -23,8 +23,8 @@ struct PaperReachConfig {
   std::int64_t step_period_ns = 100'000'000;
 };
 
-/// The controller decides once in a model step if directions are observed, and at each position, since positions refine
-/// the estimate. Otherwise the command is unchanged. Uses no heap, lock or exception. One thread at a time.
+/// Controller of one reach. Plans at each position, since positions refine the estimate; if directions are observed,
+/// once in a model step. Uses no heap, lock or exception. One thread at a time.
 class PaperReach {
  public:
   /// `handover`: state of the reach that this one replaces; nullopt: the plate is at rest. Requires valid arguments.
@@ -34,14 +34,14 @@ class PaperReach {
   /// Processes a sample, not earlier than the previous one.
   const PlateCommand& update(const FingerSample& sample);
 
-  /// Changes the real target to `real`. `now`: the reach as seen from the finger.
+  /// Changes the real target to `real`. `now`: the remaining reach, as seen from the finger.
   void retarget(const PlatePoint& real, const Reach& now);
 
-  /// Advances by one model step without a clock; `finger_direction_deg` is finite. Do not mix with update().
+  /// Advances by one model step without a clock; `finger_direction_deg` is finite. Do not use both step() and update().
   const PlateCommand& step(double finger_direction_deg);
 
   const PlateCommand& command() const { return command_; }
-  /// Position of the finger; nullopt before it moves, and without positions.
+  /// Position of the finger; nullopt before the motion, and without positions.
   std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
   double speed_mm_s() const { return 0.0; }  ///< 0: the paper's participant has no reaction time
   ReachSummary summary() const;
@@ -49,12 +49,10 @@ class PaperReach {
   const FingerPhase& finger() const { return estimator_.finger(); }
 
  private:
-  /// Direction to which the finger is steered, and whether it is feasible.
   struct Aim {
-    double direction_deg;
-    bool unreachable;
+    double direction_deg;  // direction to which the finger is steered
+    bool unreachable;      // the gap is not feasible
   };
-  /// The last decision, with its step and aim.
   struct Decision {
     std::int64_t step = -1;
     Aim aim;
@@ -80,10 +78,10 @@ class PaperReach {
   PlateModel plate_;
   PlateLimits limits_;
   Decision decision_;
-  PlateCommand command_;  // last command, with the last observed state of the finger
+  PlateCommand command_;
   std::int64_t samples_before_ = 0;
   std::int64_t dropped_before_ = 0;
-  std::int64_t saturated_steps_ = 0;  // without the step of the last decision
+  std::int64_t saturated_steps_ = 0;  // this and the next field: without the step of the last decision
   std::int64_t rate_limited_steps_ = 0;
 };
 

@@ -1,5 +1,4 @@
-// Perception and steering of the participant of paper section II-A: all equations of P and theta_hat. No heap, lock or
-// exception.
+// Perception and steering of the participant of paper section II-A. Uses no heap, lock or exception.
 #pragma once
 
 #include <array>
@@ -24,7 +23,6 @@ struct Participant {
   double bias_deg = 0.0;
 };
 
-/// True if every field is finite and in its range.
 bool is_valid(const Participant& participant);
 
 /// Returns G, the direction at which the person aims for a target in `virtual_direction_deg`.
@@ -37,8 +35,7 @@ inline double felt_direction_deg(double tactile_weight, double plate_orientation
   return tactile_weight * plate_orientation_deg + (1.0 - tactile_weight) * finger_direction_deg;
 }
 
-/// Input of a step: the finger moves along `finger_direction_deg` over ridges at `plate_orientation_deg`, and the
-/// person aims at `goal_direction_deg`. The angles are relative to one common direction; see ridge_normal_deg().
+/// Input of a step. T is the perceived ridge normal (ridge_normal_deg()). Angles are relative to the same direction.
 struct ParticipantInput {
   double tactile_weight;         ///< w_T
   double gain;                   ///< K, gain of the perception filter
@@ -62,7 +59,7 @@ inline ParticipantStep participant_step(const ParticipantInput& input) {
   return {felt_deg, perceived_deg, goal_deg - perceived_deg};
 }
 
-/// Computes participant_step() for a plate orientation: the ridge normal within 90 degrees of the goal is perceived.
+/// Computes participant_step() for any plate orientation: the ridge normal within 90 degrees of the goal is perceived.
 inline ParticipantStep participant_step_on_plate(ParticipantInput input) {
   input.plate_orientation_deg = ridge_normal_deg(input.plate_orientation_deg, input.goal_direction_deg);
   return participant_step(input);
@@ -79,30 +76,28 @@ inline ParticipantSlopes participant_slopes(const ParticipantInput& input) {
           .by_weight = -input.gain * (input.plate_orientation_deg - input.finger_direction_deg)};
 }
 
-/// Returns the largest feasible gap |theta_V - P_R| for a plate within `plate_bound_deg` of theta_V. In the steady
-/// state the person perceives the goal: w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5), `plate_bound_deg`
-/// in (0, 90].
+/// Returns the largest feasible gap |theta_V - P_R| for a plate within `plate_bound_deg`, in (0, 90], of theta_V. In
+/// the steady state the person perceives theta_V: w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5).
 inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
   return plate_bound_deg * tactile_weight / (1.0 - tactile_weight);
 }
 
-/// Computes the feasible gap of this participant, whether the gap lies within it, and the plate orientation that
-/// sustains it. Directions: finite. Other ranges: see max_gap_deg().
+/// Computes the largest feasible gap of a participant, whether the given gap is feasible, and the plate orientation
+/// that sustains the gap. Directions: finite. Other ranges: see max_gap_deg().
 GapFeasibility paper_gap_feasibility(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                                      double plate_bound_deg);
 
-/// A step of the Kalman filter that combines touch and proprioception. It does not depend on the perceived direction,
-/// so a controller can compute future gains.
+/// A step of the Kalman filter that combines touch and proprioception. The step does not depend on the perceived
+/// direction, so a controller can compute future gains.
 struct FilterGain {
   double gain;           ///< K, in [0, 1]; 0 only if sigma_u^2 and the variance before the step are 0
-  double variance_deg2;  ///< variance of the perceived direction: (1 - K) var-
+  double variance_deg2;  ///< var_k: variance of the perceived direction after the step
 };
 
 /// Computes the step after a perceived direction with variance `variance_deg2`.
 FilterGain next_gain(const Participant& participant, double variance_deg2);
 
-/// Returns the variance of the noise that a step of gain `gain` adds to the direction of the finger: sigma_u^2 + var_k,
-/// where var_k = (1 - K) var- = K sigma_h^2.
+/// Returns the variance of the noise that a step of gain K adds to P: sigma_u^2 + var_k, where var_k = K sigma_h^2.
 inline double step_variance_deg2(const Participant& participant, double gain) {
   return participant.motor_variance_deg2 + gain * participant.sensory_variance_deg2;
 }
@@ -113,9 +108,10 @@ class GainWindow {
   /// Begins at the first step of a reach. Requires is_valid(participant), 1 <= horizon <= max_horizon + max_lead.
   GainWindow(const Participant& participant, int horizon);
 
-  /// Returns `horizon` gains, that of the current step first. Valid until advance().
+  /// Returns `horizon` gains, beginning with that of the current step. Valid until advance().
   const double* data() const { return gains_.data() + first_; }
 
+  /// Advances to the next step.
   void advance();
 
  private:

@@ -124,8 +124,8 @@ inline Observation ReachEstimator::take(const FingerSample& sample, PlateModel& 
   return take_position(sample, plate);
 }
 
-// The configured SD, or the estimate from successive positions with the assumed SD as one observation. The noise
-// determines which part of a deviation is attributed to the person.
+// Returns the configured SD, or else the estimate from successive positions, in which the assumed SD counts as one
+// observation. The noise determines which part of a deviation is attributed to the person.
 double ReachEstimator::white_noise_mm() const {
   const NoiseLearner<PlatePoint>& learner = finger_.learner();
   if (learner.known()) return learner.noise().white_mm;
@@ -155,7 +155,7 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
       place_ = sample.position;
       return Observation::none;
     }
-    // If the rest is longer ago, positions are missing, and the time of the onset is unknown.
+    // If the finger was last seen at rest more than two periods ago, positions are missing, and the onset is unknown.
     const double since_rest_s = time_s - finger_.left_s();
     if (since_rest_s < 2e-9 * static_cast<double>(clock_.period_ns()))
       start(sample.time_ns - std::llround(1e9 * since_rest_s), finger_.rest_place());

@@ -1,7 +1,7 @@
 // Estimates the motion of the finger and w_T of the person in one reach.
 //
-// The steps of the model start with the motion. They are suspended while the finger rests or is lifted, since nothing
-// is perceived then. A step without samples is predicted.
+// The steps of the model start with the motion. While the finger rests or is lifted, the steps are suspended, since
+// nothing is perceived. A step without samples is predicted.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ struct SampleCounts {
 /// Estimator for one reach. Uses no heap, lock or exception. One thread at a time.
 class ReachEstimator {
  public:
-  /// Begins at rest at `start`, before a motion whose goal is `goal_direction_deg`. `horizon`: number of gains that are
-  /// computed in advance, 1 to max_horizon + max_lead. Requires valid arguments, `step_period_ns` > 0.
+  /// Begins at rest at `start`, before a motion whose goal is `goal_direction_deg`. `horizon`: length of gains(), 1 to
+  /// max_horizon + max_lead. Requires valid arguments, `step_period_ns` > 0.
   ReachEstimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                  const PlatePoint& start, std::int64_t step_period_ns, int horizon);
 
@@ -36,8 +36,8 @@ class ReachEstimator {
   /// which a decision may be based: none, direction or position.
   Observation observe(const FingerSample& sample, PlateModel& plate);
 
-  /// Advances by one step without a clock: the finger moves along `direction_deg` after a step that ended with the
-  /// present plate orientation. Do not mix with observe().
+  /// Advances by one step without a clock: the previous step ended with the present plate orientation, and the finger
+  /// now moves along `direction_deg`. Do not use both step() and observe().
   void step(double direction_deg, const PlateModel& plate);
 
   /// Changes the goal of the participant.
@@ -53,10 +53,10 @@ class ReachEstimator {
   std::int64_t current_step() const { return clock_.step(); }
   std::int64_t now_ns() const { return now_ns_; }
   std::int64_t step_end_ns() const { return clock_.end_ns(); }
-  /// Gains K of this and the next steps; valid until the next sample.
+  /// Gains K of the current and the next steps; valid until the next sample.
   const double* gains() const { return gains_.data(); }
 
-  /// Counts since the start of the reach; includes the current step once it has a sample.
+  /// Counts since the start of the reach; includes the current step if it has a sample.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
   const FingerPhase& finger() const { return finger_; }

@@ -1,4 +1,4 @@
-// Steps of the model in the caller's time: a fixed period from the onset.
+// Steps of the model, of a fixed period, in the caller's time.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@ class StepClock {
 
   std::int64_t period_ns() const { return period_ns_; }
   bool started() const { return step_ >= 0; }
-  /// Current step, from 0; -1 before start().
+  /// Current step, counted from 0; -1 before start().
   std::int64_t step() const { return step_; }
-  /// End of the current step.
+  /// Time of the end of the current step.
   std::int64_t end_ns() const { return later_ns(start_ns_, period_ns_); }
 
   /// Begins step 0 at `time_ns`.
@@ -27,8 +27,8 @@ class StepClock {
     step_ = 0;
   }
 
-  /// Ends the steps that end by `time_ns`, and calls `end_step(end_ns)` for each, up to `max_catch_up_steps` times.
-  /// Returns the number of further steps, which are skipped.
+  /// Advances to `time_ns`. Calls `end_step(end_ns)` for each step that has ended, up to `max_catch_up_steps` times.
+  /// Returns the number of the other ended steps, which are skipped.
   template <class EndStep>
   std::int64_t advance(std::int64_t time_ns, const EndStep& end_step) {
     const auto period_ns = static_cast<std::uint64_t>(period_ns_);
@@ -45,15 +45,15 @@ class StepClock {
     return static_cast<std::int64_t>(skipped);
   }
 
-  /// Extends the current step by `duration_ns`.
+  /// Delays the end of the current step by `duration_ns`.
   void wait(std::uint64_t duration_ns) {
     start_ns_ = static_cast<std::int64_t>(static_cast<std::uint64_t>(start_ns_) + duration_ns);
   }
 
-  /// Advances to the next step without a time.
+  /// Advances to the next step, without a clock.
   void count() { ++step_; }
 
-  /// Maximum number of steps that advance() ends one by one; without samples, the model has settled after them.
+  /// Maximum number of calls of end_step() in advance(). Without samples, the model has settled after 64 steps.
   static constexpr std::uint64_t max_catch_up_steps = 64;
 
  private:

@@ -13,8 +13,8 @@ constexpr bool has_threads = false;
 constexpr bool has_threads = true;
 #endif
 
-// Threads that take chunks by a counter. The destructor, also after an exception, stops and joins them. (std::jthread
-// is not yet in every C++ library.)
+// Threads that take chunks by a counter. The destructor stops and joins the threads, also after an exception.
+// (std::jthread is not yet in every C++ library.)
 class WorkerThreads {
  public:
   WorkerThreads(std::atomic<std::uint64_t>& next, std::uint64_t end) : next_(next), end_(end) {}
@@ -41,7 +41,7 @@ class WorkerThreads {
   std::vector<std::thread> threads_;
 };
 
-// Trials that a thread takes at once: few enough for progress and for an even load.
+// Number of trials that a thread takes at once: small enough for frequent progress reports and an even load.
 constexpr std::uint32_t chunk_trials = 4096;
 
 struct Chunk {

@@ -1,6 +1,6 @@
 // Simulates many trials of many conditions on all cores. The results depend only on the seed, the conditions and the
-// trial numbers: every bit is the same for any number of threads, any order, any split of a range of trials, and any
-// compiler with IEEE arithmetic.
+// trial numbers: every bit is the same for any number of threads, any order of the jobs, any split of a range of
+// trials, and any compiler with IEEE arithmetic.
 #pragma once
 
 #include <atomic>
@@ -24,14 +24,14 @@ struct BatchJob {
 
 struct BatchOptions {
   int threads = 0;  ///< 0: number of hardware threads
-  /// Called repeatedly on the calling thread with the number of finished trials and of all trials.
+  /// Called repeatedly on the calling thread with the numbers of finished trials and of all trials. May be empty.
   std::function<void(std::uint64_t done, std::uint64_t total)> progress;
-  /// If it becomes true, the batch ends early. May be null; any thread or signal handler may set it.
+  /// When *cancel becomes true, the batch ends early. May be null; any thread or signal handler may set *cancel.
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// Runs all jobs and returns their results in the same order. If cancelled, the results have fewer trials. Requires
-/// is_valid() for all conditions. Throws std::system_error if a thread cannot start, and what `progress` throws.
+/// Runs all jobs and returns their results in the order of the jobs. If cancelled, the results have fewer trials.
+/// Requires valid conditions. Throws std::system_error if a thread cannot start, and what `progress` throws.
 std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,
                                    const BatchOptions& options = {});
 

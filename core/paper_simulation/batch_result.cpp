@@ -6,13 +6,13 @@ namespace hrt {
 namespace {
 
 constexpr double units_per_deg = 0x1p20;
-// 2^32 trials of at most this many units keep the sum within 63 bits.
+// With angles of at most this size, the sum over 2^32 trials fits into 63 bits.
 constexpr double max_deg = 1000.0;
 
 }  // namespace
 
 void AngleSums::add(double angle_deg) {
-  // The order of the comparisons makes a NaN count as the largest miss.
+  // The order of the comparisons makes a NaN count as -max_deg.
   const double clamped_deg = angle_deg >= max_deg ? max_deg : (angle_deg > -max_deg ? angle_deg : -max_deg);
   const auto units = static_cast<std::int64_t>(clamped_deg * units_per_deg + (clamped_deg < 0.0 ? -0.5 : 0.5));
   const auto square = static_cast<std::uint64_t>(units * units);

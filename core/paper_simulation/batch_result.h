@@ -25,18 +25,17 @@ class AngleSums {
   std::uint64_t squares_high_ = 0;
 };
 
-/// Result of a range of trials of one condition. The sum of results of disjoint ranges is exactly that of their union.
+/// Result of a range of trials of one condition. Adding results of disjoint ranges gives exactly that of their union.
 struct BatchResult {
   std::uint64_t trials = 0;
   std::uint64_t hits = 0;
   std::uint64_t steps = 0;            ///< model steps of all trials
   std::uint64_t saturated_steps = 0;  ///< steps in which a bound limited the plate
-  AngleSums miss;                     ///< P_steps - P_R of each trial
+  AngleSums miss;                     ///< direction after the last step of each trial minus P_R
   AngleSums felt_error;               ///< theta_hat - theta_V in the last step of each trial
 
   double hit_percent() const { return 100.0 * static_cast<double>(hits) / static_cast<double>(trials); }
   double saturated_share() const { return static_cast<double>(saturated_steps) / static_cast<double>(steps); }
-  /// Mean of P_steps - P_R.
   double mean_miss_deg() const { return miss.mean_deg(trials); }
   double rms_miss_deg() const { return miss.rms_deg(trials); }
   /// Root mean square of theta_hat - theta_V in the last step.

@@ -14,8 +14,8 @@ struct CalibrationCondition {
   double distance_mm = 100.0;       ///< length of the path, > 0
   double duration_s = 3.0;          ///< duration of the path, > 0
   double step_period_s = 0.1;       ///< period of the participant's steps, > 0
-  double rest_s = 0.5;              ///< time of tracking at rest before the path, >= 0
-  double tracker_noise_mm = 1.2;    ///< >= 0
+  double rest_s = 0.5;              ///< duration of the tracked rest before the path, >= 0
+  double tracker_noise_mm = 1.2;    ///< SD of the white noise of a coordinate, >= 0
   double tracker_rate_hz = 90.0;    ///< > 0
 };
 

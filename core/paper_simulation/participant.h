@@ -31,7 +31,7 @@ class SimulatedParticipant {
   double perceived_direction_deg() const { return perceived_direction_deg_; }
 
   /// Simulates one step over ridges at `plate_orientation_deg` (T_k). `noise`: a draw from N(0, 1), which is scaled to
-  /// the sum of motor and estimation noise, with variance sigma_u^2 + var_k.
+  /// the variance sigma_u^2 + var_k of the sum of motor and estimation noise.
   SimulatedStep step(double plate_orientation_deg, double noise) {
     const auto [gain, variance_deg2] = next_gain(participant_, variance_deg2_);
     const ParticipantStep felt = participant_step_on_plate({.tactile_weight = participant_.tactile_weight,

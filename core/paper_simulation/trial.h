@@ -19,13 +19,12 @@ struct Condition {
   double virtual_direction_deg = 5.0;  ///< theta_V, less than 90 degrees from P_R
   double plate_orientation_deg = 0.0;  ///< plate orientation before the first step
   int steps = 30;                      ///< steps of a reach, 1 to max_trial_steps
-  double tolerance_deg = 1.5;          ///< a trial hits if |P_steps - P_R| is at most this, >= 0
+  double tolerance_deg = 1.5;          ///< a trial hits if its last direction is at most this far from P_R; >= 0
 };
 
-/// True if every field is in its range.
 bool is_valid(const Condition& condition);
 
-/// Identifies the random numbers of a trial.
+/// Identifies the random numbers of a trial: equal values give equal numbers.
 struct TrialId {
   std::uint64_t seed;
   std::uint32_t condition;
@@ -42,7 +41,7 @@ struct TrialStep {
   double plate_orientation_deg;    ///< T_k
   double felt_direction_deg;       ///< h_k
   double perceived_direction_deg;  ///< theta_hat_k
-  double gain;                     ///< K_k, the participant's
+  double gain;                     ///< K_k of the simulated participant
   double variance_deg2;            ///< var_k of the perceived direction
   double motor_command_deg;        ///< u_k
   double noise_deg;                ///< eps_u + eps_theta: P_k+1 = P_k + u_k + noise
@@ -50,14 +49,13 @@ struct TrialStep {
 };
 
 struct TrialOutcome {
-  double final_direction_deg;      ///< P_steps
+  double final_direction_deg;      ///< P after the last step
   double perceived_direction_deg;  ///< theta_hat of the last step
   int saturated_steps;             ///< steps in which a bound limited T_k
   bool hit;
 };
 
-/// Simulates one trial with the Retargeter. Appends every step to `steps` unless it is null. Requires
-/// is_valid(condition). Any thread.
+/// Simulates one trial with the Retargeter. Appends every step to `steps`, unless null. Requires is_valid(condition).
 TrialOutcome simulate_trial(const Condition& condition, const TrialId& id, std::vector<TrialStep>* steps = nullptr);
 
 }  // namespace hrt

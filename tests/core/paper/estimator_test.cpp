@@ -31,9 +31,9 @@ TEST(Time, ExtremeTimes_DoNotOverflow) {
   EXPECT_EQ(later_ns(min, 5), min + 5);
 }
 
-// Two steps with exact directions and K = 1/2, w_T ~ N(0.15, 0.05^2), goal 0: P_0 = 0 under t = 60.
-// Predicted P_1 = -0.5 * 0.15 * 60 = -4.5, with variance 0.5 + (0.5 * 60 * 0.05)^2 = 2.75 and covariance
-// -30 * 0.0025 = -0.075 with w_T. Seen -6: w_T = 0.15 + 0.075 * 1.5 / 2.75.
+// Two steps with exact directions and K = 1/2, w_T ~ N(0.15, 0.05^2), goal 0. In the first step, P_0 = 0 and t = 60.
+// The predicted P_1 is -0.5 * 0.15 * 60 = -4.5, with the variance 0.5 + (0.5 * 60 * 0.05)^2 = 2.75 and the covariance
+// -30 * 0.0025 = -0.075 with w_T. The observed P_1 is -6, so w_T = 0.15 + 0.075 * 1.5 / 2.75.
 TEST(Estimator, OneStep_GivesTheHandCalculatedWeight) {
   Estimator estimator({.adapt = true}, Participant{}, 0.0, {});
   estimator.observe_direction(0.0);
@@ -108,8 +108,8 @@ TEST(Estimator, AnOutlierIsRejected_AndARunOfThemIsAccepted) {
   EXPECT_NEAR(estimator.estimate().position.right_mm, 50.0, 1.0);
 }
 
-// One step with V = 0.5 and an exact direction that is off by 1.5: D = V, so the score is (2.25 - 0.5) / (2 * 0.25) =
-// 3.5 and the information 1 / (2 * 0.25) = 2, in addition to 4 of the prior.
+// One step with V = 0.5 and an exact direction that differs by 1.5 from the prediction. D = V, so the score is (2.25 -
+// 0.5) / (2 * 0.25) = 3.5, and the information 1 / (2 * 0.25) = 2, in addition to 4 of the prior.
 TEST(Estimator, OneStep_GivesTheHandCalculatedMotorVariance) {
   Estimator estimator({}, Participant{}, 0.0, {});
   estimator.observe_direction(0.0);
@@ -121,7 +121,7 @@ TEST(Estimator, OneStep_GivesTheHandCalculatedMotorVariance) {
 }
 
 // For participants drawn from the filter's model, the mean NIS of two coordinates is 2, or slightly less, because the
-// speed is constant and the filter allows for a random walk of it.
+// filter allows for a random walk of the speed, which is constant here.
 TEST(Estimator, ParticipantsOfTheModel_GiveAMeanNisOfTwo) {
   constexpr double noise_mm = 1.2, goal_deg = 5.0, travel_mm = 100.0 / 270.0;
   double innovations = 0.0;

@@ -1,5 +1,5 @@
-// Random problems for the controller: every quantity varies over its whole range, sometimes with values that coincide
-// exactly. The same on every host.
+// Random problems for the controller: every quantity varies over its whole range, and values sometimes coincide
+// exactly. The random draws are the same on every host.
 #pragma once
 
 #include <algorithm>
@@ -61,7 +61,7 @@ struct RandomProblem {
           config.plate_rate_bound_deg * std::round(problem.plate_offset_deg / config.plate_rate_bound_deg);
     problem.gains = gains.data();
   }
-  RandomProblem(const RandomProblem&) = delete;  // `problem` points into this
+  RandomProblem(const RandomProblem&) = delete;  // `problem` points to `gains`
   RandomProblem& operator=(const RandomProblem&) = delete;
   ~RandomProblem() = default;
 };

@@ -6,7 +6,8 @@
 namespace hrt {
 namespace {
 
-// min |columns y + target| over y >= 0 (Lawson and Hanson, Solving Least Squares Problems, chapter 23).
+// Returns the largest entry of |columns y + target| for the least-squares solution y >= 0 (Lawson and Hanson, Solving
+// Least Squares Problems, chapter 23).
 long double min_nonnegative_residual(const LongMatrix& columns, const LongVector& target) {
   const Eigen::Index n = columns.cols();
   LongVector y = LongVector::Zero(n);

@@ -1,5 +1,5 @@
 // Optimality conditions of the controller's problem in long double, with dense matrices, from the definition of the
-// problem. The problem is convex, so a plan that meets them is optimal.
+// problem. The problem is convex, so a plan that meets the conditions is optimal.
 #pragma once
 
 #include <Eigen/Dense>
@@ -15,8 +15,8 @@ namespace hrt {
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// The controller's problem in general form: minimise t^T hessian t / 2 + gradient^T t subject to rows t <= limits,
-/// over the plate offsets t in degrees. Half of the window's cost, without its constant part.
+/// The controller's problem in general form: minimise t^T hessian t / 2 + gradient^T t, half of the window's cost
+/// without its constant part, over the plate offsets t in degrees, subject to rows t <= limits.
 struct DenseProblem {
   LongMatrix hessian;
   LongVector gradient;
@@ -24,14 +24,15 @@ struct DenseProblem {
   LongVector limits;
 };
 
-/// Converts a problem. The plate must be able to reach the plate bound in one step.
+/// Converts a problem. A plate beyond its bound must be able to return within the bound in one step.
 DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem);
 
-/// Residuals of the Karush-Kuhn-Tucker conditions for `plate`.
+/// Residuals of the Karush-Kuhn-Tucker conditions.
 struct KktResidual {
   long double stationarity;   ///< |gradient of half the cost + multipliers of the rows|, minimal over multipliers >= 0
   long double violation_deg;  ///< largest violation of a bound
 };
+/// Computes the residuals for the plate offsets `plate`.
 KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate);
 
 }  // namespace hrt

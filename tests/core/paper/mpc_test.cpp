@@ -25,7 +25,7 @@ double perceived_error(const Mpc::Command& command, const MpcProblem& problem) {
                              (1.0 - problem.tactile_weight) * problem.finger_offset_deg);
 }
 
-// Direction p after a number of steps of `plan`.
+// Returns the direction p after a number of steps of `plan`.
 double finger_after(const MpcProblem& problem, const MpcPlan& plan, int steps) {
   double finger_deg = problem.finger_offset_deg;
   for (int i = 0; i < steps; ++i)
@@ -48,8 +48,8 @@ TEST(Mpc, InactiveBounds_GiveRatiosOfFibonacciNumbers) {
 
 // N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85: e_0 = 12 / 2 = 6, so t_0 = 6 / (0.85 * 0.1) = 70.59.
 //
-// N = 3: the free optimum's second step would need t_1 = 93, so t_1 is at the bound and
-// e_1 = 0.85 (0.1 * 84.5 - 0.9 e_0) = 7.1825 - 0.765 e_0, x_1 = 12 - e_0, x_2 = 4.8175 - 0.235 e_0, e_2 = 0.
+// N = 3: the second step of the optimum without bounds would need t_1 = 93, so t_1 is at the bound. With x_i = p_i -
+// p_R, e_1 = 0.85 (0.1 * 84.5 - 0.9 e_0) = 7.1825 - 0.765 e_0, x_1 = 12 - e_0, x_2 = 4.8175 - 0.235 e_0, e_2 = 0.
 // d/de_0 of e_0^2 + e_1^2 + x_1^2 + x_2^2 vanishes at e_0 = (12 + 0.765 * 7.1825 + 0.235 * 4.8175) / 2.64045.
 TEST(Mpc, ABoundAtTheSecondStep_GivesTheHandCalculatedPlan) {
   const MpcProblem problem{0.0, -12.0, 0.1, 0.0, gains.data()};
@@ -63,10 +63,10 @@ TEST(Mpc, ABoundAtTheSecondStep_GivesTheHandCalculatedPlan) {
   EXPECT_EQ(plan.active[2], ActiveBound::none);
 }
 
-// N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85, q = 1, from 50 with R = 10: t_0 <= 60, and t_1, whose optimum is 45.9,
-// is at least t_0 - 10. At t_0 = 60, e_1 = 0.85 (5 - 0.9 * 5.1) = 0.3485. With t_1 = t_0 - 10, e_0 = 0.085 t_0, e_1 =
-// 0.085 t_0 - 0.85 - 0.765 e_0 = 0.019975 t_0 - 0.85 and x_1 = 12 - e_0, half of the derivative by t_0 is 0.085 e_0 +
-// 0.019975 e_1 - 0.085 x_1 = -0.146 at 60.
+// N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85, q = 1, t_-1 = 50, R = 10: t_0 <= 60, and t_1, whose optimum is 45.9, is
+// at least t_0 - 10. At t_0 = 60, e_1 = 0.85 (5 - 0.9 * 5.1) = 0.3485. With t_1 = t_0 - 10, e_0 = 0.085 t_0, e_1 =
+// 0.085 t_0 - 0.85 - 0.765 e_0 = 0.019975 t_0 - 0.85 and x_1 = 12 - e_0, half of the derivative of the cost by t_0 is
+// 0.085 e_0 + 0.019975 e_1 - 0.085 x_1, which is -0.146 at t_0 = 60.
 TEST(Mpc, ARateBoundAtBothSteps_GivesTheHandCalculatedPlan) {
   const MpcProblem problem{0.0, -12.0, 0.1, 50.0, gains.data()};
   MpcPlan plan;
@@ -78,8 +78,9 @@ TEST(Mpc, ARateBoundAtBothSteps_GivesTheHandCalculatedPlan) {
   EXPECT_NEAR(finger_after(problem, plan, 1) - finger_after(problem, plan, 2), 0.3485, 1e-12);
 }
 
-// N = 3 with a gain of 0 at the second step, p_k = 0, p_R = -12, w = 0.1, from 0 with R = 40. The optimum of the first
-// step exceeds 40, so t_0 = 40 and p = -0.085 * 40 = -3.4. In the last step, e = 0 at 0.9 * 3.4 / 0.1 = 30.6.
+// N = 3 with a gain of 0 at the second step, p_k = 0, p_R = -12, w = 0.1, t_-1 = 0, R = 40. The optimum of the first
+// step exceeds 40, so t_0 = 40, and p_1 = p_2 = -0.085 * 40 = -3.4. In the last step, e = 0 at t = 0.9 * 3.4 / 0.1
+// = 30.6.
 TEST(Mpc, AStepWithoutGain_RotatesTowardsTheNextPerceivedStep) {
   const std::array<double, 3> gap_gains{0.85, 0.0, 0.85};
   const MpcProblem problem{0.0, -12.0, 0.1, 0.0, gap_gains.data()};
@@ -90,7 +91,7 @@ TEST(Mpc, AStepWithoutGain_RotatesTowardsTheNextPerceivedStep) {
   EXPECT_DOUBLE_EQ(plan.plate_offset_deg[0], 40.0);
   EXPECT_NEAR(plan.plate_offset_deg[2], 30.6, 1e-12);
   EXPECT_EQ(plan.active[2], ActiveBound::none);
-  // In the second step e = 0 at 0. From -70 with R = 10, the first step, which is not perceived, rotates towards it.
+  // N = 2, t_-1 = -70, R = 10: e_1 = 0 at t_1 = 0, towards which the plate rotates in the first, unperceived step.
   const std::array<double, 2> late_gains{0.0, 0.85};
   const MpcProblem late{0.0, -12.0, 0.1, -70.0, late_gains.data()};
   Mpc({.horizon = 2, .plate_rate_bound_deg = 10.0}).solve(late, &plan);
@@ -99,7 +100,7 @@ TEST(Mpc, AStepWithoutGain_RotatesTowardsTheNextPerceivedStep) {
 }
 
 // w_T = 0.1 and a gap of 10 require 0.9 / 0.1 * 10 = 90 degrees: in the steady state every step is at the bound of 90
-// with a multiplier of 0. Methods that depend on rounding cycle here.
+// with a multiplier of 0. Here, methods that depend on rounding run in cycles.
 TEST(Mpc, AGapAtTheLimit_SettlesAtTheBound) {
   for (const double real : {-10.0, 10.0}) {
     for (const double rate : {std::numeric_limits<double>::infinity(), 45.0, 40.0}) {
@@ -154,7 +155,6 @@ TEST(Mpc, RandomProblems_GivePlansWithinTheBounds) {
   }
 }
 
-// Dozens of bounds are active at the optimum of these problems.
 TEST(Mpc, ProblemsWithManyActiveBounds_AreSolvedToTheOptimum) {
   Random random(6);
   for (int i = 0; i < 100'000; ++i) {
@@ -206,7 +206,6 @@ TEST(Mpc, SettingsOutOfRange_AreInvalid) {
   for (const double bad : {0.0, -1.0, nan, -infinity}) EXPECT_FALSE(is_valid(MpcConfig{.plate_rate_bound_deg = bad}));
 }
 
-// Plans for random problems meet the optimality conditions (mpc_reference.h).
 struct Case {
   int horizon;
   int problems;

@@ -24,7 +24,7 @@ double final_direction_deg(const PaperReachConfig& config, const Reach& reach) {
   return participant.finger_direction_deg();
 }
 
-// Paper Fig. 8: with the plate at 0 the finger ends at P = theta_V / (1 - w_T) = -5.88.
+// Paper Fig. 8: with the plate at 0, the finger settles at P = theta_V / (1 - w_T) = -5.88.
 TEST(PaperReach, AControlledPlate_SteersToTheRealTargetAndAFixedOneDoesNot) {
   const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5};
   EXPECT_NEAR(final_direction_deg({}, reach), 5.0, 1e-9);
@@ -39,7 +39,7 @@ FingerSample direction(std::int64_t time_ns, double direction_deg) {
   return {.time_ns = time_ns, .observation = Observation::direction, .direction_deg = direction_deg};
 }
 
-// A participant without noise who slides at 33.3 mm/s, sampled at `rate_hz` from `phase_ns` before the motion.
+// A participant without noise who slides at 33.3 mm/s. Samples begin `phase_ns` before the motion.
 struct StreamedReach {
   double rate_hz = 90.0;
   std::int64_t phase_ns = 0;
@@ -105,7 +105,7 @@ TEST(PaperReach, PositionsAfterDirections_SetTheDistanceToGo) {
   EXPECT_EQ(controller.summary().dropped_samples, 0);
 }
 
-// Steps are suspended while the finger is lifted, even for the longest time that a sample can have, or rests.
+// The lift takes the whole range of times.
 TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
   PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
   const auto sample = [](std::int64_t time_ns, Observation observation) {
@@ -125,8 +125,8 @@ TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
   EXPECT_LT(resting.command().step, 12);
 }
 
-// Without samples, the finger moves by the model, P - K (w_T t + (1 - w_T) p), from 3 with the plate at rest. Step 2 is
-// the first without a sample, so commands are predicted from step 3 on.
+// Without samples, the predicted finger follows the model, P_k+1 = P_k - K (w_T t + (1 - w_T) p), from 3 degrees, with
+// the plate at rest. Step 2 is the first step without a sample, so commands are `predicted` from step 3 on.
 TEST(PaperReach, MissingSamples_GiveThePredictedFinger) {
   PaperReach controller({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
   for (int k = 0; k < 2; ++k) controller.update(direction(k * 100 * ms, 3.0 * k));
@@ -152,8 +152,8 @@ TEST(PaperReach, MissingSamples_GiveThePredictedFinger) {
   EXPECT_NEAR(finger_deg, 4.65, 0.005);
 }
 
-// A finger at 33 mm/s whose tracking is lost at 33 mm of 100: the distance decreases with the predicted finger, and is
-// constant while the finger is lifted.
+// A finger at 33 mm/s, whose tracking is lost at 33 mm of 100 mm: the distance to go decreases with the predicted
+// finger, and is constant while the finger is lifted.
 TEST(PaperReach, ADropout_ReducesThePredictedDistanceToGo) {
   PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
   int t = 0;
@@ -179,7 +179,7 @@ TEST(PaperReach, DuplicateSamples_CountOnce) {
   EXPECT_EQ(run(1), run(3));
 }
 
-// Between stops at 90 and 270, 180 has the same ridges as 0.
+// Between stops at 90 and 270 degrees, the orientation with the same ridges as 0 is 180.
 TEST(PaperReach, StopsWithoutTheCommand_GiveAnEquivalentOrientation) {
   PaperReachConfig config{.plate = {.max_speed_deg_s = 400.0, .stops = {90.0, 270.0}}};
   const Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 0.0};
@@ -198,8 +198,8 @@ TEST(PaperReach, StopsWithoutTheCommand_GiveAnEquivalentOrientation) {
   }
 }
 
-// Ridges at +90 and -90 degrees are the same, and equally far from 0. Reports that change sign must not make the
-// command switch between them.
+// +90 and -90 degrees have the same ridges, and are equally far from 0. Reports that change sign must not make the
+// command switch between these orientations.
 TEST(PaperReach, ReportsThatChangeSign_DoNotFlipAFixedPlate) {
   PaperReach fixed({.fixed_plate_orientation_deg = 90.0, .plate = {.max_speed_deg_s = 400.0, .latency_ns = 500 * ms}},
                    {.real_direction_deg = -5, .virtual_direction_deg = 5});
@@ -225,7 +225,7 @@ TEST(PaperReach, ARestingFinger_LeavesThePlateAtRest) {
   }
 }
 
-// A lift and a dropout before the motion have the same effect on the clock.
+// A lift before the motion has the same effect on the clock of the steps as a dropout.
 TEST(PaperReach, ALiftBeforeTheMotion_DoesNotDelayTheSteps) {
   std::vector<std::int64_t> steps;
   for (const Observation before : {Observation::none, Observation::lifted}) {
@@ -240,7 +240,7 @@ TEST(PaperReach, ALiftBeforeTheMotion_DoesNotDelayTheSteps) {
   EXPECT_EQ(steps[0], steps[1]);
 }
 
-// The prediction covers two of the ten seconds without a position, at 33 mm/s.
+// The finger moves at 33 mm/s.
 TEST(PaperReach, TenSecondsWithoutSamples_ArePredictedForTwo) {
   PaperReach controller({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_mm = 1000.0});
   int i = 0;

@@ -24,7 +24,7 @@ TEST(Participant, OneStep_GivesTheHandCalculatedResponse) {
   EXPECT_DOUBLE_EQ(step.motor_command_deg, 4.75);
 }
 
-// P + u is linear in P and in w_T, so derivatives equal differences.
+// P + u is linear in P and in w_T, so derivatives equal difference quotients.
 TEST(Participant, Slopes_EqualDifferencesOfTheStep) {
   const ParticipantInput input{.tactile_weight = 0.2,
                                .gain = 0.75,
@@ -76,7 +76,7 @@ TEST(Perception, AWindow_HasTheGainsOfTheNextSteps) {
   }
 }
 
-// L w / (1 - w): 90 * 0.15 / 0.85 = 15.88, and 84.5 / 9 = 9.389.
+// L w / (1 - w): 90 * 0.15 / 0.85 = 15.88, and 84.5 * 0.1 / 0.9 = 9.389.
 TEST(GapFeasibility, WeightsAndBounds_GiveTheHandCalculatedLargestGap) {
   EXPECT_NEAR(max_gap_deg(0.15, 90.0), 15.882, 1e-3);
   EXPECT_NEAR(max_gap_deg(0.10, 84.5), 9.389, 1e-3);
@@ -102,8 +102,8 @@ TEST(GapFeasibility, TheLargestGap_IsFeasibleWithZeroMargin) {
 constexpr double directions_deg[] = {-40.0, -7.5, -5.0, 0.0, 4.0, 5.0, 12.0, 33.0};
 constexpr double tactile_weights[] = {0.02, 0.05, 0.1, 0.15, 0.3, 0.49};
 
-// The participant of paper section II-A without noise, over a plate at the returned orientation: the finger settles in
-// the returned direction, and the perceived direction is the virtual one.
+// The participant of paper section II-A without noise, over a plate at the returned orientation. The perceived
+// direction becomes the virtual direction.
 TEST(GapFeasibility, TheReturnedOrientation_SettlesTheFingerInTheReturnedDirection) {
   for (const double w : tactile_weights) {
     for (const double real_deg : directions_deg) {

@@ -24,7 +24,7 @@ TEST(AngleSums, ThreeAngles_GiveTheHandCalculatedMeanAndRms) {
   EXPECT_DOUBLE_EQ(sums.rms_deg(3), std::sqrt(41.0 / 3.0));
 }
 
-// 1000 degrees are 1.05e9 units; the sum of squares of 100 of them exceeds 2^64.
+// 1000 degrees are 1.05e9 units; the sum of the squares of 128 such angles exceeds 2^64.
 TEST(AngleSums, HugeAngles_AreClampedWithoutOverflow) {
   AngleSums one_by_one;
   AngleSums doubled;
@@ -102,7 +102,7 @@ class Hash {  // FNV-1a of 64-bit words
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-// The same bits with every compiler, optimisation level and host.
+// The results have the same bits with every compiler, optimisation level and host.
 TEST(Batch, FixedSeeds_GiveTheDocumentedBits) {
   Hash draws;
   for (std::uint32_t trial = 0; trial < 1000; ++trial) {
