@@ -31,8 +31,8 @@ class Matching {
  private:
   bool joins(std::size_t row, std::size_t column) const { return costs_[row * columns_ + column] <= limit_; }
 
-  // Breadth-first search from all unassigned rows: sets the depth of each row, the number of assigned pairs on the
-  // shortest path from an unassigned row to it. Returns true if an unassigned column can be reached.
+  // Breadth-first search from all unassigned rows: sets the depth of each row, that is, the number of assigned pairs on
+  // the shortest path from an unassigned row to this row. Returns true if an unassigned column can be reached.
   bool find_depths() {
     queue_.clear();
     for (std::size_t row = 0; row < column_of_.size(); ++row) {
@@ -97,7 +97,7 @@ class Matching {
   std::vector<std::size_t> column_of_;
   std::vector<std::size_t> row_of_;
   std::vector<std::size_t> depth_;
-  std::vector<std::size_t> next_;  // next column that the search tries for each row
+  std::vector<std::size_t> next_;  // for each row, the next column that the search tries
   std::vector<std::size_t> queue_;
   std::vector<std::size_t> path_;
   std::size_t size_ = 0;

@@ -15,8 +15,8 @@ using T = PersonState;
 // Variance of the square of a normal variable, in units of the squared variance.
 constexpr double square_variance = 2.0;
 
-// True if the weight has dropped by several SDs. The filter may have mistaken the drop for a maximum of the illusion at
-// a small angle; the controller then stays below that angle, and would never observe the illusion beyond it.
+// Returns true if the weight has dropped by more than illusion_fall_deviations SDs. The filter may have mistaken the
+// drop for a maximum of the illusion at a small angle, beyond which the controller would never observe the illusion.
 bool has_fallen(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
   const LinearIllusion was = linear_illusion(before);
   return was.weight - linear_illusion(learnt).weight > tuning.illusion_fall_deviations * was.weight_sd;
@@ -32,10 +32,11 @@ void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
     for (const int j : illusion) belief->covariance(i, j) = unknown.covariance(i, j);
 }
 
-// Divides the change of bias and habit between the person and this reach. In a reach, both deviate from those of the
-// person by normal deviations with covariance D. Their expectation, given the change from prior to posterior, is
+// Divides the changes of bias and habit between the person and the last reach. In each reach, bias and habit deviate
+// from those of the person by normal deviations with covariance D. The expectation of these deviations, given the
+// change from prior to posterior, is
 //
-//   deviations = K (learnt - before),   K = D P^-1,   P: prior covariance of the traits in this reach, including D
+//   deviations = K (learnt - before),   K = D P^-1,   P: prior covariance of the traits in a reach, including D
 PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
   using Pair = Eigen::Matrix<double, 2, 2>;
   using Rows = Eigen::Matrix<double, 2, T::traits>;
@@ -65,8 +66,9 @@ PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& l
   return next;
 }
 
-// Mean square error of a habit that was estimated with a prior narrower than the person's. v: variance of that prior,
-// P: of the posterior, V: of the person's habit before the reach, e: of the reach's measurement of the habit, K: gain.
+// Returns the mean square error of a habit that was estimated with a prior narrower than the person's. v: variance of
+// this prior; P: of the posterior; V: of the person's habit before the reach; e: of the measurement by the reach; K:
+// gain.
 //
 //   1 - K = P / v,   K e = P;   mean square error = (1 - K)^2 V + K^2 e
 double habit_variance_deg2(const PersonBelief& before, const PersonBelief& steering, const PersonBelief& next) {
@@ -86,7 +88,7 @@ RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& l
   const double limited_deg2 = std::clamp(learnt.motor_variance_deg2, 0.5 * assumed_deg2, 2.0 * assumed_deg2);
   next.participant.motor_variance_deg2 =
       std::clamp(limited_deg2, Estimator::min_motor_variance_deg2, Estimator::max_motor_variance_deg2);
-  // If the variance was limited, its SD is not reliable.
+  // The SD of a limited variance is not reliable.
   if (limited_deg2 == learnt.motor_variance_deg2)
     next.estimator.motor_variance_sd_deg2 =
         std::max(learnt.motor_variance_sd_deg2, config.tuning.min_carried_motor_variance_sd_deg2);
@@ -107,7 +109,7 @@ PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, boo
                      const Tuning& tuning) {
   const PersonBelief steering = steering_belief(before, tuning);
   PersonBelief next = without_deviation(steering, learnt, tuning);
-  // Removes the asymmetry that the filter's rounding has caused.
+  // Rounding has made the filter's covariance asymmetric.
   next.covariance = (0.5 * (next.covariance + next.covariance.transpose())).eval();
   set_variance(next, T::habit, habit_variance_deg2(before, steering, next));
   for (int i = 0; i < T::traits; ++i) next.covariance(i, i) += square(tuning.traits[i].change);

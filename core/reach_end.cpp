@@ -48,7 +48,7 @@ void ReachEnd::observe(const FingerSample& sample, const FingerPhase& finger) {
   progress_.not_at_start = !begun;
 }
 
-// Compares the squared cosine of the angle between the path and the line to the target.
+// Compares the squared cosine of the angle between the path and the line to the target with its limit.
 bool ReachEnd::is_on_course(const PlatePoint& place) const {
   const PlatePoint to_place = place - way_from_, to_target = target_ - way_from_;
   const double product = to_place.right_mm * to_target.right_mm + to_place.away_mm * to_target.away_mm;

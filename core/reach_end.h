@@ -1,8 +1,8 @@
 // Detects the end of a reach, under either controller, from the positions of the finger.
 //
-// A reach can end once the finger was at the start or has moved. It ends after a rest
-//   of 0.4 s near the real target, that is within a quarter of its distance from the start (at least 15 mm), if the
-//            finger has covered nine tenths of the path or the path is at most 15 mm long
+// A reach can end once the finger has been at the start or has moved. The reach ends after a rest
+//   of 0.4 s near the real target, that is, within a quarter of the target's distance from the start (or within 15 mm,
+//            if that is more), if the finger has covered nine tenths of the path or the path is at most 15 mm long
 //   of 2 s   if the finger has covered three tenths of the path, at most 60 degrees off the direction of the target;
 //            the reach has missed if the finger is not near the target
 // The path begins at the start or, after a jump of the target, at the position of the finger at that time. The times
@@ -18,26 +18,25 @@ namespace hrt {
 
 /// A finger within this distance of the start is at the start.
 inline constexpr double at_start_mm = 15.0;
-/// A target that moves by less in one call of retarget() does not restart the time of the rest.
+/// A target that moves by less than this in one call of retarget() does not restart the time of the rest.
 inline constexpr double max_target_step_mm = 2.0;
 
 /// Detector for one reach. Uses no heap, lock or exception.
 class ReachEnd {
  public:
   ReachEnd() = default;
-  /// Begins a reach from `start` to another point `target`. `start_is_felt`: the position of the first rest is the
-  /// start.
+  /// Begins a reach from `start` to another point, `target`. `start_is_felt`: the first rest of the finger is at
+  /// `start`.
   ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt)
       : start_(start), target_(target), way_from_(start), start_is_felt_(start_is_felt) {}
 
   /// Changes the target to `target` while the finger is at `finger`.
   void retarget(const PlatePoint& target, const PlatePoint& finger);
 
-  /// Processes a sample. `finger`: its phase, including this sample.
+  /// Processes a sample. `finger`: the phase detector, which has already processed this sample.
   void observe(const FingerSample& sample, const FingerPhase& finger);
   const ReachProgress& progress() const { return progress_; }
-  /// True if the last sample completed a rest at the start by a finger that was first seen elsewhere: the reach begins
-  /// now.
+  /// True if the finger was first seen elsewhere, and with the last sample rests at the start: the reach begins now.
   bool came_to_start() const { return came_to_start_; }
 
  private:

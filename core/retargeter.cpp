@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// Bound of the gap, since the bearing of the real target is undefined at the target itself.
+// Bound of the gap after a retarget: a reach requires less than 90, but near the target its bearing may have any value.
 constexpr double max_seen_gap_deg = 89.0;
 constexpr double min_seen_distance_mm = 1.0;
 
@@ -24,8 +24,8 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
   return paper;
 }
 
-// If only the total noise is known, most of it is assumed in both parts: correlated noise that is not there costs
-// little, but neglected correlated noise looks like a motion.
+// Returns the noise for the controller for people; nullopt if unknown. A total noise is divided into a white and a
+// correlated part, since neglected correlated noise looks like a motion, and too large an assumption costs little.
 std::optional<TrackerNoise> noise_of(const EstimatorConfig& config, const Tuning& tuning) {
   const auto known_mm = [&tuning](double noise_mm) { return std::max(noise_mm, tuning.min_known_noise_mm); };
   if (config.correlated_noise_mm > 0.0)
@@ -99,7 +99,7 @@ const PlateCommand& Retargeter::update(const FingerSample& sample) {
     PlateHandover now = *handover();
     --now.samples;
     begin(reach_, now);
-    return update(sample);  // the new reach processes the sample again, and cannot end by it
+    return update(sample);  // the new reach processes the sample again; a reach does not end at its first sample
   }
   const ReachProgress& progress = end_.progress();
   command_.arrived = progress.arrived;
@@ -143,9 +143,8 @@ std::optional<PersonBelief> Retargeter::learnt() const {
   return has_person_controller() ? std::get_if<PersonReach>(&*controller_)->learnt() : std::nullopt;
 }
 
-// Returns the remaining reach as seen from the present positions. The real direction is seen from the tracked position.
-// The virtual direction is seen from the perceived position, which is dead-reckoned: the person is assumed to perceive
-// a straight motion in the virtual direction, however the plate has deflected the hand.
+// Returns the result of retarget(). The perceived position is found by dead reckoning: the person is assumed to
+// perceive a straight motion in the virtual direction, however the plate has deflected the hand.
 Reach Retargeter::reach_from_present_position(const PlatePoint& real, const PlatePoint& virtual_place) {
   Reach seen = reach_;
   seen.start =
@@ -170,7 +169,7 @@ Reach Retargeter::reach_from_present_position(const PlatePoint& real, const Plat
   return seen;
 }
 
-// State for the reach that replaces this one; nullopt before the first sample, when no command has been returned.
+// Returns the state for the reach that replaces this one; nullopt before the first sample.
 std::optional<PlateHandover> Retargeter::handover() const {
   const PlateHandover handover = std::visit([](const auto& controller) { return controller.handover(); }, *controller_);
   return handover.samples > 0 ? std::optional(handover) : std::nullopt;

@@ -19,23 +19,22 @@ class Retargeter {
   /// Requires is_valid(config).
   explicit Retargeter(RetargeterConfig config);
 
-  /// Begins a reach. Requires is_valid(reach) for the goal of config.participant.
+  /// Begins a reach. Requires is_valid(reach, goal) for the goal direction of config.participant.
   void begin(const Reach& reach);
 
-  /// Begins `reach` in place of the present one; the plate continues its motion. Requires begin() and is_valid(reach).
+  /// Begins `reach` in place of the present one; the plate continues its motion. Requires begin() and a valid `reach`.
   void begin_here(const Reach& reach);
 
-  /// Processes one sample, not earlier than the previous one, and returns command(). After a time without samples, at
-  /// most StepClock::max_catch_up_steps are predicted. Requires begin().
+  /// Processes one sample, not earlier than the previous one, and returns command(). Requires begin().
   const PlateCommand& update(const FingerSample& sample);
 
-  /// Moves the targets of the present reach, which keeps all estimates. Returns the reach as seen from the position of
-  /// the finger; the virtual target is seen from the position that the person will perceive when they respond. Before
-  /// the finger moves, and without positions, directions are seen from the start. Requires begin().
+  /// Moves the targets of the present reach; estimates are kept. Returns the remaining reach: the real target as seen
+  /// from the finger, and the virtual target as seen from where the person will perceive the finger when they respond.
+  /// Before the finger moves, and without positions, both are seen from the start. Requires begin().
   Reach retarget(const PlatePoint& real, const PlatePoint& virtual_place);
 
-  /// Advances the paper's controller by one model step, without a clock, with the finger moving along
-  /// `finger_direction_deg` (finite). Do not mix with update() in one reach. Requires begin().
+  /// Advances the paper's controller by one model step, without a clock; the finger moves in `finger_direction_deg`
+  /// (finite). Do not use step() and update() in the same reach. Requires begin().
   const PlateCommand& step(double finger_direction_deg);
 
   /// The last command; before the first sample, that of begin(). Valid until the next call. Requires begin().
@@ -48,9 +47,10 @@ class Retargeter {
   const PersonFilter* person_filter() const {
     return has_person_controller() ? &std::get<PersonReach>(*controller_).filter() : nullptr;
   }
-  /// Position of the finger; nullopt before it moves, and without positions. Requires begin().
+  /// Position of the finger; nullopt before the finger moves, and without positions. Requires begin().
   std::optional<FingerPosition> finger() const;
-  /// Posterior of the person, for carried(); nullopt under the paper's controller, after an early end or a misfit.
+  /// Posterior of the person, for carried() of learning.h; nullopt under the paper's controller, and if the reach ended
+  /// early or the model did not fit.
   std::optional<PersonBelief> learnt() const;
 
  private:
@@ -60,13 +60,13 @@ class Retargeter {
   Reach reach_from_present_position(const PlatePoint& real, const PlatePoint& virtual_place);
 
   RetargeterConfig config_;
-  Reach reach_{};  // as begun, or as last retargeted
+  Reach reach_{};  // argument of begin(), or result of the last retarget()
   ReachEnd end_;
   PlateCommand command_;
-  // Position of the finger at the beginning or a later retarget, and the position that the person then perceived.
+  // Position of the finger at the beginning or at the last retarget, and the position that the person perceived then.
   PlatePoint waypoint_;
   PlatePoint perceived_waypoint_;
-  // The paper's controller replaces that for people if samples have directions only. nullopt before begin().
+  // nullopt before begin().
   std::optional<std::variant<PersonReach, PaperReach>> controller_;
 };
 

@@ -22,28 +22,26 @@ enum class ControlMode {
   fixed_plate,  ///< no control: the plate stays at RetargeterConfig::fixed_plate_orientation_deg (paper Fig. 8)
 };
 
-/// Configuration; by default, of the paper's controller. Only ControlMode::reach uses the fields marked [reach].
+/// Configuration; defaults: the paper's controller. Only ControlMode::reach uses the fields marked [reach].
 struct RetargeterConfig {
   Participant participant;  ///< model of the participant; adaptation starts at its w_T
   MpcConfig mpc;
   ControlMode mode = ControlMode::mpc;
   double fixed_plate_orientation_deg = 0.0;   ///< finite
-  EstimatorConfig estimator;                  ///< estimator of the paper's controller
+  EstimatorConfig estimator;                  ///< prior of the paper's controller, and noise of the tracker for both
   PlateDynamics plate;                        ///< latency at most `max_lead` model steps
   std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
   PersonBelief person = unknown_person();     ///< [reach] prior of the person
-  ReachControlConfig reach;
-  /// [reach] Age of a position at the time of its sample, 0 to 0.5 s.
-  std::int64_t tracker_latency_ns = 0;
-  double tracker_bearing_sd_deg = 0.0;  ///< [reach] SD of the tracked bearing of a reach, 0 to 45
-  bool plate_waits = false;             ///< [reach] the plate does not turn before the motion
-  bool start_is_felt = false;           ///< [reach] the finger is at the start when it rests, for example in a dimple
+  ReachControlConfig reach;                   ///< [reach] limits of the plate
+  std::int64_t tracker_latency_ns = 0;        ///< [reach] age of a position at the time of its sample, 0 to 0.5 s
+  double tracker_bearing_sd_deg = 0.0;        ///< [reach] SD of the tracked bearing of a reach, 0 to 45
+  bool plate_waits = false;                   ///< [reach] the plate does not turn before the motion
+  bool start_is_felt = false;                 ///< [reach] the first rest of the finger is at the start, as in a dimple
   FrameCovariance frame = FrameCovariance::Zero();  ///< [reach] covariance of the plate's pose
   TouchedFrame touched;  ///< correction of the tracker's frame; samples are already corrected
   Tuning tuning;         ///< [reach] tuned numbers
 };
 
-/// True if every field is in its range.
 bool is_valid(const RetargeterConfig& config);
 
 }  // namespace hrt

@@ -16,18 +16,17 @@ enum class Observation {
   position,   ///< FingerSample::position
 };
 
-/// A sample; only the field that its observation names is read.
+/// A sample; of `direction_deg` and `position`, only the observed one is read.
 struct FingerSample {
   std::int64_t time_ns = 0;  ///< monotonic clock of the caller; not earlier than in the previous sample
   Observation observation = Observation::none;
-  double direction_deg = 0.0;  ///< finite
-  PlatePoint position;         ///< finite
-  bool off_plate = false;      ///< the position lies beyond the plate's rim
-  /// Plate orientation, if the device reports it.
-  std::optional<double> plate_orientation_deg;
+  double direction_deg = 0.0;                   ///< finite
+  PlatePoint position;                          ///< finite
+  bool off_plate = false;                       ///< true: the position is beyond the plate's rim
+  std::optional<double> plate_orientation_deg;  ///< plate orientation, if the device reports one
 };
 
-/// Longest prediction without a sample; later, the position is unknown.
+/// Longest time over which the motion of the finger is predicted from one sample.
 inline constexpr double max_gap_s = 2.0;
 
 }  // namespace hrt

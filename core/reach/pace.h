@@ -3,7 +3,7 @@
 //   s(u) = (1 - a) (10 eta^3 - 15 eta^4 + 6 eta^5) + a u,   eta = u + kappa u (1 - u)
 //
 // where a is the evenness (0: the bell-shaped speed of a minimum-jerk motion, 1: constant speed) and kappa the skew (0:
-// symmetric; 0.4: for a = 0, the speed peaks at 0.37 of the time).
+// the speed is symmetric in time; 0.4, for a = 0: the speed peaks at 0.37 of the time).
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace hrt {
 struct Progress {
   double share;         ///< s
   double rate;          ///< ds/du, first derivative
-  double acceleration;  ///< second derivative
-  double by_evenness;   ///< d(ds/du) / da
+  double acceleration;  ///< second derivative of s by u
+  double by_evenness;   ///< d(ds/du) / da, derivative of `rate` by a
 };
 
-/// Returns s at `phase` u, clamped to [0, 1]. `evenness` in [0, 1], `skew` in [-1, 1].
+/// Returns s and its derivatives at `phase` u, which is clamped to [0, 1]. `evenness` in [0, 1], `skew` in [-1, 1].
 inline Progress progress(double evenness, double phase, double skew = 0.0) {
   const double u = std::clamp(phase, 0.0, 1.0);
   const double w = u * (1.0 + skew * (1.0 - u));
@@ -32,7 +32,7 @@ inline Progress progress(double evenness, double phase, double skew = 0.0) {
           .by_evenness = 1.0 - bell * w_by_u};
 }
 
-/// Inverse of progress(): returns u for a fraction of the path, with an error of at most 1e-5; 1 for fractions above 1.
+/// Inverse of progress(): returns u for the fraction `share` of the path, with an error of at most 1e-6.
 inline double phase_at(double evenness, double share, double skew = 0.0) {
   double low = 0.0;
   double high = 1.0;

@@ -11,20 +11,20 @@
 
 namespace hrt {
 
-/// Feasible gap for a pair of targets and a person. Angles in degrees.
+/// Feasible gap for a pair of targets and a person.
 struct GapFeasibility {
-  bool reachable;      ///< the plate can sustain the gap
-  double gap_deg;      ///< from the real direction to the direction that the person aims at
+  bool reachable;      ///< true: the gap is feasible
+  double gap_deg;      ///< angle from the real direction to the direction at which the person aims
   double max_gap_deg;  ///< largest feasible gap, >= 0
-  double margin_deg;   ///< max_gap_deg - |gap_deg|; negative if not feasible
-  /// plate orientation that sustains the settling direction; at the bound if the gap is not feasible
+  double margin_deg;   ///< max_gap_deg - |gap_deg|; negative if the gap is not feasible
+  /// plate orientation that sustains settling_direction_deg; at the plate's bound if the gap is not feasible
   double plate_orientation_deg;
   double settling_direction_deg;  ///< direction in which the finger settles: the real direction if reachable
 };
 
 /// A pair of targets seen from the start of the reach; directions in degrees from the mid-line.
 struct Reach {
-  /// direction of the real target, finite; within 90 of the goal, which is the virtual direction plus the bias
+  /// direction of the real target, finite; within 90 degrees of the goal, the virtual direction plus the bias
   double real_direction_deg;
   double virtual_direction_deg;        ///< direction of the virtual target, finite
   double plate_orientation_deg = 0.0;  ///< plate orientation before the reach
@@ -33,7 +33,7 @@ struct Reach {
   double duration_s = 0.0;             ///< expected duration of the motion, 0.1 to 20; 0: unknown
 };
 
-/// True if every field is in its range for a person with this goal direction.
+/// Returns true if every field is in its range for a person whose goal is `goal_direction_deg`.
 inline bool is_valid(const Reach& reach, double goal_direction_deg) {
   return std::isfinite(reach.real_direction_deg) && std::isfinite(reach.virtual_direction_deg) &&
          std::abs(reach.real_direction_deg - goal_direction_deg) < 90.0 && std::isfinite(reach.plate_orientation_deg) &&
@@ -53,11 +53,11 @@ struct PlateHandover {
 /// Progress of a reach (reach_end.h).
 struct ReachProgress {
   bool arrived = false;       ///< the reach is over
-  bool off_target = false;    ///< the reach ended away from the target, or the finger is 60 degrees off its direction
-  bool not_at_start = false;  ///< the finger rests elsewhere, and has not been at the start
+  bool off_target = false;    ///< the reach ended away from the target, or its path is over 60 degrees off the target
+  bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
 };
 
-/// SD of an unknown miss.
+/// SD, in degrees, of an unknown miss.
 inline constexpr double unknown_miss_sd_deg = 180.0;
 
 /// Command for the plate, with the state from which it was computed.
@@ -65,33 +65,35 @@ struct PlateCommand {
   /// orientation to command; of those with the same ridges, the one that plate_limits.h selects
   double plate_orientation_deg = 0.0;
   double finger_direction_deg = 0.0;     ///< direction of motion, estimated or predicted
-  double bearing_deg = 0.0;              ///< bearing of the finger from the start of the reach; 0 until it moves
+  double bearing_deg = 0.0;              ///< bearing of the finger from the start of the reach; 0 before the motion
   double perceived_direction_deg = 0.0;  ///< perceived direction; under the paper's controller, at the end of the step
-  /// direction of the real target from the finger; under the paper's controller, the nearest feasible direction
+  /// direction to which the finger is steered: that of the real target from the finger; under the paper's controller,
+  /// that of the real target from the start or the last retarget, or the nearest feasible direction
   double aimed_direction_deg = 0.0;
-  double tactile_weight = 0.0;     ///< estimated w_T; of a person, the shift divided by the angle at 60 degrees
+  /// estimated w_T; under the controller for people, the shift of the perceived direction at 60 degrees, divided by 60
+  double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;  ///< SD of the tactile weight; 0 without adaptation
-  double distance_to_go_mm = 0.0;  ///< distance to the real target; from the start until the first position
-  /// time until arrival, then 0; -1 before the motion, in a pause and under the paper's controller
+  double distance_to_go_mm = 0.0;  ///< distance to the real target from the finger or, before a position, the start
+  /// time until arrival; 0 after arrival; -1 before the motion, in a pause and under the paper's controller
   double time_to_go_s = -1.0;
-  double felt_error_deg = 0.0;      ///< estimate of the present perceived-direction error
+  double felt_error_deg = 0.0;      ///< estimated present perceived-direction error; 0 under the paper's controller
   double predicted_miss_deg = 0.0;  ///< predicted bearing of the position of arrival minus that of the real target
   /// SD of the true position of the finger across the line to the real target, as an angle from the start; includes the
-  /// uncertainty of filter and registration.
+  /// uncertainty of filter, registration and tracker.
   double bearing_error_sd_deg = unknown_miss_sd_deg;
-  double nis = 0.0;                        ///< normalised innovation squared of recent positions; 2 is expected
-  std::int64_t step = -1;                  ///< model step; -1 before the finger moves
+  double nis = 0.0;                        ///< mean normalised innovation squared of recent positions; 2 is expected
+  std::int64_t step = -1;                  ///< model step; -1 before the motion
   ActiveBound active = ActiveBound::none;  ///< bound that limits the command
   bool for_people = false;                 ///< true: controller for people; false: the paper's controller
-  bool held = true;                        ///< this call repeated the former command
-  bool predicted = false;                  ///< no recent sample: the finger is predicted by the model
+  bool held = true;                        ///< the orientation was not planned in this call
+  bool predicted = false;                  ///< no recent observation: the model predicts the finger
   bool unreachable = false;                ///< the gap is not feasible for this person
   bool optimal = true;        ///< false: the solver reached its iteration limit; the command is within its bounds
   bool misfit = false;        ///< the model does not describe the motion: the estimates are not reliable
-  bool off_target = false;    ///< the predicted end is more than `near_deg` off the real target's bearing
-  bool resting = false;       ///< the finger rests within the reach
+  bool off_target = false;    ///< the predicted end is over `near_deg` off the target, or ReachProgress has this flag
+  bool resting = false;       ///< the finger rests within the reach, or is lifted; not under the paper's controller
   bool arrived = false;       ///< the reach is over (reach_end.h)
-  bool not_at_start = false;  ///< the finger rests away from the start
+  bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
   bool miss_unknown = true;   ///< predicted_miss_deg is unknown
   // The caller of the controller sets the following fields.
   bool lifted = false;                 ///< the finger does not touch the plate
@@ -102,27 +104,27 @@ struct PlateCommand {
   bool fault = false;                  ///< a computed value was not finite
 };
 
-/// A reach is on target if the bearing of its end is within this angle of the real target's.
+/// A reach is on target if the bearing of its end differs from that of the real target by at most this angle.
 inline constexpr double near_deg = 1.5;
 
-/// Estimates of the paper's controller in a reach. SDs are those of the filter.
+/// Estimates of the paper's controller in a reach.
 struct FingerEstimate {
   PlatePoint position;
   double speed_mm_s = 0.0;
   double direction_deg = 0.0;
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
-  double tracker_noise_mm = 0.0;
-  /// Estimated sigma_u^2 and its SD; about the configured values if the reach does not determine them.
+  double tracker_noise_mm = 0.0;  ///< SD of the noise of a coordinate
+  /// Estimated sigma_u^2 and its SD; near the configured values if the reach does not determine sigma_u^2.
   double motor_variance_deg2 = 0.0;
   double motor_variance_sd_deg2 = 0.0;
 };
 
-/// Estimates of the controller for people in a reach. SDs are those of the filter.
+/// Estimates of the controller for people in a reach.
 struct PersonEstimate {
-  double curve = 0.0;  ///< b of illusion.h: 0 is linear
+  double curve = 0.0;  ///< b of illusion.h; 0: the illusion is linear
   double curve_sd = 0.0;
-  double gain_per_s = 0.0;  ///< k, 1/s
+  double gain_per_s = 0.0;  ///< k: rate at which the person corrects a perceived-direction error
   double gain_sd_per_s = 0.0;
   double bias_deg = 0.0;  ///< goal minus virtual direction
   double bias_sd_deg = 0.0;
@@ -139,23 +141,23 @@ struct ReachSummary {
   double final_direction_deg = 0.0;      ///< direction of motion in the last step, estimated or predicted
   double final_miss_deg = 0.0;           ///< final_direction_deg minus the real direction
   double perceived_direction_deg = 0.0;  ///< perceived direction in the last step
-  double perceived_error_deg = 0.0;      ///< perceived_direction_deg minus virtual direction and configured bias
+  double perceived_error_deg = 0.0;      ///< perceived_direction_deg - (virtual direction + configured bias)
   double distance_to_target_mm = 0.0;    ///< distance from the last position, observed or predicted, to the real target
   double bearing_deg = 0.0;              ///< value in the last PlateCommand
-  double bearing_error_deg = 0.0;        ///< bearing_deg minus the bearing of the real target; 0 if it is unknown
+  double bearing_error_deg = 0.0;        ///< bearing_deg minus the bearing of the real target; 0 before the motion
   double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< value in the last PlateCommand
-  double peak_felt_error_deg = 0.0;                   ///< largest size of PlateCommand::felt_error_deg
-  double rms_felt_error_deg = 0.0;
-  double nis = 0.0;                      ///< largest value in a PlateCommand
-  bool unreachable = false;              ///< value in the last PlateCommand
-  bool misfit = false;                   ///< true if any PlateCommand had it
-  bool off_target = false;               ///< the reach ended more than `near_deg` off the real target's bearing
-  bool registration_doubtful = false;    ///< true if any PlateCommand had it
+  double peak_felt_error_deg = 0.0;                   ///< largest absolute value of PlateCommand::felt_error_deg
+  double rms_felt_error_deg = 0.0;                    ///< root mean square of PlateCommand::felt_error_deg
+  double nis = 0.0;                                   ///< largest value in a PlateCommand
+  bool unreachable = false;                           ///< value in the last PlateCommand
+  bool misfit = false;                                ///< true if any PlateCommand had this flag
+  bool off_target = false;               ///< the end is over `near_deg` off the target, or ReachProgress has this flag
+  bool registration_doubtful = false;    ///< true if any PlateCommand had this flag
   bool contacts_disagree = false;        ///< as in the last PlateCommand, or after the contact of this reach
   bool not_at_start = false;             ///< value in the last PlateCommand
   bool miss_unknown = false;             ///< no motion was observed
-  bool implausible = false;              ///< true if any PlateCommand had it
-  FingerEstimate estimate;               ///< under the controller for people, only w_T and the tracker noise
+  bool implausible = false;              ///< true if any PlateCommand had this flag
+  FingerEstimate estimate;               ///< under the controller for people, only w_T, its SD and the tracker noise
   std::optional<PersonEstimate> person;  ///< nullopt under the paper's controller
 };
 

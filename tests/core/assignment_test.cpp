@@ -25,7 +25,7 @@ Quality quality(const std::vector<double>& costs, std::size_t columns, const std
     const std::size_t column = column_of[row];
     if (column == unserved) continue;
     EXPECT_LT(column, columns);
-    EXPECT_FALSE(taken[column]) << "column " << column << " serves two rows";
+    EXPECT_FALSE(taken[column]) << "column " << column << " is assigned to two rows";
     taken[column] = true;
     EXPECT_NE(costs[row * columns + column], never);
     ++found.served;
@@ -34,8 +34,8 @@ Quality quality(const std::vector<double>& costs, std::size_t columns, const std
   return found;
 }
 
-// Brute-force reference: tries each unassigned column, and no column, for every row. A result with more assigned rows
-// is better; of equal ones, that with the smaller maximum.
+// Brute-force reference: tries each unassigned column, and no column, for every row. `best` is the result with the most
+// assigned rows and, among these, the smallest maximum.
 void try_all(const std::vector<double>& costs, std::size_t columns, std::size_t row, std::vector<bool>& taken,
              const Quality& so_far, Quality& best) {
   if (row * columns == costs.size()) {
@@ -59,7 +59,7 @@ Quality best_of_all(const std::vector<double>& costs, std::size_t columns) {
   return best;
 }
 
-// The cheapest pair (1) would force a pair of 9; without it, the maximum is 4.
+// The cheapest pair (cost 1) would force a pair with cost 9; without the cheapest pair, the maximum is 4.
 TEST(Assignment, CostsWithADearPair_GiveTheSmallestMaximum) {
   EXPECT_EQ(assign_exclusively(std::vector<double>{1.0, 3.0, 4.0, 9.0}, 2), (std::vector<std::size_t>{1, 0}));
 }
@@ -93,7 +93,7 @@ TEST(Assignment, RandomCosts_GiveTheResultOfAnExhaustiveSearch) {
   }
 }
 
-// A chain in which each row has its own column and the next one: the augmenting path contains all rows.
+// A chain in which each row can have its own or the next column: an augmenting path may contain all rows.
 TEST(Assignment, AChainOf1000Rows_IsAssignedCompletely) {
   constexpr std::size_t size = 1000;
   std::vector<double> costs(size * size, never);

@@ -43,8 +43,8 @@ TEST(Learning, ACovarianceWithRoundingError_BecomesSymmetric) {
   EXPECT_TRUE(is_valid(carried(unknown_person(), learnt, true, unknown_person())));
 }
 
-// A weight of 0.28 +- 0.02 drops to 0.18, by 5 SDs, in a reach that missed: the illusion is reset, the other traits are
-// kept. Nothing is reset after a hit, or after a drop below 1.2 SDs.
+// In a reach that missed, a weight of 0.28 +- 0.02 drops to 0.18, by 5 SDs: the illusion is reset, and the other traits
+// are kept. Nothing is reset after a hit, or after a drop by less than 1.2 SDs.
 TEST(Learning, ADropOfTheWeightAfterAMiss_ResetsTheIllusion) {
   const PersonBelief unknown = unknown_person();
   PersonBelief before = unknown;
@@ -66,9 +66,9 @@ TEST(Learning, ADropOfTheWeightAfterAMiss_ResetsTheIllusion) {
   EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonState::weight), 0.18);
 }
 
-// Prior: bias 0 +- 4, scatter 1.2 +- 0.8. A reach measures a bias of 3 +- 0.71. The person's bias becomes
-// 3 * 16 / (16 + 1.2^2), and this reach deviates by the rest, 0.248. The expected square of the deviation is
-// 0.248^2 + 1.3245; the squared scatter moves towards it by 8 / 17 of the difference.
+// Prior: bias 0 +- 4, scatter 1.2 +- 0.8. The posterior of a reach has a bias of 3 +- 0.71. The person's bias becomes
+// 3 * 16 / (16 + 1.2^2), and the reach deviates from it by the rest, 0.248. The expected square of this deviation is
+// 0.248^2 + 1.3245; the squared scatter moves towards this value by 8 / 17 of the difference.
 TEST(Learning, ADeviationOfOneReach_IsDividedBetweenBiasAndScatter) {
   const PersonBelief unknown = unknown_person();
   PersonBelief learnt = unknown;
@@ -84,9 +84,9 @@ TEST(Learning, ADeviationOfOneReach_IsDividedBetweenBiasAndScatter) {
   EXPECT_NEAR(carried(steady, learnt, false, unknown).mean(PersonState::bias), 3.0 * 16.0 / 16.04, 1e-4);
 }
 
-// A reach that began with a habit of 0 +- 2, and a scatter of e^1.4, measured 3 +- 1.41: the variance becomes 3.294,
-// which is 0.8235 of the prior one. The former error of +- 9 shrinks by this factor; its square is then 54.93. The
-// measured value adds 0.1765 x 3.294.
+// A reach begins with a habit of 0 +- 2 that has an SD of e^1.4 from reach to reach; the posterior is 3 +- 1.41. The
+// variance becomes 3.294, which is 0.8235 of the prior variance. The former error, 9 (SD), shrinks by this factor, to a
+// variance of 54.93. The measured value adds 0.1765 x 3.294.
 TEST(Learning, AHabitOfAReach_GivesTheSdOfItsErrorAndASmallerOneForSteering) {
   const PersonBelief unknown = unknown_person();
   PersonBelief learnt = steering_belief(unknown, {});
@@ -98,8 +98,8 @@ TEST(Learning, AHabitOfAReach_GivesTheSdOfItsErrorAndASmallerOneForSteering) {
   EXPECT_EQ(steering_belief(next, {}).mean, next.mean);
 }
 
-// SDs of 2 mm of prior and of contact: half of 4 mm at 100 mm, 1.146 degrees to the right, is attributed to the frame
-// and removed from the bias. A bias that was not estimated in reaches is unchanged.
+// Prior and contact have SDs of 2 mm. Half of 4 mm at 100 mm, that is, 1.146 degrees to the right, is attributed to the
+// frame and removed from the bias. A bias that was not estimated in reaches is unchanged.
 TEST(Learning, AContact_MovesPartOfTheBiasToTheFrame) {
   RetargeterConfig config;
   config.person.mean(PersonState::bias) = 2.0;

@@ -15,7 +15,7 @@ FingerSample position_at(std::int64_t time_ns, const PlatePoint& position) {
   return {.time_ns = time_ns, .observation = Observation::position, .position = position};
 }
 
-// The end of a reach with the phase of the finger that it depends on.
+// Passes samples to ReachEnd and to the phase detector that ReachEnd needs.
 class ObservedReach {
  public:
   explicit ObservedReach(bool start_is_felt = false) : end_(start, target, start_is_felt) {}
@@ -34,7 +34,7 @@ class ObservedReach {
   ReachEnd end_;
 };
 
-// Observes a finger at `place` from `from_ms` to `to_ms`. Returns the time at which the reach was over, or -1.
+// Observes a finger at `place` from `from_ms` to `to_ms`. Returns the time, in ms, at which the reach was over, or -1.
 int rest(ObservedReach& end, const PlatePoint& place, int from_ms, int to_ms) {
   for (int t = from_ms; t < to_ms; t += 10) {
     end.observe(position_at(t * ms, place));
@@ -49,7 +49,7 @@ struct Rest {
   bool off_target;
 };
 
-// The finger rests at the start, jumps to a position and stays there.
+// The finger rests at the start, jumps to a position and rests there.
 TEST(ReachEnd, RestsAtPositions_EndTheReachAfterTheDocumentedTimes) {
   for (const Rest& expected :
        {Rest{{0.0, 91.0}, 400, false}, Rest{{0.0, 89.0}, 2000, false}, Rest{{20.0, 98.0}, 400, false},
@@ -86,7 +86,7 @@ TEST(ReachEnd, AFingerThatComesToTheStart_BeginsTheReach) {
   EXPECT_FALSE(end.progress().not_at_start);
 }
 
-// The tracked position is 30 mm from the start, which the finger feels.
+// The user feels the start, which is tracked 30 mm to the right.
 TEST(ReachEnd, AFeltStart_IsTheRestPosition) {
   ObservedReach end(true);
   EXPECT_EQ(rest(end, {30.0, 0.0}, 0, 500), -1);
@@ -95,7 +95,6 @@ TEST(ReachEnd, AFeltStart_IsTheRestPosition) {
   EXPECT_NEAR(rest(end, {30.0, 98.0}, 1000, 3000), 1400, 100);
 }
 
-// A target that moves by small steps does not restart the time of the rest; a jump does, and the finger must follow.
 TEST(ReachEnd, ASmallRetarget_KeepsTheRestAndAJumpRestartsIt) {
   ObservedReach end;
   rest(end, start, 0, 500);
@@ -131,7 +130,7 @@ TEST(ReachEnd, LiftsAndGaps_AreNoRest) {
   }
 }
 
-// Minimum jerk, with a pause of 0.3 s at 70 % of the duration. At 80 and 90 % of it, 94 and 99 % of the path are done.
+// A minimum-jerk motion with a pause of 0.3 s at 70 % of its duration. At 80 %, 94 % of the path are covered.
 TEST(ReachEnd, AMotion_EndsSoonAfterItsStopAndNotBefore) {
   int early = 0;
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {

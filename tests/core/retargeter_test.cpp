@@ -22,14 +22,13 @@ FingerSample direction(int i) {
   return {.time_ns = i * 100 * ms, .observation = Observation::direction, .direction_deg = 0.5 * i};
 }
 
-// A person with a bias of 3 aims at 2 for a target at -1.
+// For a virtual target at -1 degrees, a person with a bias of 3 degrees aims at 2.
 TEST(Retargeter, TargetsMoreThan90DegreesFromTheGoal_AreInvalid) {
   const Reach wide{.real_direction_deg = 90, .virtual_direction_deg = -1};
   EXPECT_FALSE(is_valid(wide, goal_direction_deg(Participant{}, -1)));
   EXPECT_TRUE(is_valid(wide, goal_direction_deg(Participant{.bias_deg = 3.0}, -1)));
 }
 
-// If directions come before the first position, the paper's controller is used.
 TEST(Retargeter, TheFirstObservation_ChoosesTheController) {
   Retargeter retargeter({.mode = ControlMode::reach, .plate = {.max_speed_deg_s = 100.0, .latency_ns = 30 * ms}});
   retargeter.begin(reach);
@@ -50,7 +49,7 @@ TEST(Retargeter, TheFirstObservation_ChoosesTheController) {
   EXPECT_TRUE(retargeter.has_person_controller());
 }
 
-// The finger is away from the expected start: the reach is replaced while the plate moves.
+// The finger rests elsewhere than expected, so that the reach is replaced while the plate moves.
 TEST(Retargeter, AReachThatReplacesAnother_KeepsTheMovingPlate) {
   for (const ControlMode mode : {ControlMode::reach, ControlMode::mpc}) {
     Retargeter retargeter({.mode = mode, .plate = {.max_speed_deg_s = 100.0}});
@@ -65,7 +64,7 @@ TEST(Retargeter, AReachThatReplacesAnother_KeepsTheMovingPlate) {
     retargeter.begin_here(elsewhere);
     EXPECT_EQ(retargeter.summary().samples, 0);
     EXPECT_EQ(retargeter.summary().dropped_samples, 0);
-    // A model that assumed the commanded orientation would predict another perceived direction.
+    // With a model whose plate is at the commanded orientation, the perceived direction differs.
     const double felt_deg = retargeter.update({.time_ns = 100 * ms}).perceived_direction_deg;
     Retargeter there({.mode = mode, .plate = {.max_speed_deg_s = 100.0}});
     there.begin(elsewhere);
@@ -74,7 +73,6 @@ TEST(Retargeter, AReachThatReplacesAnother_KeepsTheMovingPlate) {
   }
 }
 
-// Targets that move during a reach.
 constexpr Reach gap_of_ten{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0};
 const PlatePoint real_place = point_ahead({}, -5.0, 100.0);
 const PlatePoint virtual_place = point_ahead({}, 5.0, 100.0);
@@ -110,7 +108,6 @@ Retargeter slid_until(ControlMode mode, std::int64_t until_ns) {
 
 constexpr ControlMode both_modes[] = {ControlMode::mpc, ControlMode::reach};
 
-// Before the motion, directions are seen from the start.
 TEST(Retargeter, ARetargetBeforeTheMotion_IsANewReach) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter(config_of(mode));
@@ -129,7 +126,7 @@ TEST(Retargeter, ARetargetBeforeTheMotion_IsANewReach) {
   }
 }
 
-// The finger has moved 50 mm along the mid-line; the person perceives 50 mm at 5 degrees.
+// The finger has moved 50 mm along the mid-line; the person perceives a motion of 50 mm in the direction 5 degrees.
 TEST(Retargeter, ARetarget_IsSeenFromTheTrackedAndThePerceivedPosition) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter = slid_until(mode, 1050 * ms);
@@ -144,7 +141,7 @@ TEST(Retargeter, ARetarget_IsSeenFromTheTrackedAndThePerceivedPosition) {
   }
 }
 
-// The second leg begins where the person perceived the finger at the first retarget, 50 mm from the start at 5 degrees.
+// The second leg begins at the perceived position of the first retarget: 50 mm from the start, at 5 degrees.
 TEST(Retargeter, ASecondRetarget_IsSeenFromTheEndOfTheFirstLeg) {
   Retargeter retargeter = slid_until(ControlMode::mpc, 1050 * ms);
   const double leg_deg = retargeter.retarget(real_place, moved(virtual_place, -60.0, 0.0)).virtual_direction_deg;
@@ -155,7 +152,6 @@ TEST(Retargeter, ASecondRetarget_IsSeenFromTheEndOfTheFirstLeg) {
               4.0);
 }
 
-// If a move of the target makes the gap infeasible, every command from the next one on has `unreachable`.
 TEST(Retargeter, AGapThatGrowsTooLarge_IsReportedUnreachable) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter = slid_until(mode, 700 * ms);
@@ -165,7 +161,6 @@ TEST(Retargeter, AGapThatGrowsTooLarge_IsReportedUnreachable) {
   }
 }
 
-// Random targets at every sample.
 TEST(Retargeter, AnyTargets_GiveFiniteCommands) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter(config_of(mode));
@@ -186,7 +181,7 @@ TEST(Retargeter, AnyTargets_GiveFiniteCommands) {
   }
 }
 
-// Uncertainty of the plate's pose: a rotation about its centre, which is the start of simulated people.
+// Returns the covariance of a pose that may be rotated about the plate's centre, the start of simulated people.
 FrameCovariance turn_of(double sd_deg) {
   FrameCovariance covariance = FrameCovariance::Zero();
   covariance(0, 0) = std::pow(sd_deg / deg_per_rad, 2);
@@ -199,7 +194,7 @@ RetargeterConfig registered(double turn_sd_deg) {
   return config;
 }
 
-// The margin is 0.3 degrees minus 0.9 SDs, and the variance of the frame adds to that of the person.
+// The required margin is 0.3 degrees minus 0.9 SDs; the variance of the frame adds to that of the person.
 TEST(RegisteredReach, AnUncertainFrame_ReportsFewerUnreachableGaps) {
   const PeopleFamily& linear = *people_family("linear");
   int exact_flags = 0, uncertain_flags = 0;
@@ -215,8 +210,8 @@ TEST(RegisteredReach, AnUncertainFrame_ReportsFewerUnreachableGaps) {
   EXPECT_GT(exact_flags, 5);
 }
 
-// The reported SD of the bearing covers the truth if tracker frames are rotated by as much as registrations err:
-// binomial bounds of four SDs about 95 %, with some margin, since the filter's own SD is cautious.
+// The frame's rotation has the configured SD. The bounds are four binomial SDs about 95 % and some margin, since the SD
+// of the filter's position is larger than its error.
 TEST(RegisteredReach, AnUncertainFrame_IsCoveredByTheBearingSd) {
   for (const double frame_sd_deg : {1.0, 2.0}) {
     int covered = 0;

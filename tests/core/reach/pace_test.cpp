@@ -13,7 +13,7 @@ TEST(Pace, HalfTheTime_IsHalfThePath) {
   }
 }
 
-// At a quarter of the time, ds/du = 30 (1/4)^2 (3/4)^2 = 270 / 256 and s = 10/64 - 15/256 + 6/1024.
+// At u = 1/4, ds/du = 30 (1/4)^2 (3/4)^2 = 270/256 and s = 10/64 - 15/256 + 6/1024.
 TEST(Pace, ZeroEvenness_GivesAMinimumJerkMotion) {
   EXPECT_DOUBLE_EQ(progress(0.0, 0.25).rate, 1.0546875);
   EXPECT_DOUBLE_EQ(progress(0.0, 0.25).share, 0.103515625);
@@ -36,7 +36,7 @@ TEST(Pace, Derivatives_EqualDifferences) {
       }
 }
 
-// eta = 0.5 + 0.4 / 4 at half of the time: s = 10 eta^3 - 15 eta^4 + 6 eta^5 = 0.68256.
+// At u = 1/2, eta = 0.5 + 0.4 / 4, and s = 10 eta^3 - 15 eta^4 + 6 eta^5 = 0.68256.
 TEST(Pace, APositiveSkew_IsEarly) {
   EXPECT_NEAR(progress(0.0, 0.5, 0.4).share, 0.68256, 1e-9);
   EXPECT_EQ(progress(0.0, 1.0, 0.4).share, 1.0);
