@@ -228,7 +228,7 @@ class Run {
     keys.plate_is_placed();
     if (calibrates()) calibrate(context);
     keys.reaches_begin();
-    checked_ = true;  // by find_plate(), if the plate is registered
+    checked_ = true;  // find_plate() has checked or made the registration
     while (!is_done()) make_next_reach(context);
     session.end();
   }

@@ -31,7 +31,7 @@ std::string lack_of_fit_text(std::uint32_t lack_of_fit) {
   std::string text;
   if (lack_of_fit & HRT_LACK_OF_FIT_ANGLE)
     text +=
-        "No illusion curve fits the slides: check the zero of the plate and that the user faces straight ahead, "
+        "No illusion curve fits the slides: check orientation 0 of the plate and that the user faces straight ahead, "
         "then calibrate again.\n";
   if (lack_of_fit & HRT_LACK_OF_FIT_ORDER)
     text += "The slides changed from the first to the last: let the user practise or rest, then calibrate again.\n";
@@ -51,7 +51,7 @@ StatusLine::StatusLine(bool verbose) : verbose_(verbose), on_terminal_(isatty(ST
 void StatusLine::show(const TargetPair& pair, const Moment& moment) {
   if (verbose_) {
     std::fprintf(
-        stderr, "%.9f s  %s  tip %+8.2f right %+8.2f away mm  bearing %+7.2f  feels %+7.2f  plate %+7.2f deg%s%s\n",
+        stderr, "%.9f s  %s  tip %+8.2f mm right %+8.2f mm away  bearing %+7.2f  feels %+7.2f  plate %+7.2f deg%s%s\n",
         static_cast<double>(moment.time) * 1e-9, pair.virtual_name.c_str(), moment.position_m[0] * 1e3,
         -moment.position_m[2] * 1e3, moment.bearing_deg, moment.felt_direction_deg, moment.plate_orientation_deg,
         moment.tracked ? "" : "  not tracked", moment.saturated ? "  plate at a limit" : "");

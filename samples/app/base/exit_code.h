@@ -12,7 +12,7 @@ namespace hrt::app {
   X(success,         0, "every reach with a feasible gap ended at its target, or calibration or measurement succeeded") \
   X(target_missed,   1, "a reach missed its target, or a calibration reached its limit of slides (and wrote its profile)") \
   X(usage,           2, "the command line is wrong") \
-  X(plugin,          3, "the plugin cannot be opened, or a call of it failed, also for a wrong profile") \
+  X(plugin,          3, "the plugin cannot be opened, the profile is invalid, or another call of the plugin failed") \
   X(scene,           4, "the scene cannot be loaded, or has no target of a given name") \
   X(no_runtime,      5, "there is no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or it does not start") \
   X(runtime_lacks,   6, "the runtime has no headless sessions, no hand tracking or no headset") \

@@ -37,7 +37,7 @@ Plugin::Plugin(const std::filesystem::path& library)
 void Plugin::check(hrt_result result) const {
   if (result != HRT_OK)
     throw Failure(ExitCode::plugin,
-                  "the plugin refused (" + std::string(hrt_result_string(result)) + "): " + hrt_last_error());
+                  "a call of the plugin failed (" + std::string(hrt_result_string(result)) + "): " + hrt_last_error());
 }
 
 }  // namespace hrt::app

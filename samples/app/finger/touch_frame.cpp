@@ -29,7 +29,7 @@ constexpr int max_events = 4096;                    // limit of events in one ca
 void require_opened(int error, const std::string& path) {
   const char* advice = "ls /dev/input/by-id lists the devices";
   if (error == EACCES) advice = "Join the group input (sudo usermod -aG input $USER) and log in again";
-  if (error == EBUSY) advice = "End the program that uses it";
+  if (error == EBUSY) advice = "End the other program that uses the device";
   if (error != 0) fail(path, std::string("cannot be opened: ") + std::strerror(error) + ". " + advice);
 }
 
@@ -43,7 +43,8 @@ TouchFrame::TouchFrame(const std::string& text)
   std::istringstream words(text);
   std::getline(words, path_, '?');
   if (!path_.starts_with("evdev:/"))
-    throw Failure(ExitCode::usage, "--finger: \"" + path_ + "\" is not evdev:/dev/input/by-id/NAME");
+    throw Failure(ExitCode::usage,
+                  "--finger: \"" + path_ + "\" is not evdev:PATH, such as evdev:/dev/input/by-id/NAME");
   path_.erase(0, path_.find('/'));
   for (std::string word; std::getline(words, word, '&');) {
     const auto known = settings_.find(word.substr(0, word.find('=')));

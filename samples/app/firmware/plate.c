@@ -4,7 +4,7 @@
 #include <string.h>
 
 enum {
-  /* The protocol stops the plate 300 ms after the host's last line. The next pulse comes up to 20 ms after a stop. */
+  /* The protocol requires a stop within 300 ms of the host's last line. The next pulse comes up to 20 ms later. */
   HEARTBEAT_MS = 275,
   EMERGENCY_MS = 2, /* a shorter opening is noise */
   SUPPLY_MS = 5,    /* a shorter dip is due to a starting motor */
@@ -110,7 +110,7 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   }
 }
 
-/* Processes a millisecond of the first pulses. They hold a servo with a sensor at its measured position. If the
+/* Processes a millisecond of the first pulses, which hold a servo with a sensor at its measured position. If the
  * settings adc_least and adc_most are exchanged, the pulses turn the servo slowly to the opposite side, until this
  * function detects the motion. */
 static void settle(Plate* plate) {
@@ -149,8 +149,8 @@ static void move_pulse(Plate* plate) {
   plate->position_microdeg = bounded;
 }
 
-/* True if the measured position has moved away from the pulse since the two were near each other: then the settings
- * adc_least and adc_most are exchanged. */
+/* True if the servo has moved away from the pulse since it was last near the pulse: then the settings adc_least and
+ * adc_most are exchanged. */
 static bool moves_against_pulse(const Plate* plate, int32_t measured) {
   const int32_t turned = measured - plate->near_millideg;
   const int32_t wanted = plate->position_microdeg / 1000 - plate->near_pulse_millideg;

@@ -70,12 +70,12 @@ typedef struct Plate {
   bool homed;                  /**< the servo has had the time to reach position_microdeg */
   uint16_t settle_ms;          /**< remaining time for the servo to reach the orientation of its first pulses */
   int32_t reading_256ths;      /**< smoothed reading of the sensor, times 256; negative before the first reading */
-  int32_t measured_millideg;   /**< orientation at that reading */
+  int32_t measured_millideg;   /**< orientation at reading_256ths */
   bool is_held_back;           /**< the pulse waits, because it is ahead of the servo by max_lead_millideg */
   uint16_t blocked_ms;         /**< time for which the pulse has waited without a motion of the servo */
   int32_t moved_from_millideg; /**< measured orientation at the last detected motion */
-  int32_t near_millideg;       /**< measured orientation when it was last near that of the pulse */
-  int32_t near_pulse_millideg; /**< orientation of the pulse at that time */
+  int32_t near_millideg;       /**< measured orientation when the servo was last near the pulse */
+  int32_t near_pulse_millideg; /**< orientation of the pulse when the servo was last near */
   uint16_t at_rest_ms;         /**< time since the pulse last moved, up to a limit */
   uint8_t open_ms;             /**< time since the contact of the emergency stop opened, up to a limit */
   bool emergency_open;         /**< the contact has been open for longer than noise lasts */
@@ -85,7 +85,7 @@ typedef struct Plate {
   uint16_t loop_ms;      /**< longest time between two ticks; set by main.c */
 
   bool greeted;                /**< a host has sent HELLO since the reset */
-  uint16_t session;            /**< token at the end of each line of that host; 0: the host uses no token */
+  uint16_t session;            /**< token at the end of each line of the host; 0: the host uses no token */
   bool fast;                   /**< the speed is not limited until the next HELLO */
   uint16_t sequence;           /**< last accepted sequence number */
   uint16_t silent_ms;          /**< time since the last valid line */

@@ -14,7 +14,7 @@ enum { PULSE_MIN_US = 500, PULSE_MAX_US = 2500 };
 /** Settings of a plate. settings.c has their names in CONF lines, their ranges and their defaults. */
 typedef enum Setting {
   SETTING_ZERO_US,     /**< width of the pulse at orientation 0 */
-  SETTING_SPAN_US,     /**< change of that width over 180 degrees; negative for a servo that turns clockwise */
+  SETTING_SPAN_US,     /**< change of the pulse width over 180 degrees; negative: the servo turns clockwise */
   SETTING_MIN_DEG,     /**< lower limit of the orientation */
   SETTING_MAX_DEG,     /**< upper limit of the orientation */
   SETTING_SPEED_DEG_S, /**< speed of the motion */
@@ -23,7 +23,7 @@ typedef enum Setting {
   SETTING_ADC_AT_MAX,  /**< reading at the upper limit; equal to that at the lower limit if there is no sensor */
   SETTING_EMERGENCY,   /**< 1: the emergency stop's contact must be closed; 0: there is no emergency stop */
   SETTING_SUPPLY,      /**< 1: the servo's supply is measured at A1 and must be present; 0: it is not measured */
-  SETTING_BEND_0,      /**< bend i: error of the sensor, to be subtracted, at min + (max - min) * i / BEND_PARTS */
+  SETTING_BEND_0,      /**< bend i: error of the sensor at i / BEND_PARTS of its range of readings; is subtracted */
   SETTING_BEND_LAST = SETTING_BEND_0 + 8,
   SETTING_SERIAL, /**< serial number */
   SETTING_COUNT
@@ -55,7 +55,8 @@ bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]);
 /** Returns the pulse for an orientation, in half microseconds, rounded and within the range of pulses. */
 uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_millideg);
 
-/** Limits in hundredths of a degree: of the settings, or where these allow more, of PULSE_MIN_US and PULSE_MAX_US. */
+/** Limits in hundredths of a degree: the settings, or, if narrower, the orientations at PULSE_MIN_US and PULSE_MAX_US.
+ */
 int32_t settings_lower_limit(const Settings* settings);
 int32_t settings_upper_limit(const Settings* settings);
 

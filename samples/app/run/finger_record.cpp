@@ -52,7 +52,7 @@ std::string FingerRecord::not_tracked(const RunContext& context) const {
   return format("The %s hand was not tracked. Hold it where the headset's cameras see it.", name_of(hand));
 }
 
-// "62 mm left of the start and 20 mm beyond it, 31 mm above the plate"
+// Returns text such as "62 mm left of the start and 20 mm beyond it, 31 mm above the plate".
 std::string FingerRecord::position_in_words(const RunContext& context, const Point& tip_m) const {
   const double right_m = tip_m[0] - start_m_[0];
   const double nearer_m = tip_m[2] - start_m_[2];
@@ -106,7 +106,7 @@ std::string FingerRecord::why_not_ended(const RunContext& context, const TargetP
   if (!seen.tracked_now && context.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
   if (seen.farthest_m <= start_radius_m) return text + "The finger stayed at the start: slide it to the target.";
   return text +
-         "A reach ends when the finger is at the target, rests for 1.5 s or is lifted; --time-limit allows more time.";
+         "A reach ends when the finger is at the target, rests for 2 s or is lifted; --time-limit allows more time.";
 }
 
 std::string FingerRecord::why_no_touch(const RunContext& context) const {

@@ -13,7 +13,8 @@
 namespace hrt::app {
 namespace {
 
-constexpr XrDuration lift_ns = 500'000'000;  // ends a reach; longer than settle_ns, when the other hand may take over
+constexpr XrDuration lift_ns =
+    500'000'000;  // lift that ends a reach; > settle_ns, so that the other hand can take over
 
 double bearing_deg(const Point& from, const Point& to) {
   return std::atan2(from[0] - to[0], from[2] - to[2]) * 180.0 / std::numbers::pi;

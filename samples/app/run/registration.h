@@ -31,9 +31,9 @@ void place_plate(RunContext& context, const RegisteredPlate& plate);
 /// and locates the skin from then on. Throws as SetUp::run().
 RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks, bool fingertip);
 
-/// Places the session's plate space where the plate was registered, locates the skin of its hand, and asks for a touch
-/// that checks the pose. Returns the distance of the touch from the mark, in metres. Throws as SetUp::run(); Failure
-/// (ExitCode::registration) if the plate has moved or the runtime lacks its space.
+/// Places the session's plate space where the plate was registered, with the measured offset from joint to skin, and
+/// asks for a touch that checks the pose. Returns the distance of the touch from the mark, in metres. Throws as
+/// SetUp::run(); Failure (ExitCode::registration) if the plate has moved or the runtime lacks `plate.space`.
 double check_plate(RunContext& context, const RegisteredPlate& plate);
 
 /// Writes the registration into a session's configuration, whose numbers the plugin checks.

@@ -61,7 +61,7 @@ horn_slack_mm = 0.5;
 sensor_room_mm = 0;
 sensor_board_mm = [23.2, 1.6];
 magnet_mm = [6, 2.5];
-// Gap between magnet and chip, and height of the chip.
+// Gap between magnet and chip. The height of the chip is the same.
 magnet_gap_mm = 1.5;
 
 /* [Dynamixel XL330. Measure yours] */
@@ -94,7 +94,7 @@ strip_channel_mm = 18;
 strip_direction_deg = 0;
 strip_wall_mm = 3;
 strip_mm = 6;
-// Length in which the channel narrows to the object.
+// Length over which the channel narrows to the object.
 strip_lead_mm = 6;
 
 /* [Box of the stop button: measure button, fuse holder and board] */

@@ -34,7 +34,7 @@ struct Options {
   Emulation emulation;
 };
 
-// Returns the device name for the argument of a command: the argument itself, or "serial:" and the path that it is.
+// Returns the device name for the argument of a command, which may be the path of a board's serial device alone.
 std::string full_name(const std::string& name) { return name.find(':') == std::string::npos ? "serial:" + name : name; }
 
 std::unique_ptr<Device> open(const std::string& name, const Environment& env, Start start) {
@@ -146,7 +146,7 @@ int run_set(const Options& options, const Environment& env) {
   const auto device = open(options.device, env, Start::passive);
   BoardSettings* board = device->board_settings();
   if (board == nullptr)
-    throw PlateFailure(Fault::protocol, "has no settings; only a board with the plate's firmware has settings");
+    throw PlateFailure(Fault::protocol, "has no settings to change; only a board with the plate's firmware has them");
   for (const std::string& change : options.changes) {
     const std::size_t equals = std::min(change.find('='), change.size() - 1);
     const auto value = number_in(std::string_view(change).substr(equals + 1), -1e6, 1e6);
@@ -217,7 +217,7 @@ int run_tool(int argc, const char* const* argv, const Environment& env) {
         ->check(CLI::IsMember({"xl330", "hobby", "hobby-new"}))
         ->capture_default_str();
     emulate_command->add_option("--link", options.emulation.link,
-                                "Symbolic link to the pseudo-terminal, which is created");
+                                "Path of a symbolic link to the pseudo-terminal, to be created [no link]");
   }
   try {
     app.parse(argc, argv);

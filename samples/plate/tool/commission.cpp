@@ -75,7 +75,7 @@ double read_scale(Device& device, const Dialogue& dialogue, double orientation_d
 SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue& dialogue) {
   ask(device, dialogue,
       "Keep your hands off the plate: it is homed slowly, then turns to two orientations. Press Enter to start.");
-  // Sets the smaller reading first, so that the present reading stays between the two.
+  // Sets the smaller reading first, so that the present reading stays between the two settings.
   const bool rises = board.setting("adc_most") > board.setting("adc_least");
   for (const char* name : {rises ? "adc_least" : "adc_most", rises ? "adc_most" : "adc_least"})
     board.change_setting(name, 0);
@@ -148,7 +148,7 @@ void with_board(const Opener& open, Action action) {
   board.save_settings();
 }
 
-// Sets up a hobby servo. Opens the plate again after each change of its limits, which the driver reads only then.
+// Sets up a hobby servo. Opens the plate again after each change of its limits: the driver reads them when it opens it.
 void set_up_servo(const Opener& open, const Dialogue& dialogue) {
   SensorLine sensor{};
   with_board(open, [&](Device& device, BoardSettings& board) {

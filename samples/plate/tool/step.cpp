@@ -70,9 +70,9 @@ Measured mean_of(const std::vector<double>& values) {
 }
 
 // The line through the ramp is delayed by the time constant of the filter and by half of the duration of the
-// acceleration, so that only the acceleration is unknown. Few samples depend on it, fewer for a slower plate. Therefore
-// one acceleration is fitted to all steps. Acceleration and onset are means over all candidates of the acceleration,
-// weighted by likelihood, so that the standard errors include the uncertainty of the acceleration.
+// acceleration, so that only the acceleration is unknown. Few samples depend on the acceleration, fewer for a slower
+// plate. Therefore one acceleration is fitted to all steps. Acceleration and onset are means over all candidates of the
+// acceleration, weighted by likelihood, so that the standard errors include the uncertainty of the acceleration.
 std::optional<StepsFit> fit_steps(const std::vector<Step>& steps, double filter_s) {
   std::vector<Ramp> ramps;
   std::vector<double> starts_s, speeds_deg_s;

@@ -216,7 +216,7 @@ TEST(PlateStep, IsFitted) {
   EXPECT_FALSE(fit_steps({{90.0, {{0.0, 0.0}, {0.1, 40.0}}}}, 0.0));
 }
 
-// The firmware's own ELF. Its servo turns clockwise, has 1.1 times the usual span, and starts at 20 degrees.
+// The firmware's own ELF, with a servo that turns clockwise, has 1.1 times the usual span, and starts at 20 degrees.
 TEST(PlateCommission, WritesTheFileOfAPlate) {
   BoardWithServo board({.speed_deg_s = 160.0, .backlash_deg = 2.0, .lower_stop_deg = -72.0}, 20.0,
                        eeprom_with(settings_default()));
@@ -231,7 +231,7 @@ TEST(PlateCommission, WritesTheFileOfAPlate) {
   EXPECT_TRUE(has(file.at("details").dump(), "setting span -2") &&
               has(file.at("details").dump(), "test emergency closed"));
   EXPECT_NEAR(file.at("session").at("plate_max_speed_deg_s").get<double>(), 144.0, 8.0);
-  // Dead time, half a pulse period, a pulse; the largest error of simulated plates is 11 ms.
+  // Dead time of 10 ms, half a pulse period, a pulse of 1.5 ms; the largest error of simulated plates is 11 ms.
   EXPECT_NEAR(file.at("measured").at("latency_ms").at(0).get<double>(), 21.5, 11.0);
   EXPECT_NEAR(file.at("measured").at("backlash_deg").at(0).get<double>(), 2.2, 0.3);
   const PlateFile read = read_plate_file(folder / "plate.json");

@@ -1,5 +1,5 @@
-// The runtime blocks in any call: hrt-reach ends at its time limit, and within a second of a signal. It does so also if
-// the runtime holds the lock of a stream, or if nothing reads the error output.
+// The runtime blocks in any call: hrt-reach ends at its time limit, and within a second of a signal, even if the
+// runtime holds the lock of a stream, or nothing reads the error output.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -197,8 +197,7 @@ TEST(ReachFault, TheRuntimeLacksWhatIsUseful) {
                  "does not simulate a plate; select another plate");
 }
 
-// The program then uses the monotonic clock, if the runtime can convert it. A busy machine gives fewer frames in the
-// same time.
+// Without times of frames, the program uses the monotonic clock. A busy machine gives fewer frames in the same time.
 TEST(ReachFault, FramesHaveNoTimes) {
   const std::string file = scratch_folder() + "/r.csv";
   const Outcome outcome = expect_exit(0, run_scripted("{" + calm + R"(, "clock": "real-time", "frame_times": false})",

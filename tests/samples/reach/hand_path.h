@@ -27,7 +27,7 @@ struct Place {
   double towards_user_m;
 };
 
-/// Marks of a plate of 75 mm, in the order in which they are asked for.
+/// Marks of a plate with a radius of 75 mm, in the order in which the program asks for them.
 inline const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
                                          {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
 

@@ -314,7 +314,7 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   EXPECT_TRUE(has(read_file(profile), "\"tactile_weight\":"));
 }
 
-// The key that stops leaves no profile.
+// A calibration that the key q stops leaves no profile.
 TEST(ReachKeys, AStoppedCalibrationWritesNothing) {
   const Voice voice;
   const plate::Pty terminal(80);

@@ -16,7 +16,7 @@ void expect_reached(const Outcome& outcome) {
 const std::string no_stage = R"("stage": false, )";
 const std::string no_floor = no_stage + R"("withhold_extensions": ["XR_EXT_local_floor"], )";
 
-// The finger is 0.75 m above the mock's floor, which is 1.2 m below its LOCAL space.
+// The finger is 0.75 m above the mock runtime's floor, which is 1.2 m below the origin of LOCAL.
 TEST(ReachPlace, IsAboveTheFloorOfEverySpace) {
   const Path path = Path(plate_of_desk).reach();
   struct Case {

@@ -188,7 +188,7 @@ TEST_F(ReachRegistration, MeasuresTheTrackersBearing) {
   EXPECT_TRUE(
       has(outcome.out, {"Standard deviation of the bearing over 100 mm: 1.18 degrees, 95 % interval 0.89 to 1.72.",
                         "at most 80 % of reaches end within 1.5 degrees", "interval 62 to 91 %",
-                        "Set tracker.bearing_sd_deg to 1.18."}));
+                        "bearing_sd_deg of --finger, to 1.18."}));
   expect_said(expect_exit(8, run(Path(), {"--measure-tracker", "--time-limit", "4"})),
               "No finger rested in the dimple");
   expect_said(expect_exit(2, run_program({desk, "--measure-tracker"})), "needs a person");

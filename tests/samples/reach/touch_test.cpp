@@ -30,7 +30,7 @@ struct EmulatedFrame {
                                          {ABS_MT_POSITION_X, {0, 0, 400, 0, 0, 2}},
                                          {ABS_MT_POSITION_Y, {0, 0, 300, 0, 0, 2}}};
   std::map<int, std::array<int, 2>> state{{ABS_MT_TRACKING_ID, {-1, -1}}};  // of each slot
-  std::atomic<int> error = 0, clock = -1;                                   // of all calls but open()
+  std::atomic<int> error = 0, clock = -1;  // error of all calls except open(); clock that the program has set
   std::deque<input_event> events;
   std::mutex mutex;  // the handler has its own thread
   UMockdevTestbed* bed = umockdev_testbed_new();
@@ -131,7 +131,7 @@ TEST(TouchFrame, ErrorsNameTheMistakeAndTheRemedy) {
       EXPECT_TRUE(has(failure.what(), why));
     }
   };
-  expect_refused("evdev:event7", ExitCode::usage, "\"evdev:event7\" is not evdev:/dev/input");
+  expect_refused("evdev:event7", ExitCode::usage, "\"evdev:event7\" is not evdev:PATH");
   for (const std::string wrong : {"width_mm", "width_mm=nan", "width_mm=1e9", "depth_mm=3"})
     expect_refused(name + "?" + wrong, ExitCode::usage, "\"" + wrong + "\" is not NAME=NUMBER");
   expect_refused("evdev:/dev/null", ExitCode::tracker, "/dev/input/by-id");
