@@ -84,7 +84,8 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options, 
     auto driver =
         std::make_unique<PlateDriver>(std::move(maker), hrt::plate::open_serial_line, path, std::move(file), checked);
     const std::uint64_t handle = plates.insert(std::move(driver));
-    if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are already ", max_plates, " plates; close one first");
+    if (handle == 0)
+      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", max_plates, " plates, the maximum; close one first");
     out_plate->value = handle;
     return HRT_OK;
   });

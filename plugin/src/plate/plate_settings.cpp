@@ -88,7 +88,7 @@ void PlateLink::change_setting(const std::string& name, double value) {
   });
   if (why == "step")
     why =
-        "it would change the pulse by more than 20 us while the servo holds its position, or move that position "
+        "the value would change the pulse by more than 20 us while the servo holds its position, or move that position "
         "beyond the limits; change it after power-on, before the first command";
   if (why == "range")
     why =

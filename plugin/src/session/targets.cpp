@@ -47,7 +47,7 @@ Targets::Targets() : before_first_(next_id.load() - 1) {}
 
 hrt_result Targets::add(const Target& target, std::uint64_t* out_id) {
   if (by_id_.size() >= max_targets)
-    return fail(HRT_ERROR_LIMIT_REACHED, "the session has ", max_targets, " targets; remove one first");
+    return fail(HRT_ERROR_LIMIT_REACHED, "the session has ", max_targets, " targets, the maximum; remove one first");
   const std::string_view name = target.name.data();
   if (find(name) != 0) return name_taken(target);
   const std::uint64_t id = next_id.fetch_add(1);

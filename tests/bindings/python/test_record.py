@@ -85,7 +85,7 @@ def test_world_positions_are_converted_to_plate_coordinates() -> None:
     ('"horizon":20', '"horizon":"twenty"', "line 8"),
     ('"horizon":20', '"horizon":-3', "line 8: SessionConfig.horizon is -3: beyond uint"),
     ("# config {", "# config [", "line 8"),
-    ("# config {", "# setup {", "line 12: a row before the configuration"),
+    ("# config {", "# setup {", 'line 12: the line "# config" is missing before this row'),
 ])
 def test_files_that_are_not_recordings_are_refused_with_the_line(tmp_path: Path, old: str, new: str, text: str) -> None:
     good = REACH.read_text()

@@ -159,7 +159,7 @@ def _number(name: str, cell: str) -> float | None:
 
 def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
     if config is None:
-        raise ValueError("a row before the configuration")
+        raise ValueError('the line "# config" is missing before this row; record again')
     call, done = row["call"], row["result"] == _abi.OK
     if call.startswith("setup_"):
         return  # calls of set-ups are only repeated, by replay()

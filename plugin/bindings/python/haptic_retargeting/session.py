@@ -1,4 +1,4 @@
-"""Sessions, their targets and gaps, and the profile of the participant."""
+"""Sessions, their targets and gaps, and the profile of the user."""
 
 from __future__ import annotations
 
@@ -252,7 +252,7 @@ class Session(SessionKeywords, Closing):
         if status.rows_lost != 0:
             raise RuntimeError(f"{os.fspath(path)} lacks {status.rows_lost} calls: the disk was too slow")
 
-    # The participant and the plate
+    # The user and the plate
 
     def set_up(self, what: SetupFlag = SetupFlag.ALL_MISSING, **fields: Any) -> SetUp:
         """Begins a set-up: a loop that asks the user for touches and slides, and applies the results. The keywords are the
@@ -262,7 +262,7 @@ class Session(SessionKeywords, Closing):
 
     @property
     def profile(self) -> dict[str, Any]:
-        """The parameters of the participant, to be stored as JSON."""
+        """The parameters of the user, to be stored as JSON."""
         length = ctypes.c_uint64()
         check(library().hrt_profile_save(self.handle, 0, None, byref(length)))
         text = ctypes.create_string_buffer(length.value + 1)

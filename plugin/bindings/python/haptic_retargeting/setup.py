@@ -42,7 +42,7 @@ class SetUp:
         return step
 
     def residual(self, slide: int) -> SetupResidual:
-        """Returns measured and fitted direction of slide `slide` (from 0) of the last calibration, and whether it was used."""
+        """Returns measured and fitted direction of slide `slide` (from 0) of the last calibration."""
         return output(SetupResidual, library().hrt_setup_get_residual, self._session, slide)
 
     def cancel(self) -> None:

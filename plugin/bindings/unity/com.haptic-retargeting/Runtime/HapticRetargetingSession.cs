@@ -48,7 +48,7 @@ namespace Hrt
         {
             foreach (TargetId target in ListTargets(0))
                 if (GetTarget(target).name.ToString() == name) return target;
-            throw new KeyNotFoundException($"No target has the name \"{name}\"; ListTargets() has the targets");
+            throw new KeyNotFoundException($"No target has the name \"{name}\"; ListTargets() returns all targets");
         }
 
         /// <summary>Adds a target by its direction from the start, counter-clockwise seen from above.</summary>
