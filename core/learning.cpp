@@ -66,9 +66,8 @@ PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& l
   return next;
 }
 
-// Returns the mean square error of a habit that was estimated with a prior narrower than the person's. v: variance of
-// this prior; P: of the posterior; V: of the person's habit before the reach; e: of the measurement by the reach; K:
-// gain.
+// Returns the mean square error of a habit that was estimated with a prior narrower than the person's. v, P, V, e:
+// variances of this prior, of the posterior, of the person's habit before, and of the reach's measurement. K: gain.
 //
 //   1 - K = P / v,   K e = P;   mean square error = (1 - K)^2 V + K^2 e
 double habit_variance_deg2(const PersonBelief& before, const PersonBelief& steering, const PersonBelief& next) {

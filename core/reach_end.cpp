@@ -10,7 +10,7 @@ namespace {
 constexpr double near_fraction = 0.25, min_near_mm = 15.0;
 constexpr double near_covered = 0.9, near_rest_s = 0.4;
 constexpr double missed_covered = 0.3, missed_rest_s = 2.0;
-constexpr double min_square_cosine = 0.25;  // 60 degrees
+constexpr double min_square_cosine = 0.25;  // squared cosine of 60 degrees
 
 }  // namespace
 

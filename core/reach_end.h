@@ -25,8 +25,7 @@ inline constexpr double max_target_step_mm = 2.0;
 class ReachEnd {
  public:
   ReachEnd() = default;
-  /// Begins a reach from `start` to another point, `target`. `start_is_felt`: the first rest of the finger is at
-  /// `start`.
+  /// Begins a reach from `start` to another point, `target`. `start_is_felt`: the finger first rests at `start`.
   ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt)
       : start_(start), target_(target), way_from_(start), start_is_felt_(start_is_felt) {}
 

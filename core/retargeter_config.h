@@ -28,11 +28,11 @@ struct RetargeterConfig {
   MpcConfig mpc;
   ControlMode mode = ControlMode::mpc;
   double fixed_plate_orientation_deg = 0.0;   ///< finite
-  EstimatorConfig estimator;                  ///< prior of the paper's controller, and noise of the tracker for both
+  EstimatorConfig estimator;                  ///< prior of the paper's controller; tracker noise for both controllers
   PlateDynamics plate;                        ///< latency at most `max_lead` model steps
   std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
   PersonBelief person = unknown_person();     ///< [reach] prior of the person
-  ReachControlConfig reach;                   ///< [reach] limits of the plate
+  ReachControlConfig reach;                   ///< [reach] limits of plate and perceived direction
   std::int64_t tracker_latency_ns = 0;        ///< [reach] age of a position at the time of its sample, 0 to 0.5 s
   double tracker_bearing_sd_deg = 0.0;        ///< [reach] SD of the tracked bearing of a reach, 0 to 45
   bool plate_waits = false;                   ///< [reach] the plate does not turn before the motion

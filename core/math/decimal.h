@@ -6,7 +6,7 @@
 
 namespace hrt {
 
-/// Returns `value` rounded to `decimals` places, 0 to 3; "more than 1000000000" if |value| >= 1e9 or NaN.
+/// Returns `value` rounded to `decimals` places, 0 to 3; "more than 1000000000" if |value| >= 1e9 or `value` is NaN.
 inline std::string decimal(double value, int decimals) {
   constexpr long units[] = {1, 10, 100, 1000};
   const long unit = units[decimals];

@@ -7,7 +7,7 @@
 namespace hrt {
 namespace {
 
-// Returns ln Gamma(x) for x > 0, by Gamma(x) = Gamma(x + 1) / x up to an argument of 8, and Stirling's series from it.
+// Returns ln Gamma(x) for x > 0, by Gamma(x) = Gamma(x + 1) / x up to an argument of 8, and Stirling's series beyond.
 double log_gamma(double x) {
   double product = 1.0;
   while (x < 8.0) product *= x++;
@@ -17,7 +17,7 @@ double log_gamma(double x) {
          (1.0 / 12.0 - inverse * (1.0 / 360.0 - inverse / 1260.0)) / x - logarithm(product);
 }
 
-// The continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8), by Lentz's method.
+// Returns the continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8), by Lentz's method.
 double beta_fraction(double a, double b, double x) {
   constexpr double tiny = 1e-30;
   const auto away_from_zero = [](double value) { return std::abs(value) < tiny ? tiny : value; };
@@ -39,7 +39,7 @@ double beta_fraction(double a, double b, double x) {
   return h;
 }
 
-// The regularised incomplete beta function I_x(a, b).
+// Returns the regularised incomplete beta function I_x(a, b).
 double incomplete_beta(double a, double b, double x) {
   if (x <= 0.0) return 0.0;
   if (x >= 1.0) return 1.0;

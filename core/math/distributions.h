@@ -36,7 +36,7 @@ double f_tail(double f, double numerator, double denominator);
 /// Returns the 97.5 % quantile of Student's t with `degrees` >= 3; the error is 0.05 at 3, and below 0.003 from 8 on.
 double student_975(double degrees);
 
-/// SD of a normal variable divided by the median of its absolute value: 1 / 0.6745.
+/// SD of a normal variable with mean 0 divided by the median of its absolute value: 1 / 0.6745.
 inline constexpr double mad_to_deviation = 1.4826;
 
 /// Returns the median: of an even number of values, the larger of the two middle ones; 0 if `values` is empty.

@@ -1,4 +1,4 @@
-// Exponential function, hyperbolic tangent and logarithm from the four arithmetic operations and exact functions. The
+// Exponential function, hyperbolic tangent and logarithm from arithmetic operations and exact functions like frexp. The
 // functions of C libraries differ in the last bit between hosts, and a recording must replay to the same bits.
 #pragma once
 

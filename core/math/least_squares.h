@@ -13,7 +13,7 @@ namespace hrt {
 struct LeastSquares {
   std::size_t groups = 0;
   std::function<Eigen::VectorXd(std::size_t group, const Eigen::VectorXd& parameters)> residuals;
-  /// One-sided finite differences are accurate enough, since Descent uses them only to choose its next step.
+  /// One-sided finite differences are accurate enough, since the derivatives only direct the descent.
   std::function<Eigen::MatrixXd(std::size_t group, const Eigen::VectorXd& parameters)> derivatives;
   std::function<Eigen::VectorXd(Eigen::VectorXd parameters)> clamped;  ///< limits the parameters to their ranges
   Eigen::VectorXd prior_mean;

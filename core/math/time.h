@@ -16,7 +16,7 @@ constexpr double elapsed_s(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(elapsed_ns(from_ns, to_ns));
 }
 
-/// Returns `time_ns` + `duration_ns`, or the largest std::int64_t if it is smaller. `duration_ns` >= 0.
+/// Returns `time_ns` + `duration_ns`; if the sum overflows, the largest std::int64_t. `duration_ns` >= 0.
 constexpr std::int64_t later_ns(std::int64_t time_ns, std::int64_t duration_ns) {
   constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
   return time_ns > end - duration_ns ? end : time_ns + duration_ns;

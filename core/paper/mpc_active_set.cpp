@@ -129,11 +129,11 @@ bool ActiveSet::advance() {
   return false;
 }
 
-// At the optimum under the held constraints, releases constraints whose multipliers have the wrong sign, and returns
-// true if there were any. Half the derivative of the cost by t_i is g_i = K_i w_T (q_perceived e_i - c_i+1), where c_i
-// is half the derivative by p_i of the cost from step i on. The multipliers satisfy g_i + pin_i + link_i - link_i+1 =
-// 0: the multiplier of a link is the sum of g over the steps of its run before the link, or minus the sum over the
-// steps after the link, on a side without a pin or t_-1.
+// Releases constraints whose multipliers have the wrong sign, at the optimum under the held constraints. Returns true
+// if there are any. Half the derivative of the cost by t_i is g_i = K_i w_T (q_perceived e_i - c_i+1), where c_i is
+// half the derivative by p_i of the cost from step i on. From g_i + pin_i + link_i - link_i+1 = 0 follows the
+// multiplier of a link: the sum of g over the earlier steps of its run, or minus the sum over the later steps. The side
+// that is summed must not contain a pin or t_-1.
 bool ActiveSet::release(bool only_first) {
   struct Part {
     double gradient;

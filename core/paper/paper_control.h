@@ -1,5 +1,4 @@
-// Applies the controller of paper section III to a plate with latency: plans from the first step that a command
-// changes.
+// The controller of paper section III for a plate with latency: plans from the first step that a command can change.
 #pragma once
 
 #include <cstdint>

@@ -138,7 +138,7 @@ inline PlateOrientation PaperReach::plan(const Aim& aim) {
   return control_.plan(estimator_, aim.direction_deg, limits_.centre_deg(), plate_);
 }
 
-// Counts the decision before, if it was the last one of its step.
+// Counts the former decision if it was the last one of its step.
 inline void PaperReach::decide(const Decision& decision) {
   if (decision.step != decision_.step) {
     saturated_steps_ += is_saturated(decision_.plate.active);

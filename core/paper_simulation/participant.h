@@ -19,7 +19,7 @@ struct SimulatedStep {
 
 class SimulatedParticipant {
  public:
-  /// Begins a reach for `virtual_direction_deg` (theta_V); P_0 is the mid-line. Requires is_valid(participant).
+  /// Begins a reach to `virtual_direction_deg` (theta_V), along the mid-line. Requires is_valid(participant).
   SimulatedParticipant(const Participant& participant, double virtual_direction_deg)
       : participant_(participant),
         goal_direction_deg_(goal_direction_deg(participant, virtual_direction_deg)),
@@ -54,8 +54,8 @@ class SimulatedParticipant {
   Participant participant_;
   double goal_direction_deg_;
   double variance_deg2_;                  // variance of the perceived direction
-  double perceived_direction_deg_ = 0.0;  // theta_hat_0, the mid-line
-  double finger_direction_deg_ = 0.0;     // P_0
+  double perceived_direction_deg_ = 0.0;  // theta_hat; 0 before the first step
+  double finger_direction_deg_ = 0.0;     // P
 };
 
 }  // namespace hrt

@@ -19,7 +19,7 @@ struct Condition {
   double virtual_direction_deg = 5.0;  ///< theta_V, less than 90 degrees from P_R
   double plate_orientation_deg = 0.0;  ///< plate orientation before the first step
   int steps = 30;                      ///< steps of a reach, 1 to max_trial_steps
-  double tolerance_deg = 1.5;          ///< a trial hits if its last direction is at most this far from P_R; >= 0
+  double tolerance_deg = 1.5;          ///< largest |P - P_R| after the last step of a hit, >= 0
 };
 
 bool is_valid(const Condition& condition);

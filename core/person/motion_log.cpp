@@ -27,7 +27,7 @@ void MotionLog::add(double time_s, const PlatePoint& position, double felt_plate
   positions_[count_++] = {time_s, position, felt_plate_deg};
 }
 
-// Processes all positions with `filter`, and returns the log likelihood l. Interpolates felt_plate_deg in between.
+// Processes all positions with `filter`, and returns the log likelihood l. Interpolates felt_plate_deg.
 double MotionLog::log_likelihood(PersonFilter& filter) const {
   double sum = 0.0;
   double time_s = onset_s_;

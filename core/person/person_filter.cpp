@@ -178,8 +178,7 @@ void PersonFilter::carry(Step f) {
   for (int i = X::traits; i < X::count; ++i) transform(covariance_.row(i));
 }
 
-// Moves the state, and adds process noise: to the random walks, and to the correlated quantities of stationary
-// variance.
+// Moves the state, and adds the process noise of random walks and of correlated quantities (of stationary variance).
 void PersonFilter::advance(const Step& step) {
   mean_(X::right) -= step.travel_mm * step.sine;
   mean_(X::away) += step.travel_mm * step.cosine;

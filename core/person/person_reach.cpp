@@ -236,7 +236,7 @@ PlateCommand PersonReach::command_now(const PersonFilter& answered, bool decided
   return command;
 }
 
-// Adds what is known once the finger has moved.
+// Adds the values that are known once the finger has moved.
 void PersonReach::add_progress(const PersonFilter& answered, PlateCommand& command) const {
   const Tuning& tuning = config_.tuning;
   const double phase = filter().mean(X::phase);

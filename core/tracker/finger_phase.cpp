@@ -139,8 +139,7 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   if (limit_mm <= 0.0 ||
       square_distance_mm2(places_[0].position, places_[count - 1].position) > square(clearly_moving_limits * limit_mm))
     return false;
-  // Least-squares parabola with orthogonal polynomials; slope and curvature are `moment / spread`, `bend /
-  // bend_spread`.
+  // Least-squares parabola with orthogonal polynomials: each coefficient is a moment divided by a sum of squares.
   const Point zero = 0.0 * places_[0].position;
   Point moment = zero;
   Point bend = zero;

@@ -211,7 +211,7 @@ TEST(RegisteredReach, AnUncertainFrame_ReportsFewerUnreachableGaps) {
 }
 
 // The frame's rotation has the configured SD. The bounds are four binomial SDs about 95 % and some margin, since the SD
-// of the filter's position is larger than its error.
+// that the filter reports is larger than the error of its position.
 TEST(RegisteredReach, AnUncertainFrame_IsCoveredByTheBearingSd) {
   for (const double frame_sd_deg : {1.0, 2.0}) {
     int covered = 0;

@@ -108,8 +108,8 @@ TEST(Estimator, AnOutlierIsRejected_AndARunOfThemIsAccepted) {
   EXPECT_NEAR(estimator.estimate().position.right_mm, 50.0, 1.0);
 }
 
-// One step with V = 0.5 and an exact direction that differs by 1.5 from the prediction. D = V, so the score is (2.25 -
-// 0.5) / (2 * 0.25) = 3.5, and the information 1 / (2 * 0.25) = 2, in addition to 4 of the prior.
+// The predicted direction has the variance V = 0.5. An exact direction differs by 1.5, and reduces V by D = V. The
+// score is (2.25 - 0.5) / (2 * 0.25) = 3.5, and the information 1 / (2 * 0.25) = 2, in addition to 4 of the prior.
 TEST(Estimator, OneStep_GivesTheHandCalculatedMotorVariance) {
   Estimator estimator({}, Participant{}, 0.0, {});
   estimator.observe_direction(0.0);

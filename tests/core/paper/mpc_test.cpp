@@ -78,9 +78,8 @@ TEST(Mpc, ARateBoundAtBothSteps_GivesTheHandCalculatedPlan) {
   EXPECT_NEAR(finger_after(problem, plan, 1) - finger_after(problem, plan, 2), 0.3485, 1e-12);
 }
 
-// N = 3 with a gain of 0 at the second step, p_k = 0, p_R = -12, w = 0.1, t_-1 = 0, R = 40. The optimum of the first
-// step exceeds 40, so t_0 = 40, and p_1 = p_2 = -0.085 * 40 = -3.4. In the last step, e = 0 at t = 0.9 * 3.4 / 0.1
-// = 30.6.
+// N = 3, K_1 = 0, p_k = 0, p_R = -12, w = 0.1, t_-1 = 0, R = 40. The optimum of the first step exceeds 40, so t_0 = 40,
+// and p_1 = p_2 = -0.085 * 40 = -3.4. In the last step, e_2 = 0 at t_2 = 0.9 * 3.4 / 0.1 = 30.6.
 TEST(Mpc, AStepWithoutGain_RotatesTowardsTheNextPerceivedStep) {
   const std::array<double, 3> gap_gains{0.85, 0.0, 0.85};
   const MpcProblem problem{0.0, -12.0, 0.1, 0.0, gap_gains.data()};

@@ -146,7 +146,7 @@ TEST(PersonReach, ASummary_CountsStepsAndSamples) {
   const ReachSummary summary = trial.reach.summary();
   EXPECT_EQ(summary.samples, 30 + 150);
   EXPECT_EQ(summary.dropped_samples, 0);
-  // Steps of 100 ms; those before the detection of the onset count as predicted.
+  // Steps last 100 ms. Steps before the detection of the onset count as predicted.
   EXPECT_GE(summary.steps, 12);
   EXPECT_NEAR(static_cast<double>(summary.steps + summary.predicted_steps), 15.0, 1.0);
   EXPECT_GE(summary.peak_felt_error_deg, summary.rms_felt_error_deg);

@@ -129,7 +129,7 @@ TEST(Steering, SmallSteps_FollowTheClosedForm) {
 
 TEST(Steering, ALongStep_IsStable) {
   EXPECT_LT(steer(20.0, 0.0, {}, 10.0, 5.0).turn_deg, 20.0);
-  // Beyond the maximum of the illusion, a rotation of the motion towards the goal increases the error.
+  // If the slope of the illusion exceeds 1, a rotation of the motion towards the goal increases the error.
   EXPECT_DOUBLE_EQ(steer(20.0, 0.0, {.shift_deg = 0.0, .by_offset = 3.0}, 10.0, 0.1).turn_deg, 20.0);
 }
 

@@ -78,7 +78,7 @@ TEST(Registration, ExactTouches_GiveTheHandCalculatedRotationSd) {
   EXPECT_NEAR(found.covariance(1, 1), variance_mm2 / spread_mm2, 1e-12);
 }
 
-// 1,000 fits for each assumed SD; the true one is 3 mm. With this one, the lower bound is 95 % minus four binomial SDs.
+// 1,000 fits for each assumed SD; the true SD is 3 mm, for which the lower bound is 95 % minus four binomial SDs.
 TEST(Registration, NoisyTouches_LieWithinTheIntervals) {
   for (const double assumed_mm : {2.0, 3.0, 4.0}) {
     int turn_covered = 0, place_covered = 0, fitted = 0;
@@ -178,7 +178,7 @@ TEST(Registration, InconsistentTouches_HaveTheLargestResiduals) {
   EXPECT_GT(residual_mm(found, touches[4]), found.residual_mm);
 }
 
-// Touches at one position do not determine a scale, and no pose fits them.
+// Touches at one position do not determine a scale, and no pose fits these touches.
 TEST(Registration, TouchesAtOnePosition_AreRejected) {
   std::vector<MarkTouch> touches = exact_touches(some_rotation(), {100.0, 700.0, -300.0});
   for (MarkTouch& touch : touches) touch.touched_mm = {1000.0, 2000.0, 3000.0};
@@ -194,7 +194,7 @@ TEST(Registration, TooFewMarksOrMarksOnALine_AreRejected) {
   touches.resize(2);
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::too_few);
   EXPECT_EQ(fit_registration({}, {}).verdict, RegistrationVerdict::too_few);
-  // Centre, start and far rim lie on the mid-line; with a third mark 15 mm from it, the spread is 7 mm.
+  // Centre, start and far rim are on the mid-line. With a mark 15 mm from this line, the spread is 7 mm.
   const std::vector<MarkTouch> all = exact_touches(some_rotation(), {0.0, 0.0, 0.0});
   EXPECT_EQ(fit_registration({}, std::vector<MarkTouch>{all[0], all[1], all[5]}).verdict,
             RegistrationVerdict::degenerate);
