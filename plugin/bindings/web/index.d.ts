@@ -83,7 +83,7 @@ export interface Session {
   /** Returns the targets of a role, HRT_TARGET_*, or of both roles, in the order in which they were added. */
   targets(role?: number): TargetId[];
 
-  /** Computes the gap between two targets and the largest feasible gap, before a reach. */
+  /** Computes the gap between two targets, and the largest feasible gap. Needs no reach. */
   gap(realTarget: TargetId, virtualTarget: TargetId): Output<hrt_gap>;
 
   /** Assigns real targets to as many virtual ones as possible, so that the largest ratio of gap to feasible gap is minimal. If

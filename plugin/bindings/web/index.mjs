@@ -101,8 +101,7 @@ class Native {
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
 
-// Symbol of the declaration `using`, which destroys objects at the end of a block. In engines without this symbol, compilers use
-// the symbol of this name.
+// `using` destroys an object by its method of this name. Where Symbol.dispose is missing, compilers emulate it by Symbol.for().
 const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 
 class Session {

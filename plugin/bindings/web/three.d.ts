@@ -41,8 +41,8 @@ export function trackedHand<Hand>(frame: { readonly session: { readonly inputSou
 export interface Sources<Hand> { readonly length: number; readonly [index: number]: { readonly hand?: Hand | undefined } }
 
 /** A reach of a hand that WebXR tracks: passes the pose of the joint at the tip of the index finger to the session, whose
- *  `fingertip_offset_m` gives the point of contact on the skin. The pose of the plate is that of the session's registration,
- *  or without one that of the plate's object. Session.beginReach() and endReach() begin and end the reach. */
+ *  `fingertip_offset_m` gives the point of contact on the skin. The pose of the plate is from the session's registration or,
+ *  without a registration, from `plate`. Session.beginReach() and endReach() begin and end the reach. */
 export class HandReach {
   constructor(session: Session, plate: HapticPlate);
   /** True if the last frame had no index fingertip, so that the plate kept its command, and before the first frame. */

@@ -47,7 +47,7 @@ class Plate(Closing):
         self._own(self._handle, _library().hrt_plate_close)
 
     def set(self, orientation_deg: float) -> None:
-        """Turns the plate to an orientation, or to the nearest one with the same ridges."""
+        """Turns the plate to an orientation, or to the nearest orientation with the same pattern of ridges."""
         _check(_library().hrt_plate_set(self._handle, orientation_deg))
 
     def stop(self) -> None:

@@ -28,8 +28,8 @@ def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> in
 
 
 class Reach:
-    """A reach in progress, from Session.reach(). Leaving the context ends it and sets `summary`; an exception within the
-    context cancels it."""
+    """A reach in progress, from Session.reach(). Leaving the context ends the reach and sets `summary`; an exception
+    within the context cancels the reach."""
 
     def __init__(self, session: Session, real: Target, virtual: Target, plate_orientation_deg: float | None,
                  start_at_finger: bool, duration_s: float) -> None:
@@ -97,8 +97,8 @@ class Reach:
     def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
                 world_position_m: Numbers | None = None) -> None:
         """Reports contact of the finger with the real object: at the near side of the real target, or at a position on the
-        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). It corrects the
-        tracked positions of later reaches. Requires a registration. Allowed once per reach, also after its end."""
+        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). The contact corrects
+        the tracked positions of later reaches. Requires a registration. Allowed once per reach, also after its end."""
         contact = Contact(sd_m=sd_m)
         contact.flags = ContactFlag(_given(contact, "position_m", position_m, ContactFlag.PLATE_POSITION)
                                     | _given(contact, "position_m", world_position_m, ContactFlag.WORLD_POSITION))

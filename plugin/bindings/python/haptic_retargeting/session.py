@@ -189,7 +189,7 @@ class Session(SessionKeywords, Closing):
         return own_targets(self, handles)
 
     def gap(self, real: Target, virtual: Target) -> Gap:
-        """Returns the gap between two targets, and the largest feasible gap, before a reach."""
+        """Returns the gap between two targets, and the largest feasible gap. Needs no reach."""
         return output(Gap, library().hrt_gap_query, self.handle, real.handle, virtual.handle).belongs_to(self)
 
     def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Gap]:
@@ -211,9 +211,9 @@ class Session(SessionKeywords, Closing):
 
     def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None,
               start_at_finger: bool = False, duration_s: float = 0.0) -> Reach:
-        """Begins a reach. `plate_orientation_deg` is the current plate orientation; the default is the session's last command.
-        With `start_at_finger`, directions are measured from the first position. `duration_s` is the expected duration of
-        the motion, 0 if unknown.
+        """Begins a reach. `plate_orientation_deg` is the current plate orientation; default: that of the last command. With
+        `start_at_finger`, directions are measured from the finger's first position. `duration_s` is the expected duration
+        of the motion, 0 if unknown.
 
             with session.reach(cylinder, cup) as reach:
                 command = reach.update(time_ns, position_m=(x, y, z))
@@ -270,8 +270,8 @@ class Session(SessionKeywords, Closing):
         return dict(json.loads(text.value))
 
     def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
-        """Sets the current plate, tracker and time (seconds since 1970). A calibration stores these conditions, and those of
-        profiles are compared with them. Empty and 0 mean unknown."""
+        """Sets the names of plate and tracker, and the time in seconds since 1970; empty and 0: unknown. A calibration stores
+        these conditions. If a loaded profile has other names, the library logs a warning."""
         check(library().hrt_profile_set_conditions(self.handle, byref(Conditions(plate=plate, tracker=tracker, time_s=time_s))))
 
     @property

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SetUp:
-    """A set-up in progress, from Session.set_up(). Leaving the context cancels it if it is not over.
+    """A set-up in progress, from Session.set_up(). Leaving the context cancels a set-up that is not over.
 
         with session.set_up() as setup:
             while not setup.over:

@@ -149,7 +149,7 @@ namespace Hrt
         }
 
         /// <summary>Begins a set-up, which measures the pose of the plate, the offset of the skin from a tracked joint, and
-        /// the user. Each frame passes a sample to the set-up until it is over.</summary>
+        /// the user. Until the set-up is over, the component passes a sample to it in each frame.</summary>
         public void BeginSetup(SetupFlags what = SetupFlags.AllMissing)
         {
             HapticRetargetingSession session = EnabledSession();

@@ -8,10 +8,10 @@ namespace Hrt
     /// <summary>The native library: its version and log, and the release of objects before code is unloaded.</summary>
     public static partial class HapticRetargetingLibrary
     {
-        // Native objects of this application domain that exist, with the call that destroys each. The dictionary is its own lock.
+        // The existing native objects of this application domain, and the call that destroys each. Lock it before use.
         static readonly Dictionary<ulong, Func<ulong, Result>> open = new Dictionary<ulong, Func<ulong, Result>>();
 
-        // The native library has a pointer to this delegate, so it must not be collected.
+        // The native library has a pointer to this delegate, which must not be collected.
         static readonly HostLog onLog = OnLog;
 
         static volatile bool loaded;
@@ -37,8 +37,8 @@ namespace Hrt
             }
         }
 
-        /// <summary>Must precede each call of the library. The first Load() throws if the library is missing or has another
-        /// version, and connects the library's log.</summary>
+        /// <summary>Call it before any call of the library. The first Load() connects the library's log, and throws if the
+        /// library is missing or has another version.</summary>
         internal static void Load()
         {
             if (loaded) return;

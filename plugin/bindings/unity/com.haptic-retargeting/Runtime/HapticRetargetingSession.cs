@@ -26,7 +26,7 @@ namespace Hrt
             Own((out ulong created) => Native.hrt_session_create(Constants.Version, ref config, out created));
         }
 
-        /// <summary>The configuration. It cannot be set during a reach; targets are kept.</summary>
+        /// <summary>The configuration, to be set between reaches. Setting it keeps the targets.</summary>
         public SessionConfig Config
         {
             get => Get(out _);
@@ -91,7 +91,7 @@ namespace Hrt
             return command;
         }
 
-        /// <summary>Does the same as <see cref="Update"/>, but does not throw if a sample is refused: it returns false, and
+        /// <summary>Does the same as <see cref="Update"/>, but returns false if the sample is refused, and does not throw.
         /// <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
         public bool TryUpdate(Sample sample, out Command command) =>
             Exchange(ref sample, out command) == Result.Ok;

@@ -79,7 +79,7 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RemoveTarget(const FHapticTarget& Target);
 
-	/** Computes the gap between two targets, and the largest feasible gap, before a reach. */
+	/** Computes the gap between two targets, and the largest feasible gap. Needs no reach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool GetGap(const FHapticTarget& Real, const FHapticTarget& Virtual, FHapticGap& OutGap);
 
@@ -108,8 +108,8 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
 
-	/** Reports contact with the real object, at a position with the SD PositionSd (cm; 0: the real target's radius). It corrects the
-	 *  tracked positions of later reaches. Requires a registration. Allowed once per reach, at Arrived or after EndReach. */
+	/** Reports contact with the real object, at a position with the SD PositionSd (cm; 0: the real target's radius). The contact corrects
+	 *  the tracked positions of later reaches. Requires a registration. Allowed once per reach, at Arrived or after EndReach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool ReachTouched(const FVector& Location, double PositionSd = 0.0);
 
