@@ -128,7 +128,8 @@ peak: largest difference between perceived and virtual direction while the finge
 miss: bearing of the end minus that of the real target; distance of the end from the real target along the plate
 touch: tactile weight w_T of the user; assumed: estimate of the controller
 max gap: largest feasible gap of this user; lost: frames without a tracked finger
-bound: controller steps with the plate at a limit; reached: the reach ended inside the radius of the real target
+bound: percentage of controller steps with the plate at a limit
+reached: the reach ended inside the radius of the real target
 flag: warning of the controller; gap infeasible: the plate cannot sustain this gap for this user
 )";
 }

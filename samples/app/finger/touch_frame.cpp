@@ -131,7 +131,7 @@ void TouchFrame::take_report(std::int64_t time_ns) {
     const bool is_object = std::any_of(objects_.begin(), objects_.end(), [&](const Contact& object) {
       return std::hypot(object.place_m[0] - contact.place_m[0], object.place_m[2] - contact.place_m[2]) < object_m;
     });
-    const bool may_be = finger.id < 0 && has_landed && !is_object;  // unless the finger is in a later slot
+    const bool may_be = finger.id < 0 && has_landed && !is_object;  // a later slot may still have the former finger
     if (contact.id >= 0 && (contact.id == former || may_be)) finger = contact;
   }
   history_.push_back(finger);

@@ -94,7 +94,7 @@ typedef struct Plate {
   LineError error;             /**< reason of the ERROR line that is due; LINE_OK: no such line is due */
   uint16_t due;                /**< bits DUE_* of lines that must be sent */
   uint16_t stops_due;          /**< bits of the STOPPED lines that must be sent: 1 << PlateStop */
-  uint8_t conf_next, conf_end; /**< settings that must be sent: from conf_next to before conf_end */
+  uint8_t conf_next, conf_end; /**< settings that must be sent: conf_next to conf_end - 1 */
   uint8_t test_next;           /**< next line of the self-test; TEST_LINES: no line is due */
 } Plate;
 

@@ -92,7 +92,7 @@ bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]) {
 }
 
 uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_millideg) {
-  /* The product is at most 180000 * 5000 = 9e8, which fits. */
+  /* The product is at most 180000 * 5000 = 9e8, which fits into 32 bits. */
   const int32_t ticks_per_half_turn = settings->value[SETTING_SPAN_US] / 50;
   const int32_t product = orientation_millideg * ticks_per_half_turn;
   const int32_t turned = (product + (product < 0 ? -90000 : 90000)) / 180000;
@@ -147,7 +147,7 @@ int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16
   const int32_t at_max = settings->value[SETTING_ADC_AT_MAX] / 100 * 16;
   const int32_t min = settings->value[SETTING_MIN_DEG];
   const int32_t width = settings->value[SETTING_MAX_DEG] - min;
-  /* The product part * width is at most 16368 * 36000 = 6e8, which fits. */
+  /* The product part * width is at most 16368 * 36000 = 6e8, which fits into 32 bits. */
   const int32_t part = (int32_t)reading_16ths - at_min, whole = at_max - at_min;
   const int32_t orientation = min + part * width / whole - bend_at(settings, part, whole);
   const int32_t turn = 36000;

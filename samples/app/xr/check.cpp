@@ -66,7 +66,7 @@ class Watchdog {
     }
   }
 
-  // Uses no streams and runs no destructors: the blocked thread may hold their locks.
+  // Uses no streams and runs no destructors: the blocked thread may hold the locks of streams.
   [[noreturn]] static void end_process(ExitCode code, const std::string& why) {
     restore_terminal();
     say("hrt-reach: " + why + "\n");

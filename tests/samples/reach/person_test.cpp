@@ -77,7 +77,7 @@ TEST(ReachPerson, ChangesHandsOnTheWay) {
   const Outcome outcome = expect_exit(0, run_scripted(relay(0.0), person_and({"--hand", "either"})));
   EXPECT_TRUE(has(outcome.out, "reached (hands changed)"));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
-  EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 2);  // 0.3 s
+  EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 2);  // frames in 0.3 s
 }
 
 // A hand above the plate does not take over, and a hand that is not selected does not either.
