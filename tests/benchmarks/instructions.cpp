@@ -1,6 +1,5 @@
-// The program whose instructions the script `instructions` counts under callgrind: a session, updates of reaches and
-// set-ups through the C ABI, solves, and simulated reaches. A row ends with a dump of its counts, "name|number of
-// operations".
+// The script `instructions` runs this program under callgrind. For each row of the table, callgrind dumps its counts
+// with the text "name of the row|number of operations".
 #include <dlfcn.h>
 #include <valgrind/callgrind.h>
 
@@ -49,7 +48,6 @@ void load(const char* path) {
   require(!hrt_functions_load(dlsym, library, &api), path);
 }
 
-// A session with a running reach.
 class Frames {
  public:
   Frames(const hrt_session_config& config, double real_deg, double virtual_deg) {
@@ -149,7 +147,7 @@ void count_setup_updates() {
   end_row("update of a set-up", updates);
 }
 
-// 40 slides of 2 s after 2 s of rest, at 250 Hz. One row for each step: the table has the largest.
+// Counts each step of the fit to 40 slides of 2 s, each after 2 s of rest, at 250 Hz. The table has the largest count.
 void count_fit() {
   constexpr int slides = 40;
   const PersonCondition condition = draw_person(people_families()[0], 2.0, 1, 0);
@@ -189,7 +187,6 @@ hrt_sample direction_at(std::int64_t step, double direction_deg) {
   return sample;
 }
 
-// Counts updates of reaches of the paper's participant.
 void count_paper_updates(int horizon) {
   constexpr std::int64_t reaches = 10;
   constexpr std::int64_t steps = 30;

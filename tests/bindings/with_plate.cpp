@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A board without a sensor, homed at 0, which is exactly at its commanded orientation.
+// A homed board without a sensor, whose reported orientation is therefore exactly the command.
 struct HomedBoard : hrt::plate::EmulatedBoard {
   HomedBoard()
       : EmulatedBoard(

@@ -1,6 +1,6 @@
-// Passes arbitrary bytes on the plate's line to the firmware and to the host: unchanged, and with correct checksums, so
-// that the code after the check is also reached. Then passes them to the devices of the driver, also while these are
-// opened, and as the name of a device.
+// Passes arbitrary bytes to the firmware and to the host as lines of the plate's protocol: unchanged, and with correct
+// checksums. Then answers each device of the driver with these bytes, from its opening on, and opens a device whose
+// name they are.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -88,7 +88,7 @@ std::string with_sums(std::string_view bytes) {
   return lines;
 }
 
-// Returns status packets whose content after the instruction is one of these lines.
+// Returns a status packet for each line, which gives the packet's error and parameters.
 std::string with_crcs(std::string_view bytes) {
   std::string packets;
   while (!bytes.empty()) {

@@ -1,5 +1,5 @@
-// Makes calls in any order with any arguments, and checks that each result has a name, that a failed call does
-// not change its output, and that every number of an output is finite.
+// Makes calls in any order with any arguments. Checks that each result has a name, that a failed call does not change
+// its output, and that every number of an output is finite.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <array>
@@ -24,7 +24,7 @@ namespace {
 
 void require(bool holds, int line = __builtin_LINE()) {
   if (holds) return;
-  std::fprintf(stderr, "plugin_calls.cpp:%d: does not hold; last error: %s\n", line, hrt_last_error());
+  std::fprintf(stderr, "plugin_calls.cpp:%d: a requirement does not hold; last error: %s\n", line, hrt_last_error());
   std::abort();
 }
 

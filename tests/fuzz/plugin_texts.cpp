@@ -20,10 +20,8 @@ void require(bool condition) {
 }
 
 hrt_session new_session() {
-  hrt_session_config config;
   hrt_session session{};
-  config = hrt_session_config_init();
-  require(hrt_session_create(HRT_VERSION, &config, &session) == HRT_OK);
+  require(hrt_session_create(HRT_VERSION, nullptr, &session) == HRT_OK);
   return session;
 }
 

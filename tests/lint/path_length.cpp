@@ -25,7 +25,8 @@ hrt_result counted(Call&& call) {
   return result;
 }
 
-// Runs a reach by positions under HRT_GUIDANCE_ARRIVAL, every 11 ms; an update in the middle is counted.
+// Runs a reach by positions under HRT_GUIDANCE_ARRIVAL, every 11 ms. The last update, in the middle of the motion, is
+// counted.
 hrt_result update_once(hrt_session session) {
   hrt_reach_config reach = hrt_reach_config_init();
   hrt_target_config target = hrt_target_config_init();

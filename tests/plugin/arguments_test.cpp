@@ -1,9 +1,7 @@
 // Every call rejects null pointers, wrong struct sizes and invalid handles, names the argument, and changes no output.
 #include <array>
 #include <set>
-#include <string>
 #include <tuple>
-#include <vector>
 
 #include "generated/fields.h"
 #include "tests/plugin/fixture.h"
@@ -216,14 +214,14 @@ void ArgumentsTest::try_set_up() {
   ASSERT_OK(hrt_scene_destroy(scene));
 }
 
-// Add a line above for a new call.
+// For a new call, add a line to a function above.
 TEST_F(ArgumentsTest, InvalidArgumentsOfEveryCallAreRejectedByName) {
   try_reaches();
   try_people();
   try_set_up();
   const hrt_host host = hrt_host_init();
   REFUSES_BUT({"host"}, hrt_host_set_log, session, &host);
-  tried.insert("hrt_host_set");  // in memory_test.cpp
+  tried.insert("hrt_host_set");  // memory_test.cpp tests it
   for (const plugin::Call& call : plugin::calls) EXPECT_TRUE(tried.contains(call.name)) << call.name;
 }
 

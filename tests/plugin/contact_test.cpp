@@ -1,10 +1,6 @@
 // Contacts with the real object, which reveal an error of the tracker's frame.
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <string>
 
-#include "core/math/trigonometry.h"
 #include "core/plate/plate_frame.h"
 #include "core/simulation/random.h"
 #include "tests/plugin/guided_person.h"
@@ -23,17 +19,15 @@ hrt_contact contact_at(const PlatePoint& place, double sd_m) {
   return contact;
 }
 
-/// A contact at 100 mm from the start.
+/// Returns a contact at 100 mm from the start.
 hrt_contact contact_in(double direction_deg, double sd_m = 0.001) {
   return contact_at(point_ahead(start, direction_deg, 100.0), sd_m);
 }
 
 bool has_no_contacts(const hrt_session_config& config) {
-  const auto is_zero = [](double number) { return number == 0.0; };
-  return std::all_of(std::begin(config.registration.contact_correction),
-                     std::end(config.registration.contact_correction), is_zero) &&
-         std::all_of(std::begin(config.registration.contact_covariance),
-                     std::end(config.registration.contact_covariance), is_zero);
+  const hrt_session_config none = session_config();
+  return same(config.registration.contact_correction, none.registration.contact_correction) &&
+         same(config.registration.contact_covariance, none.registration.contact_covariance);
 }
 
 class ContactTest : public SessionTest {
@@ -93,7 +87,6 @@ TEST_F(ContactTest, ContactBeforeOrAfterTheEndGivesTheSameCorrection) {
   EXPECT_TRUE(same(config_of(session), after));
 }
 
-// With HRT_ADAPTATION_REACH, the configured bias does not change.
 TEST_F(ContactTest, ContactKeepsTheBiasUnlessEstimatesAreCarried) {
   hrt_session_config config = registered();
   config.adaptation = HRT_ADAPTATION_REACH;
@@ -106,8 +99,8 @@ TEST_F(ContactTest, ContactKeepsTheBiasUnlessEstimatesAreCarried) {
   EXPECT_FALSE(has_no_contacts(config_of(session)));
 }
 
-// The finger is tracked at 100 mm. The near side of an object of 20 mm radius is at 80 mm, with an SD of 20 mm. The SD
-// of D is 0.02, which is 2 mm at 100 mm.
+// The finger is tracked at 100 mm. The near side of an object of 20 mm radius is at 80 mm, with an SD of 20 mm. The
+// prior SD of the correction is 0.02, which is 2 mm at 100 mm.
 TEST_F(ContactTest, DefaultPositionIsTheNearSideOfTheRealTarget) {
   begin_straight_ahead(0.02);
   slide();
@@ -225,7 +218,7 @@ TEST_F(KnownContactTest, ProfileWithTheSamePoseRestoresContactsAndAddsDrift) {
 }
 
 TEST_F(KnownContactTest, ProfileWithoutContactsKeepsThoseOfTheSession) {
-  ASSERT_OK(load_profile(R"({"format":"haptic retargeting profile","version":1})"));
+  ASSERT_OK(load_profile(profile_with("")));
   const hrt_session_config back = config_of(session);
   EXPECT_TRUE(same(back.registration.contact_correction, known.registration.contact_correction));
   EXPECT_TRUE(same(back.registration.contact_covariance, known.registration.contact_covariance));
@@ -253,7 +246,6 @@ TEST_F(KnownContactTest, SettingAnotherPoseDiscardsContacts) {
   EXPECT_TRUE(has_no_contacts(config_of(session)));
 }
 
-// The pose of the scene's plate replaces the registered one.
 TEST_F(KnownContactTest, RegisteringASceneDiscardsContacts) {
   known.registration.time_ns = 5;
   known.plate.covariance[0] = 1e-4;

@@ -1,12 +1,8 @@
 // For all configurations and samples within the documented ranges, every output is finite.
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "generated/fields.h"
 #include "tests/plugin/fixture.h"
@@ -52,17 +48,10 @@ class Extremes : public SessionTest {
 
   /// Draws a number in the range, often one of its limits, or a small number if the range begins at 0.
   double within(double low, double high) {
-    switch (below(4)) {
-      case 0:
-        return low;
-      case 1:
-        return high;
-      case 2:
-        return low >= 0.0 ? std::pow(10.0, uniform(low > 0.0 ? std::log10(low) : -320.0, std::log10(high)))
-                          : uniform(low, high);
-      default:
-        return uniform(low, high);
-    }
+    const std::size_t kind = below(4);
+    if (kind < 2) return kind == 0 ? low : high;
+    if (kind == 2 && low >= 0.0) return std::pow(10.0, uniform(low > 0.0 ? std::log10(low) : -320.0, std::log10(high)));
+    return uniform(low, high);
   }
 
   /// Draws a configuration: all fields at random, or the defaults with a few random fields.
@@ -140,24 +129,20 @@ class Extremes : public SessionTest {
     sample->plate_orientation_deg = within(-3600.0, 3600.0);
     sample->finger_direction_deg = within(-180.0, 180.0);
     sample->plate_rotation[3] = 1.0;
-    switch (below(8)) {
-      case 0:
-        for (double& coordinate_m : sample->finger_position_m) coordinate_m = within(-1000.0, 1000.0);
-        break;
-      case 1:
-        break;  // rests
-      default:
-        sample->finger_position_m[0] += 0.001 * uniform(-1.0, 1.0);
-        sample->finger_position_m[2] -= 0.002;
-        for (double& coordinate_m : sample->finger_position_m) coordinate_m = std::clamp(coordinate_m, -1000.0, 1000.0);
+    const std::size_t kind = below(8);  // 0: jumps, 1: rests, else: slides
+    if (kind > 1) {
+      sample->finger_position_m[0] += 0.001 * uniform(-1.0, 1.0);
+      sample->finger_position_m[2] -= 0.002;
     }
+    for (double& coordinate_m : sample->finger_position_m)
+      coordinate_m = kind == 0 ? within(-1000.0, 1000.0) : std::clamp(coordinate_m, -1000.0, 1000.0);
     constexpr std::int64_t steps_ns[] = {0, 1, 11'000'000, 11'000'000, 11'000'000, 100'000'000, 20'000'000'000};
     const std::int64_t advance_ns = below(50) == 0 ? std::int64_t{1} << 60 : one_of(steps_ns);
     constexpr std::int64_t last_ns = std::numeric_limits<std::int64_t>::max();
     sample->time_ns = sample->time_ns > last_ns - advance_ns ? last_ns : sample->time_ns + advance_ns;
   }
 
-  /// Checks that after a reach the session's configuration is finite, can be set again, and is a valid profile.
+  /// Checks that the session's configuration is finite, can be set again, and gives a valid profile.
   void check_what_is_kept() {
     hrt_session_config config = config_of(session);
     for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(range.of(config)));

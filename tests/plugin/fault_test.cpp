@@ -1,6 +1,5 @@
 // Outputs of the library if the controller computes NaN. The controller of this program is a test double, because no
 // input is known for which the real one does.
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -26,7 +25,7 @@ namespace {
 
 class FaultTest : public SessionTest {
  protected:
-  // A slide of 1 s. If `fails`, the controller returns NaN in its second half.
+  // Runs a reach with a slide of 1 s. If `fails`, the controller returns NaN in the second half of the slide.
   hrt_reach_summary reach(bool fails) {
     for (int i = 0; i < 100; ++i) {
       plans_fail = fails && i >= 50;
@@ -35,8 +34,8 @@ class FaultTest : public SessionTest {
       EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
       EXPECT_TRUE(std::isfinite(command.felt_error_deg) && std::isfinite(command.predicted_miss_deg) &&
                   std::isfinite(command.time_to_go_s));
-      faults_ += (command.flags & HRT_COMMAND_FAULT) != 0 ? 1 : 0;
       if ((command.flags & HRT_COMMAND_FAULT) != 0) {
+        ++faults_;
         EXPECT_EQ(command.plate_orientation_deg, held_deg_);
       }
       held_deg_ = command.plate_orientation_deg;

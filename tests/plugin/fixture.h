@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/math/trigonometry.h"
 #include "haptic_retargeting/gap.h"
 #include "haptic_retargeting/haptic_retargeting.h"
 #include "haptic_retargeting/host.h"
@@ -42,7 +43,7 @@ Output output() {
   return out;
 }
 
-/// True if two structs are equal bit by bit.
+/// Returns true if two structs are equal bit by bit.
 template <class Struct>
 bool same(const Struct& a, const Struct& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
@@ -70,13 +71,13 @@ inline hrt_session_config paper_config() {
   return config;
 }
 
-/// Configures estimates of the user: these means, and independent traits with this variance.
+/// Sets the person to these means, and to independent traits with this variance.
 inline void know_person(hrt_session_config* config, const std::vector<double>& mean, double variance = 0.01) {
   std::copy(mean.begin(), mean.end(), config->person.mean);
   for (int i = 0; i < HRT_PERSON_TRAITS; ++i) config->person.covariance[i * (i + 3) / 2] = variance;
 }
 
-/// Collects the lines of the library's log, or of a session's, during its lifetime: "LEVEL text".
+/// During its lifetime, collects the lines of the library's log, or of the session's: "LEVEL text".
 class Log {
  public:
   explicit Log(hrt_session session = {}) : session_(session) {
@@ -106,7 +107,7 @@ inline hrt_target_config target_config(std::uint32_t role, double direction_deg,
   return config;
 }
 
-/// A target on the plate, `forward_m` ahead of the centre along the mid-line.
+/// Configures a target on the plate, `forward_m` ahead of its centre and `right_m` to the right.
 inline hrt_target_config placed(std::uint32_t role, double right_m, double forward_m) {
   hrt_target_config config = target_config(role, 0.0);
   config.place = HRT_PLACE_PLATE_POSITION;
@@ -131,7 +132,7 @@ inline hrt_sample direction_sample(std::int64_t time_ns, double direction_deg) {
   return sample;
 }
 
-/// A sample on the plate, `forward_m` ahead of the centre along the mid-line.
+/// Returns a sample of a finger on the plate, `forward_m` ahead of its centre and `right_m` to the right.
 inline hrt_sample position_sample(std::int64_t time_ns, double right_m, double forward_m) {
   auto sample = output<hrt_sample>();
   sample.flags = HRT_SAMPLE_PLATE_POSITION;
@@ -139,6 +140,17 @@ inline hrt_sample position_sample(std::int64_t time_ns, double right_m, double f
   sample.finger_position_m[0] = right_m;
   sample.finger_position_m[2] = -forward_m;
   return sample;
+}
+
+/// Returns the distance that a finger has slid at `time_ms`: it slides 10 cm in 1.5 s, from 300 ms on.
+inline double slid_m(std::int64_t time_ms) {
+  const double u = std::clamp(static_cast<double>(time_ms - 300) / 1500.0, 0.0, 1.0);
+  return 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
+}
+
+/// Returns a profile with additional fields, for example `,"plate":"desk 1"`.
+inline std::string profile_with(const std::string& fields) {
+  return R"({"format":"haptic retargeting profile","version":1)" + fields + "}";
 }
 
 class SessionTest : public ::testing::Test {
@@ -156,6 +168,12 @@ class SessionTest : public ::testing::Test {
   void create(const hrt_session_config& config) {
     destroy();
     ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
+  }
+
+  template <class Change>
+  void create(hrt_session_config config, Change change) {
+    change(config);
+    create(config);
   }
 
   hrt_target add(std::uint32_t role, double direction_deg, const char* name = "") {
@@ -191,13 +209,11 @@ class SessionTest : public ::testing::Test {
     return command;
   }
 
-  /// Passes samples of a finger that slides straight ahead from the start, 10 cm in 1.5 s.
+  /// Passes samples of a finger that slides straight ahead from the start, at the times of slid_m().
   hrt_command slide(std::int64_t from_ms = 0, std::int64_t until_ms = 2210) {
     hrt_command command{};
-    for (std::int64_t t = from_ms; t < until_ms; t += 10) {
-      const double u = std::clamp(static_cast<double>(t - 300) / 1500.0, 0.0, 1.0);
-      command = update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
-    }
+    for (std::int64_t t = from_ms; t < until_ms; t += 10)
+      command = update(position_sample(t * ms, 0.0, slid_m(t) - 0.05));
     return command;
   }
 

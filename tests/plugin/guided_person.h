@@ -5,9 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
-#include <vector>
 
-#include "core/math/trigonometry.h"
 #include "core/plate/plate_model.h"
 #include "core/simulation/guided_hand.h"
 #include "tests/plugin/fixture.h"
@@ -68,10 +66,6 @@ class GuidedPerson {
     Eigen::Quaterniond attitude;
   };
 
-  Eigen::Vector3d error_m(double sd_m) {
-    return {sd_m * draws_.normal(), sd_m * draws_.normal(), sd_m * draws_.normal()};
-  }
-
   hrt_sample sample() {
     auto sample = output<hrt_sample>();
     sample.time_ns = time_ns();
@@ -79,9 +73,9 @@ class GuidedPerson {
     sample.plate_orientation_deg = plate_.orientation_deg();
     const auto late = static_cast<std::size_t>(std::max<std::int64_t>(0, time_ms_ - 1 - latency_ms));
     const Held& held = seen_[late];
-    const Eigen::Vector3d noise = error_m(noise_m);
+    Eigen::Vector3d seen_m = held.skin_m;
+    for (double& coordinate_m : seen_m) coordinate_m += noise_m * draws_.normal();
     if (time_ms_ < lifted_until_ms_) sample.flags |= HRT_SAMPLE_LIFTED;
-    Eigen::Vector3d seen_m = held.skin_m + noise;
     if (in_plate) {
       sample.flags |= HRT_SAMPLE_PLATE_POSITION;
     } else {
@@ -104,27 +98,28 @@ class GuidedPerson {
 };
 
 /// Returns a person without noise, under a tracker without latency.
-inline GuidedPerson quiet_person() {
+inline GuidedPerson quiet_person(bool in_plate = false) {
   GuidedPerson person(1);
   person.condition.person = Person{};
   person.condition.person.noise_deg2_per_s = 0.0;
   person.touch_sd_m = person.noise_m = 0.0;
   person.latency_ms = 0;
+  person.in_plate = in_plate;
   return person;
 }
 
 /// Runs a set-up with the person until it is over.
 inline hrt_setup_result set_up(hrt_session session, std::uint32_t what, GuidedPerson* person,
                                const hrt_setup_config& config = hrt_setup_config_init()) {
-  EXPECT_EQ(hrt_setup_begin(session, what, &config), HRT_OK) << hrt_last_error();
+  EXPECT_OK(hrt_setup_begin(session, what, &config));
   auto step = output<hrt_setup_step>();
   auto result = output<hrt_setup_result>();
   result.left = what;
   for (int frame = 0; result.left != 0 && frame < 40'000; ++frame) {
     const hrt_sample sample = person->follow(step);
-    EXPECT_EQ(hrt_setup_update(session, &sample, &step), HRT_OK) << hrt_last_error();
+    EXPECT_OK(hrt_setup_update(session, &sample, &step));
     if (step.instruction != HRT_STEP_FINISH) continue;
-    EXPECT_EQ(hrt_setup_finish(session, &result), HRT_OK) << hrt_last_error();
+    EXPECT_OK(hrt_setup_finish(session, &result));
   }
   EXPECT_EQ(result.left, 0u) << step.text;
   return result;

@@ -2,22 +2,16 @@
 // by a field; the point of contact on the skin changes at each touch; the noise is correlated in time. The fit models
 // rotation, scale and shear, but not the field.
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
-#include <vector>
 
-#include "core/math/trigonometry.h"
 #include "core/simulation/random.h"
-#include "haptic_retargeting/setup.h"
 #include "tests/plugin/fixture.h"
 
 namespace hrt::test {
 namespace {
 
 constexpr std::int64_t frame_ns = 11'111'111;
-constexpr double radian = std::numbers::pi / 180.0;
 constexpr double reach_m = 0.1;
 const std::vector<double> directions_deg{-14.0, 0.0, 10.0};
 const Eigen::Vector2d start_m{0.0, -0.05};  // right, away
@@ -32,7 +26,7 @@ struct Tracked {
 
   Tracked(Frame frame, std::uint32_t index) : draws(91, static_cast<std::uint32_t>(frame), index, 0) {
     for (double& entry : stretch.reshaped()) entry = frame == Frame::sheared ? 0.03 * draws.normal() : 0.0;
-    const double turn = 0.85 * radian * draws.normal();
+    const double turn = 0.85 * rad_per_deg * draws.normal();
     stretch += Eigen::Matrix2d{{0.0, -turn}, {turn, 0.0}};
     shift_m = {0.001 * draws.normal(), 0.001 * draws.normal()};
     field_m = frame == Frame::field ? 0.004 : 0.0;
@@ -40,7 +34,7 @@ struct Tracked {
     skin_m = {0.0015 * draws.normal(), 0.0015 * draws.normal()};
   }
 
-  // Two statements, because the order of evaluation of arguments depends on the compiler, and so would the draws.
+  // Draws in two statements, because the order in which arguments are evaluated depends on the compiler.
   Eigen::Vector2d two_normals() {
     const double away = draws.normal();
     return {draws.normal(), away};
@@ -53,7 +47,7 @@ struct Tracked {
            field_m * Eigen::Vector2d(std::sin(along + phases[0]), std::sin(across + phases[1]));
   }
 
-  // Tracked position relative to that of the start, without a lift between them.
+  // Returns the tracked position minus that of the start, if the finger is not lifted between them.
   Eigen::Vector2d from_start(const Eigen::Vector2d& at) const { return bent(at) - bent(start_m); }
 
   Eigen::Vector2d seen(const Eigen::Vector2d& at) {
@@ -76,7 +70,7 @@ class GuidesTest : public SessionTest {
     problem = 0;
     hrt_session_config config = session_config();
     config.flags = HRT_SESSION_REGISTERED;
-    config.plate.covariance[0] = std::pow(0.85 * radian, 2);
+    config.plate.covariance[0] = std::pow(0.85 * rad_per_deg, 2);
     config.plate.covariance[2] = config.plate.covariance[5] = 1e-6;
     create(config);
     for (const double direction_deg : directions_deg) {
@@ -87,7 +81,7 @@ class GuidesTest : public SessionTest {
     }
   }
 
-  /// Runs the set-up: the person rests, and slides along the guide to the requested position, or to `instead`.
+  /// Runs the set-up: the person rests, and slides along the guide to the requested position, or to that of `instead`.
   hrt_setup_result set_up(Tracked& tracked,
                           const std::function<Eigen::Vector2d(int done, Eigen::Vector2d)>& instead = {}) {
     EXPECT_OK(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr));
@@ -125,14 +119,14 @@ class GuidesTest : public SessionTest {
     return result;
   }
 
-  /// Error of the bearing from the start, with the session's correction, in degrees.
+  /// Returns the error of the bearing of a target from the start, with the session's correction.
   double error_deg(const Tracked& tracked, double direction_deg) const {
     const hrt_session_config config = config_of(session);
     const double* d = config.registration.contact_correction;
     const Eigen::Vector2d seen = tracked.from_start(target_m(direction_deg));
     const Eigen::Vector2d at =
         seen + Eigen::Vector2d(d[0] * seen.x() + d[1] * seen.y(), d[2] * seen.x() + d[3] * seen.y());
-    return std::atan2(-at.x(), at.y()) / radian - direction_deg;
+    return atan2_deg(-at.x(), at.y()) - direction_deg;
   }
 
   std::vector<hrt_target> reals;
@@ -143,8 +137,8 @@ class GuidesTest : public SessionTest {
   int lifted_frame = 1'000'000;
 };
 
-// SDs of bearings, and their 95 % intervals. Before the guides, a registration by six marks has bearing errors of 0.9
-// degrees in a rotated frame, and of 2 degrees in the others.
+// Limits of the RMS bearing error, and of the coverage of 95 % intervals. Before the guides, a registration by six
+// marks has bearing errors of 0.9 degrees in a rotated frame, and of 2 degrees in the other frames.
 TEST_F(GuidesTest, BearingErrorsAreSmallAndWithinTheirIntervals) {
   struct Noise {
     double sd_m, correlation_s, allowed_deg;
@@ -178,7 +172,7 @@ TEST_F(GuidesTest, BearingErrorsAreSmallAndWithinTheirIntervals) {
 TEST_F(GuidesTest, RotatedFrameReplacesTheBiasThatReachesEstimated) {
   make_session();
   Tracked tracked(Tracked::Frame::turned, 300);
-  tracked.stretch = Eigen::Matrix2d{{0.0, -2.0 * radian}, {2.0 * radian, 0.0}};
+  tracked.stretch = Eigen::Matrix2d{{0.0, -2.0 * rad_per_deg}, {2.0 * rad_per_deg, 0.0}};
   hrt_session_config config = config_of(session);
   know_person(&config, {0.2, 0.0, 14.0, 2.0, 0.0, 0.1, -0.5, 0.0, 1.2, 0.5});
   ASSERT_OK(hrt_session_set(session, &config));
@@ -231,20 +225,15 @@ TEST_F(GuidesTest, RequiresARegistrationAndARealTarget) {
   near.radius_m = 0.01;
   add(near);
   expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_OUT_OF_RANGE, "for a guide");
-  hrt_session_config registered = session_config();
-  registered.flags = HRT_SESSION_REGISTERED;
-  create(registered);
+  create(session_config(), [](auto& c) { c.flags = HRT_SESSION_REGISTERED; });
   expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE);
 }
 
-// An offset of the frame by 8 mm does not rotate reaches from a start that is found by touch.
+// The frame is shifted by 8 mm, which does not change the bearings from a start that is found by touch.
 TEST_F(GuidesTest, FeltStartRemovesAnOffsetOfTheFrame) {
   for (const bool felt : {false, true}) {
-    hrt_session_config config = session_config();
-    config.flags = felt ? HRT_SESSION_START_FELT : 0;
-    create(config);
-    const hrt_reach_config reach = reach_config(add(HRT_TARGET_REAL, 0.0), add(HRT_TARGET_VIRTUAL, 0.0));
-    ASSERT_OK(hrt_reach_begin(session, &reach));
+    create(session_config(), [&](auto& c) { c.flags = felt ? HRT_SESSION_START_FELT : 0; });
+    ASSERT_OK(begin(add(HRT_TARGET_REAL, 0.0), add(HRT_TARGET_VIRTUAL, 0.0)));
     hrt_command command{};
     for (int frame = 0; frame < 180; ++frame) {
       const double share = std::clamp((frame - 60) / 90.0, 0.0, 1.0);

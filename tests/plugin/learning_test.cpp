@@ -20,7 +20,7 @@ class LearningTest : public SessionTest {
 
   hrt_session_config config() const { return config_of(session); }
 
-  /// One reach of a person with w_T = 0.2, whose directions are tracked exactly.
+  /// Runs one reach of a person with w_T = 0.2, whose directions are tracked exactly.
   hrt_reach_summary reach_of(double motor_variance_deg2, std::uint32_t reach) {
     EXPECT_OK(begin(real_, virtual_));
     SimulatedParticipant participant({.tactile_weight = 0.2, .motor_variance_deg2 = motor_variance_deg2}, virtual_deg);
@@ -114,24 +114,19 @@ TEST_F(LearningTest, CarriedEstimatesAreWithinTheirRanges) {
 // With a bias of 2 degrees and a target at 5, the commands are those for a target at 7 without a bias.
 TEST_F(LearningTest, BiasActsLikeAShiftedTarget) {
   const auto reach = [&](double target_deg, double bias_deg) {
-    hrt_session_config config = paper_config();
-    config.person.bias_deg = bias_deg;
-    create(config);
+    create(paper_config(), [&](auto& c) { c.person.bias_deg = bias_deg; });
     const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, target_deg);
     EXPECT_EQ(gap_of(real, cup).gap_deg, 12.0);
     EXPECT_OK(begin(real, cup));
     for (std::uint32_t step = 0; step < steps; ++step) update(direction_sample(step * step_ns, 3.0 - step / 3.0));
     return end();
   };
-  hrt_reach_summary one = reach(5.0, 2.0);
-  const hrt_reach_summary other = reach(7.0, 0.0);
+  const hrt_reach_summary one = reach(5.0, 2.0), other = reach(7.0, 0.0);
   EXPECT_EQ(one.paper.miss_deg, other.paper.miss_deg);
   EXPECT_EQ(one.paper.perceived_direction_deg, other.paper.perceived_direction_deg);
   EXPECT_EQ(one.paper.perceived_error_deg, other.paper.perceived_error_deg);
 
-  hrt_session_config config = paper_config();
-  config.person.bias_deg = 45.0;
-  create(config);
+  create(paper_config(), [](auto& c) { c.person.bias_deg = 45.0; });
   expect_error(begin(add(HRT_TARGET_REAL, -50.0), add(HRT_TARGET_VIRTUAL, 5.0)), HRT_ERROR_OUT_OF_RANGE,
                "at 50 with the user's bias");
 }

@@ -1,8 +1,6 @@
 // The host's locale has a decimal comma. Texts that the library reads and writes must not depend on it.
 #include <clocale>
 #include <cstdlib>
-#include <string>
-#include <vector>
 
 #include "tests/plugin/recording/recording_fixture.h"
 

@@ -1,10 +1,7 @@
 // Reaches of people through the C ABI: a simulated person, tracker and plate. The library only gets positions.
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "core/plate/plate_model.h"
 #include "core/simulation/people.h"
@@ -32,7 +29,7 @@ struct ReachOutcome {
 
 class PersonTest : public SessionTest {
  protected:
-  /// The default configuration, with the speed limit and latency of a servo plate: 400 deg/s, 30 ms.
+  /// Returns the default configuration with the speed limit and latency of a servo plate: 400 deg/s, 30 ms.
   static hrt_session_config servo_config() {
     hrt_session_config config = session_config();
     config.plate.max_speed_deg_s = 400.0;
@@ -40,7 +37,7 @@ class PersonTest : public SessionTest {
     return config;
   }
 
-  /// A person with a linear illusion and w_T = 0.2, a tracker without noise, and a plate as configured.
+  /// Returns a person with a linear illusion and w_T = 0.2, and a tracker without noise.
   static PersonCondition steady_person() {
     PersonCondition condition;
     condition.person.noise_deg2_per_s = 0.0;
@@ -147,7 +144,7 @@ TEST_F(PersonTest, PlateIsTurnedBeforeTheMotion) {
   EXPECT_LT(std::abs(waiting.bearing_error_deg), 1.5);
 }
 
-// A motion of 3 s: elapsed time plus time to go, at the first prediction.
+// Compares the elapsed time plus the time to go, at the first prediction, with the motion's duration of 3 s.
 TEST_F(PersonTest, ConfiguredDurationSetsTheTimeToGo) {
   PersonCondition condition = steady_person();
   condition.person.duration_s = 3.0;
@@ -163,8 +160,8 @@ TEST_F(PersonTest, ConfiguredDurationSetsTheTimeToGo) {
   EXPECT_LT(expected_s(1.5), expected_s(3.0) - 0.3);
 }
 
-// After a reach, the configuration has its estimates. They differ a little from those of the summary, because the
-// motion is filtered again after the reach, with the observed wander.
+// The estimates differ a little from those of the summary, because the motion is filtered again after the reach, with
+// the observed wander.
 TEST_F(PersonTest, EstimatesAreWrittenToTheConfiguration) {
   create(servo_config());
   PersonCondition condition = steady_person();
@@ -173,7 +170,7 @@ TEST_F(PersonTest, EstimatesAreWrittenToTheConfiguration) {
   const hrt_session_config after = config_of(session);
   EXPECT_FALSE(is_unknown(after));
   EXPECT_NEAR(after.person.mean[HRT_PERSON_CURVE], summary.learnt.illusion_curve, 0.01);
-  EXPECT_LT(after.person.mean[HRT_PERSON_LOG_WANDER], 1.6);  // below the prior: a steady person
+  EXPECT_LT(after.person.mean[HRT_PERSON_LOG_WANDER], 1.6) << "the person is steadier than the prior";
   EXPECT_GT(after.person.mean[HRT_PERSON_BIAS],
             0.5 * summary.learnt.bias_deg);  // the rest is attributed to the scatter of this reach
   EXPECT_LT(after.person.mean[HRT_PERSON_BIAS], 2.0);
@@ -181,8 +178,8 @@ TEST_F(PersonTest, EstimatesAreWrittenToTheConfiguration) {
   EXPECT_NEAR(after.person.tactile_weight, summary.learnt.tactile_weight, 0.01);
   EXPECT_GT(after.person.tactile_weight_sd, summary.learnt.tactile_weight_sd);
   // Indices of the diagonal in a lower triangle by rows: 0, 2, 5, 9, 14.
-  EXPECT_LT(std::sqrt(after.person.covariance[9]), 4.0);  // below that of the prior
-  EXPECT_LT(std::sqrt(after.person.covariance[0]), 0.08);
+  EXPECT_LT(std::sqrt(after.person.covariance[9]), 4.0) << "less than before the reach";
+  EXPECT_LT(std::sqrt(after.person.covariance[0]), 0.08) << "less than before the reach";
 }
 
 TEST_F(PersonTest, ProfileRestoresThePersonBitForBit) {
@@ -202,8 +199,7 @@ TEST_F(PersonTest, ProfileRestoresThePersonBitForBit) {
   expect_same(here.commands, there.commands);
 
   // A profile without person_mean resets the estimates.
-  ASSERT_OK(load_profile(
-      R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.25,"tactile_weight_sd":0.02})"));
+  ASSERT_OK(load_profile(profile_with(",\"tactile_weight\":0.25,\"tactile_weight_sd\":0.02")));
   EXPECT_TRUE(is_unknown(config_of(session)));
   EXPECT_EQ(config_of(session).person.mean[HRT_PERSON_BIAS], 0.0);
   EXPECT_EQ(config_of(session).person.tactile_weight, 0.25);
@@ -222,7 +218,7 @@ TEST_F(PersonTest, AdaptationOffKeepsTheConfiguredWeight) {
   EXPECT_TRUE(same(config_of(session), config));
 }
 
-// The finger rests for 0.5 s, and then moves for a third of the duration of the motion.
+// The finger rests for 0.5 s and moves for 0.5 s, which is a third of the motion's duration.
 TEST_F(PersonTest, ReachThatEndsEarlyChangesNoEstimate) {
   create(servo_config());
   const hrt_session_config before = config_of(session);
@@ -249,9 +245,7 @@ TEST_F(PersonTest, UnreachableAndMissedTargetsAreFlagged) {
 
   condition = steady_person();
   condition.person.illusion.tactile_weight = 0.1;
-  hrt_session_config config = servo_config();
-  config.adaptation = HRT_ADAPTATION_OFF;
-  create(config);
+  create(servo_config(), [](auto& c) { c.adaptation = HRT_ADAPTATION_OFF; });
   const ReachOutcome weak = run_reach(condition);
   EXPECT_GT(std::abs(weak.bearing_error_deg), 1.5);
   EXPECT_EQ(weak.summary.flags & HRT_COMMAND_UNREACHABLE, 0u);
@@ -323,12 +317,9 @@ TEST_F(PersonTest, InvalidMeanOrCovarianceIsRejectedAndChangesNothing) {
   expect_error(hrt_session_set(session, &config), HRT_ERROR_OUT_OF_RANGE, "person_mean[0]");
 }
 
-// GUIDANCE_ARRIVAL needs positions.
 TEST_F(PersonTest, DirectionsOnlyGiveTheCommandsOfFixedDirection) {
   const auto outcome = [&](std::uint32_t guidance) {
-    hrt_session_config config = servo_config();
-    config.guidance = guidance;
-    create(config);
+    create(servo_config(), [&](auto& c) { c.guidance = guidance; });
     std::vector<hrt_command> commands;
     for (int reach = 0; reach < 2; ++reach) {
       begin_reach();
@@ -346,7 +337,6 @@ TEST_F(PersonTest, DirectionsOnlyGiveTheCommandsOfFixedDirection) {
   expect_same(outcome(HRT_GUIDANCE_ARRIVAL), outcome(HRT_GUIDANCE_FIXED_DIRECTION));
 }
 
-// No command has been returned, so the plate has not moved.
 TEST_F(PersonTest, ReachWithoutSamplesDoesNotMoveThePlate) {
   hrt_session_config config = servo_config();
   config.plate.max_speed_deg_s = 100.0;

@@ -9,21 +9,18 @@ namespace {
 
 class PlausibilityTest : public SessionTest {
  protected:
-  /// The slide of SessionTest, rotated by `bend_deg`, with a mistake in each sample. Returns the summary.
+  /// Runs a reach with the slide of SessionTest, rotated by `bend_deg`, and a mistake in each sample.
   hrt_reach_summary slide_with(const std::function<void(hrt_sample*)>& mistake, double bend_deg = 0.0) {
     begin_reach();
     for (std::int64_t t = 0; t < 2500; t += 10) {
-      const double u = std::clamp(static_cast<double>(t - 300) / 1500.0, 0.0, 1.0);
-      const double far_m = 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
-      const double bend = bend_deg * one_degree;
-      hrt_sample sample = position_sample(t * ms, -far_m * std::sin(bend), -0.05 + far_m * std::cos(bend));
+      hrt_sample sample =
+          position_sample(t * ms, -slid_m(t) * sin_deg(bend_deg), -0.05 + slid_m(t) * cos_deg(bend_deg));
       mistake(&sample);
       last = update(sample);
     }
     return end();
   }
 
-  static constexpr double one_degree = 0.017453292519943295;
   hrt_command last{};
 };
 
@@ -59,7 +56,7 @@ TEST_F(PlausibilityTest, MistakesOfUnitsAndAxesAreFlaggedAndLogged) {
 
 TEST_F(PlausibilityTest, DirectionsInRadiansAreFlaggedAndLogged) {
   for (const bool is_mistake : {false, true}) {
-    const double unit = is_mistake ? one_degree : 1.0;
+    const double unit = is_mistake ? rad_per_deg : 1.0;
     Log log;
     create(session_config());
     const hrt_target real = add(HRT_TARGET_REAL, 0.0), seen = add(HRT_TARGET_VIRTUAL, 5.0 * unit);
@@ -91,15 +88,11 @@ TEST_F(PlausibilityTest, TargetsFarOffThePlateAreFlaggedInTheFirstCommand) {
 }
 
 TEST_F(PlausibilityTest, FingerThatRestsElsewhereDoesNotArrive) {
-  struct Place {
-    double right_m, forward_m;
-  };
-  for (const Place& place : {Place{0.0, -0.5}, Place{0.2, -0.05}, Place{0.0, -0.15}, Place{0.0087, 0.0496}}) {
+  for (const auto& [right_m, forward_m] : {std::pair{0.0, -0.5}, {0.2, -0.05}, {0.0, -0.15}, {0.0087, 0.0496}}) {
     create(session_config());
     begin_reach();
     hrt_command command{};
-    for (std::int64_t t = 0; t < 3000; t += 11)
-      command = update(position_sample(t * ms, place.right_m, place.forward_m));
+    for (std::int64_t t = 0; t < 3000; t += 11) command = update(position_sample(t * ms, right_m, forward_m));
     EXPECT_EQ(command.flags & (HRT_COMMAND_ARRIVED | HRT_COMMAND_NOT_AT_START | HRT_COMMAND_MISS_UNKNOWN),
               HRT_COMMAND_NOT_AT_START | HRT_COMMAND_MISS_UNKNOWN);
     const hrt_reach_summary summary = end();
@@ -130,10 +123,8 @@ TEST_F(PlausibilityTest, RepeatedPositionsAreDropouts) {
     begin_reach();
     hrt_sample kept{};
     for (int frame = 0; frame < 220; ++frame) {
-      const double u = std::clamp((frame - 30) / 135.0, 0.0, 1.0);
       const double noise_m = 3e-4 * std::sin(7.0 * frame);
-      hrt_sample sample =
-          position_sample(frame * 11 * ms, noise_m, -0.05 + noise_m + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u)));
+      hrt_sample sample = position_sample(frame * 11 * ms, noise_m, -0.05 + noise_m + slid_m(frame * 11));
       if (frame % 3 == 0) kept = sample;
       if (copies) {
         std::copy(std::begin(kept.finger_position_m), std::end(kept.finger_position_m), sample.finger_position_m);

@@ -1,7 +1,5 @@
 // Checks the statements of plugin/PROCESS.md about the host's process.
-#include <algorithm>
 #include <cfenv>
-#include <string>
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -44,9 +42,6 @@ TEST(Process, FlushToZeroIsKeptAndChangesNoResult) {
   EXPECT_EQ(_mm_getcsr() & (flush_to_zero | denormals_are_zero), flush_to_zero | denormals_are_zero);
   _mm_setcsr(before);
 }
-#endif
-
-#if defined(__SSE2__)
 TEST(Process, FloatingPointTrapsAreKeptAndNotTriggered) {
   constexpr unsigned masks = _MM_MASK_MASK, flags = _MM_EXCEPT_MASK;
   const unsigned before = _mm_getcsr();

@@ -73,8 +73,7 @@ TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
   EXPECT_NEAR(command.paper.finger_direction_deg, 0.0, 2.0);
   EXPECT_GE(command.paper.step, 1);
   // The real target is 0.1 m from the start, 5 degrees to the right; the finger has gone 0.028 m ahead.
-  const double rad = 5.0 * 3.14159265358979323846 / 180.0;
-  EXPECT_NEAR(command.distance_to_go_m, std::hypot(0.1 * std::sin(rad), 0.1 * std::cos(rad) - 0.028), 1e-4);
+  EXPECT_NEAR(command.distance_to_go_m, std::hypot(0.1 * sin_deg(5.0), 0.1 * cos_deg(5.0) - 0.028), 1e-4);
 }
 
 // The plate is at (1, 2, 3) in the world, rotated by 90 degrees to the left about the upward axis, so that its
@@ -176,9 +175,7 @@ TEST_F(ReachTest, UnreachablePairIsFlagged) {
 }
 
 TEST_F(ReachTest, PlateTurnsAtItsSpeedFromTheLastCommandOrTheGivenOrientation) {
-  hrt_session_config config = paper_config();
-  config.plate.max_speed_deg_s = 100.0;
-  create(config);
+  create(paper_config(), [](auto& c) { c.plate.max_speed_deg_s = 100.0; });
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
   ASSERT_OK(begin(real, virtual_target));
   const hrt_command first = update(direction_sample(0, 0.0));
@@ -195,9 +192,7 @@ TEST_F(ReachTest, PlateTurnsAtItsSpeedFromTheLastCommandOrTheGivenOrientation) {
 }
 
 TEST_F(ReachTest, MeasuredPlateOrientationReplacesTheExpectedOne) {
-  hrt_session_config config = paper_config();
-  config.plate.max_speed_deg_s = 100.0;
-  create(config);
+  create(paper_config(), [](auto& c) { c.plate.max_speed_deg_s = 100.0; });
   begin_reach();
   hrt_sample sample = direction_sample(0, 0.0);
   sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
@@ -208,9 +203,7 @@ TEST_F(ReachTest, MeasuredPlateOrientationReplacesTheExpectedOne) {
 // The participant's w_T differs from the configured one. The controller estimates it within a reach, and reaches the
 // real target; with CARRIED, the next reach starts with the estimate.
 TEST_F(ReachTest, AdaptationEstimatesTheTactileWeightAndCarriesIt) {
-  hrt_session_config config = paper_config();
-  config.adaptation = HRT_ADAPTATION_CARRIED;
-  create(config);
+  create(paper_config(), [](auto& c) { c.adaptation = HRT_ADAPTATION_CARRIED; });
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
   const auto reach = [&] {
     EXPECT_OK(begin(real, virtual_target));
@@ -232,8 +225,7 @@ TEST_F(ReachTest, AdaptationEstimatesTheTactileWeightAndCarriesIt) {
   EXPECT_EQ(learnt.person.tactile_weight, first.learnt.tactile_weight);
   EXPECT_EQ(learnt.person.tactile_weight_sd, std::max(first.learnt.tactile_weight_sd, 0.01));
 
-  config.adaptation = HRT_ADAPTATION_OFF;
-  create(config);
+  create(paper_config());
   begin_reach();
   update(direction_sample(0, 0.0));
   EXPECT_EQ(end().learnt.tactile_weight, 0.15);
@@ -315,8 +307,7 @@ TEST_F(ReachTest, FieldsThatFlagsDoNotNameAreNotRead) {
   begin_reach();
   hrt_sample sample = direction_sample(0, 0.0);
   sample.finger_position_m[0] = sample.plate_orientation_deg = std::nan("");
-  const hrt_command command = update(sample);
-  EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
+  EXPECT_TRUE(std::isfinite(update(sample).plate_orientation_deg));
 }
 
 TEST_F(ReachTest, InvalidPairsAreRejected) {

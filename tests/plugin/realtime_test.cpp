@@ -9,12 +9,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <string>
 #include <thread>
 
 #include "fixture.h"
@@ -24,7 +22,7 @@
 
 namespace {
 
-constinit thread_local bool watching = false;  // the calls of this thread are counted
+constinit thread_local bool watching = false;  // true: the calls of this thread are counted
 constinit std::atomic<long> allocations{0};
 constinit std::atomic<long> locks{0};
 
@@ -193,10 +191,10 @@ void expect_neither_memory_nor_locks(auto&& body) {
 TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
   pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
   watching = true;
-  const hrt_target of_the_librarys_memory = add(HRT_TARGET_REAL, 0.0);
+  const hrt_target allocated = add(HRT_TARGET_REAL, 0.0);
   watching = false;
   ASSERT_GE(allocations, 1) << "the test does not see allocations";
-  ASSERT_OK(hrt_target_remove(session, of_the_librarys_memory));
+  ASSERT_OK(hrt_target_remove(session, allocated));
   watching = true;
   pthread_mutex_lock(&mutex);
   watching = false;
@@ -222,7 +220,7 @@ bool forbid_system_calls() {
 }
 
 // Returns the exit status of a child that runs the body without system calls. Threads that `prepare` starts may make
-// them.
+// system calls.
 template <class Prepare, class Body>
 int status_without_system_calls(Prepare&& prepare, Body&& body) {
   const pid_t child = fork();

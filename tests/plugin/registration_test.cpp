@@ -1,8 +1,5 @@
-// Effects of the plate's registration on a session: scale, uncertainty, age.
-#include <algorithm>
+// Effects of the plate's registration on gaps and commands: uncertainty and age.
 #include <cmath>
-#include <numbers>
-#include <string>
 
 #include "fixture.h"
 
@@ -18,7 +15,7 @@ TEST_F(RegistrationTest, GapHasTheBearingSdOfRegistrationAndTracker) {
   const auto gap_with = [&](double turn_deg, double shift_m, double tracker_deg = 0.0) {
     hrt_session_config config = session_config();
     config.tracker.bearing_sd_deg = tracker_deg;
-    config.plate.covariance[0] = std::pow(turn_deg * std::numbers::pi / 180.0, 2);
+    config.plate.covariance[0] = std::pow(turn_deg * rad_per_deg, 2);
     config.plate.covariance[2] = shift_m * shift_m;
     EXPECT_OK(hrt_session_set(session, &config));
     return gap_of(real, felt);
@@ -27,27 +24,24 @@ TEST_F(RegistrationTest, GapHasTheBearingSdOfRegistrationAndTracker) {
   EXPECT_EQ(gap_with(0.0, 0.0).miss_share, 0.0);
   EXPECT_NEAR(gap_with(2.0, 0.0).bearing_sd_deg, 1.0, 1e-9);
   EXPECT_NEAR(gap_with(2.0, 0.0).miss_share, 0.133614, 1e-6);
-  EXPECT_NEAR(gap_with(0.0, 0.002).bearing_sd_deg, 0.002 / 0.1 * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(gap_with(0.0, 0.002).bearing_sd_deg, 0.002 / 0.1 * deg_per_rad, 1e-9);
   EXPECT_NEAR(gap_with(0.0, 0.0, 2.9).miss_share, 0.604988, 1e-6);  // 40 % end within 1.5 degrees
   EXPECT_NEAR(gap_with(6.0, 0.0, 4.0).bearing_sd_deg, 5.0, 1e-9);
 }
 
-// One sample of a reach to a target 100 mm from the start. The start is the centre of the plate.
+// Reaches from the centre of the plate to a target at a distance of 100 mm.
 class RegisteredReachTest : public SessionTest {
  protected:
-  static constexpr double one_degree = 0.017453292519943295;
-
   hrt_command command_at(std::int64_t time_ns, const hrt_session_config& config) {
     create(config);
     begin_reach();
-    hrt_sample sample = position_sample(time_ns, 0.0, 0.0);
-    return update(sample);
+    return update(position_sample(time_ns, 0.0, 0.0));
   }
 
   static hrt_session_config turned_by(double sd_deg) {
     hrt_session_config config = session_config();
     config.start_position_m[2] = 0.0;
-    config.plate.covariance[0] = sd_deg * one_degree * sd_deg * one_degree;
+    config.plate.covariance[0] = std::pow(sd_deg * rad_per_deg, 2);
     config.flags = HRT_SESSION_REGISTERED;
     config.registration.time_ns = 1000;
     return config;

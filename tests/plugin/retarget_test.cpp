@@ -1,9 +1,4 @@
-// Reaches that are retargeted, start at the finger, or are cancelled.
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
 
 #include "core/plate/plate_frame.h"
 #include "core/simulation/person.h"
@@ -79,8 +74,7 @@ TEST_F(RetargetTest, NextReachStartsAtTheLastCommandOfACancelledOne) {
   ASSERT_NE(left_deg, 0.0);
   ASSERT_OK(hrt_reach_cancel(session));
   ASSERT_OK(begin(add(HRT_TARGET_REAL, 0.0), add(HRT_TARGET_VIRTUAL, 0.0)));
-  auto lost = output<hrt_sample>();
-  EXPECT_EQ(update(lost).plate_orientation_deg, left_deg);
+  EXPECT_EQ(update(output<hrt_sample>()).plate_orientation_deg, left_deg);
 }
 
 TEST_F(RetargetTest, RetargetRejectsTheSamePairsAsBegin) {
@@ -100,9 +94,7 @@ TEST_F(RetargetTest, RetargetRejectsTheSamePairsAsBegin) {
 
 TEST_F(RetargetTest, DistanceToGoIsThatToTheNewTarget) {
   for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
-    hrt_session_config config = session_config();
-    config.guidance = guidance;
-    create(config);
+    create(session_config(), [&](auto& c) { c.guidance = guidance; });
     const hrt_target real = add_at(HRT_TARGET_REAL, 0.009, 0.05), cup = add_at(HRT_TARGET_VIRTUAL, -0.009, 0.05);
     ASSERT_OK(begin(real, cup));
     const double before_m = slide(0, 900).distance_to_go_m;
@@ -111,15 +103,13 @@ TEST_F(RetargetTest, DistanceToGoIsThatToTheNewTarget) {
     EXPECT_NEAR(slide(900, 910).distance_to_go_m, before_m, 0.002) << "not before the retarget";
     ASSERT_OK(hrt_reach_retarget(session, real, cup));
     const hrt_command command = slide(910, 920);
-    const double u = 610.0 / 1500.0;
-    const PlatePoint finger{0.0, -50.0 + 100.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
+    const PlatePoint finger{0.0, mm_per_m * slid_m(910) - 50.0};
     EXPECT_NEAR(command.distance_to_go_m, distance_mm(finger, {-20.0, 50.0}) / mm_per_m, 0.003);
     if (guidance == HRT_GUIDANCE_FIXED_DIRECTION) {
       EXPECT_NEAR(command.paper.aimed_direction_deg, bearing_deg(finger, {-20.0, 50.0}), 3.0);
     }
     slide(920, 2200);
-    const hrt_reach_summary summary = end();
-    EXPECT_NEAR(summary.distance_to_target_m, 0.02, 0.002);
+    EXPECT_NEAR(end().distance_to_target_m, 0.02, 0.002);
   }
 }
 
@@ -130,8 +120,7 @@ TEST_F(RetargetTest, StartAtFingerMeasuresFromTheFirstPosition) {
     config.guidance = guidance;
     ASSERT_OK(hrt_session_set(session, &config));
     ASSERT_OK(begin_at_finger(real, cup));
-    auto lost = output<hrt_sample>();
-    update(lost);
+    update(output<hrt_sample>());
     const hrt_command first = update(position_sample(10 * ms, 0.02, -0.02));
     EXPECT_NEAR(first.distance_to_go_m, distance_mm({20.0, -20.0}, {30.0, 40.0}) / mm_per_m, 1e-9);
     if (guidance == HRT_GUIDANCE_FIXED_DIRECTION) {
@@ -166,9 +155,7 @@ TEST_F(RetargetTest, RemovedTargetsRemainInAReachThatWaitsForTheFinger) {
 
 // The targets move by 3 cm to the left in the middle of the motion.
 TEST_F(RetargetTest, SteersAPersonToTheMovedTarget) {
-  hrt_session_config config = session_config();
-  config.plate.max_speed_deg_s = 400.0;
-  create(config);
+  create(session_config(), [](auto& c) { c.plate.max_speed_deg_s = 400.0; });
   const PlatePoint start{0.0, -50.0};
   const PlatePoint real_place = point_ahead(start, -5.0, 100.0), seen_place = point_ahead(start, 5.0, 100.0);
   const hrt_target real = add_at(HRT_TARGET_REAL, real_place.right_mm / mm_per_m, real_place.away_mm / mm_per_m),

@@ -1,8 +1,6 @@
 // Scenes through the C ABI, with samples/scenes/desk.gltf. tests/scene checks its numbers.
 #include <fstream>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "fixture.h"
 #include "scene/scene.h"
@@ -21,12 +19,16 @@ class SceneAbiTest : public SessionTest {
     SessionTest::TearDown();
   }
 
-  std::vector<hrt_target> register_all() {
+  hrt_scene_info info() const {
     auto info = output<hrt_scene_info>();
     EXPECT_OK(hrt_scene_get_info(scene, &info));
-    std::vector<hrt_target> ids(info.target_count);
-    EXPECT_OK(hrt_scene_register(scene, session, info.target_count, ids.data()));
-    return ids;
+    return info;
+  }
+
+  hrt_scene_target target(std::uint32_t index) const {
+    auto target = output<hrt_scene_target>();
+    EXPECT_OK(hrt_scene_get_target(scene, index, &target));
+    return target;
   }
 
   hrt_scene scene{};
@@ -34,54 +36,43 @@ class SceneAbiTest : public SessionTest {
 
 TEST_F(SceneAbiTest, ReturnsTheContentOfTheScene) {
   const Scene expected = load_scene(std::filesystem::path(HRT_DESK_SCENE));
-  auto info = output<hrt_scene_info>();
-  ASSERT_OK(hrt_scene_get_info(scene, &info));
-  ASSERT_EQ(info.target_count, expected.targets.size());
-  ASSERT_GE(info.target_count, 4u);
-  EXPECT_EQ(info.plate_radius_m, expected.plate.radius_m);
-  EXPECT_EQ(info.plate_position_m[1], expected.plate.pose.position_m.y);
-  EXPECT_EQ(info.start_position_m[2], expected.start_m.z);
-  for (uint32_t i = 0; i < info.target_count; ++i) {
-    auto target = output<hrt_scene_target>();
-    ASSERT_OK(hrt_scene_get_target(scene, i, &target));
-    EXPECT_EQ(target.name, expected.targets[i].name);
-    EXPECT_EQ(target.direction_deg, direction_deg(expected, expected.targets[i]));
-    EXPECT_EQ(target.role == HRT_TARGET_VIRTUAL, target.served_by >= 0);
+  const std::uint32_t count = info().target_count;
+  ASSERT_EQ(count, expected.targets.size());
+  ASSERT_GE(count, 4u);
+  EXPECT_EQ(info().plate_radius_m, expected.plate.radius_m);
+  EXPECT_EQ(info().plate_position_m[1], expected.plate.pose.position_m.y);
+  EXPECT_EQ(info().start_position_m[2], expected.start_m.z);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    EXPECT_EQ(target(i).name, expected.targets[i].name);
+    EXPECT_EQ(target(i).direction_deg, direction_deg(expected, expected.targets[i]));
+    EXPECT_EQ(target(i).role == HRT_TARGET_VIRTUAL, target(i).served_by >= 0);
   }
-  auto target = output<hrt_scene_target>();
-  expect_error(hrt_scene_get_target(scene, info.target_count, &target), HRT_ERROR_OUT_OF_RANGE, "index is");
+  auto beyond = output<hrt_scene_target>();
+  expect_error(hrt_scene_get_target(scene, count, &beyond), HRT_ERROR_OUT_OF_RANGE, "index is");
 }
 
 TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
-  const std::vector<hrt_target> ids = register_all();
+  std::vector<hrt_target> ids(info().target_count);
+  ASSERT_OK(hrt_scene_register(scene, session, ids.size(), ids.data()));
   const hrt_session_config config = config_of(session);
-  auto info = output<hrt_scene_info>();
-  ASSERT_OK(hrt_scene_get_info(scene, &info));
-  EXPECT_TRUE(same(config.plate.rotation, info.plate_rotation));
-  EXPECT_EQ(config.plate.radius_m, info.plate_radius_m);
-  for (uint32_t i = 0; i < ids.size(); ++i) {
-    auto target = output<hrt_scene_target>();
-    ASSERT_OK(hrt_scene_get_target(scene, i, &target));
+  EXPECT_TRUE(same(config.plate.rotation, info().plate_rotation));
+  EXPECT_EQ(config.plate.radius_m, info().plate_radius_m);
+  for (std::uint32_t i = 0; i < ids.size(); ++i) {
     auto registered = output<hrt_target_config>();
     ASSERT_OK(hrt_target_get(session, ids[i], &registered));
-    EXPECT_STREQ(registered.name, target.name);
-    if (target.role == HRT_TARGET_REAL) {
+    EXPECT_STREQ(registered.name, target(i).name);
+    if (target(i).role == HRT_TARGET_REAL) {
       EXPECT_EQ(registered.served_by.value, 0u);
       continue;
     }
-    auto real = output<hrt_scene_target>();
-    ASSERT_OK(hrt_scene_get_target(scene, static_cast<uint32_t>(target.served_by), &real));
-    EXPECT_EQ(registered.served_by.value, ids[static_cast<std::size_t>(target.served_by)].value);
-    const hrt_gap gap = gap_of(ids[static_cast<std::size_t>(target.served_by)], ids[i]);
-    EXPECT_NEAR(gap.gap_deg, target.direction_deg - real.direction_deg, 1e-9);
+    const auto real = static_cast<std::uint32_t>(target(i).served_by);
+    EXPECT_EQ(registered.served_by.value, ids[real].value);
+    EXPECT_NEAR(gap_of(ids[real], ids[i]).gap_deg, target(i).direction_deg - target(real).direction_deg, 1e-9);
   }
 }
 
 TEST_F(SceneAbiTest, RegistersAllOrNothing) {
-  auto last = output<hrt_scene_target>();
-  auto info = output<hrt_scene_info>();
-  ASSERT_OK(hrt_scene_get_info(scene, &info));
-  ASSERT_OK(hrt_scene_get_target(scene, info.target_count - 1, &last));
+  const hrt_scene_target last = target(info().target_count - 1);
   add(HRT_TARGET_REAL, 0.0, last.name);
   const hrt_session_config before = config_of(session);
   expect_error(hrt_scene_register(scene, session, 0, nullptr), HRT_ERROR_NAME_TAKEN, last.name);

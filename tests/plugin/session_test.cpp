@@ -1,7 +1,5 @@
-// Sessions: creation, configuration, errors, destruction.
 #include <limits>
 #include <thread>
-#include <vector>
 
 #include "core/retargeter_config.h"
 #include "fixture.h"

@@ -1,10 +1,5 @@
 // Set-ups through the C ABI, followed by a simulated person who makes mistakes.
-#include "haptic_retargeting/setup.h"
-
-#include <algorithm>
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "tests/plugin/guided_person.h"
 #include "tests/plugin/recording/recording_fixture.h"
@@ -70,7 +65,6 @@ double turn_error_deg(const hrt_session_config& config, const GuidedPerson& pers
   return atan2_deg(-ahead.x(), -ahead.z());
 }
 
-// At least 16 of 20 people have each result within its interval.
 TEST_F(SetupTest, AllMissingMeasuresEveryPart) {
   int fingertips = 0, turns = 0, weights = 0, biases = 0;
   double squares = 0.0;
@@ -89,7 +83,7 @@ TEST_F(SetupTest, AllMissingMeasuresEveryPart) {
     const double turn_deg = turn_error_deg(config, person);
     turns += std::abs(turn_deg) < 2.0 * result.registration_turn_sd_deg;
     squares += std::pow(turn_deg / result.registration_turn_sd_deg, 2);
-    // The illusion is linear. An error of the frame's rotation adds to the bias.
+    // The family's illusion is linear. An error of the frame's rotation adds to the bias.
     const hrt_interval& weight = result.tactile_weight;
     const double true_weight = person.condition.person.illusion.tactile_weight;
     weights += weight.known && weight.lower <= true_weight && true_weight <= weight.upper;
@@ -121,8 +115,7 @@ TEST_P(SetupFrameRate, AllMissingMeasuresEveryPart) {
 INSTANTIATE_TEST_SUITE_P(Milliseconds, SetupFrameRate, testing::Values(4, 11, 17, 33));
 
 TEST_F(SetupTest, AllMissingSkipsKnownPartsAndPartsWithoutData) {
-  GuidedPerson person = quiet_person();
-  person.in_plate = true;
+  GuidedPerson person = quiet_person(true);
   hrt_session_config config = session_config();
   know_person(&config, {0.2, 0.0, 9.0});
   create(config);
@@ -138,8 +131,7 @@ TEST_F(SetupTest, AllMissingSkipsKnownPartsAndPartsWithoutData) {
 }
 
 TEST_F(SetupTest, WrongSlidesAreReportedAndRepeated) {
-  GuidedPerson person = quiet_person();
-  person.in_plate = true;
+  GuidedPerson person = quiet_person(true);
   begin_setup(HRT_SETUP_CALIBRATION);
   int frames = 0;
   std::uint32_t lifted_at = 0;
@@ -209,8 +201,7 @@ class SetupMistake : public SetupTest, public ::testing::WithParamInterface<Mist
 
 TEST_P(SetupMistake, IsReportedAndTheSetupEnds) {
   const Mistake& mistake = GetParam();
-  GuidedPerson person = quiet_person();
-  person.in_plate = mistake.part == HRT_SETUP_CALIBRATION;
+  GuidedPerson person = quiet_person(mistake.part == HRT_SETUP_CALIBRATION);
   begin_setup(mistake.part);
   auto last = output<hrt_setup_step>();
   std::uint32_t observed = 0;
@@ -316,20 +307,18 @@ TEST_F(SetupTest, LostFingerRestartsTheTouch) {
 
 TEST_F(SetupTest, CanBeCancelledAtEachStep) {
   std::uint32_t seen = 0;
-  GuidedPerson person = quiet_person();
   for (const std::uint32_t part : {HRT_SETUP_REGISTRATION, HRT_SETUP_CALIBRATION}) {
     for (std::uint32_t instruction = 0; instruction <= HRT_STEP_FINISH; ++instruction) {
       create(session_config());
-      GuidedPerson fresh = person;
-      fresh.in_plate = part == HRT_SETUP_CALIBRATION;
+      GuidedPerson person = quiet_person(part == HRT_SETUP_CALIBRATION);
       begin_setup(part);
       int frames = 0;
-      run(fresh, [&](const hrt_setup_step& step) {
+      run(person, [&](const hrt_setup_step& step) {
         return step.instruction != instruction && ++frames < 3000 && step.instruction != HRT_STEP_FINISH;
       });
       seen |= frames < 3000 ? 1u << instruction : 0;
       auto command = output<hrt_command>();
-      const hrt_sample sample = position_sample(fresh.time_ns(), 0.0, 0.0);
+      const hrt_sample sample = position_sample(person.time_ns(), 0.0, 0.0);
       const hrt_session_config config = session_config();
       EXPECT_EQ(hrt_session_set(session, &config), HRT_ERROR_WRONG_STATE);
       EXPECT_EQ(hrt_reach_update(session, &sample, &command), HRT_ERROR_WRONG_STATE);
@@ -341,9 +330,8 @@ TEST_F(SetupTest, CanBeCancelledAtEachStep) {
 }
 
 TEST_F(SetupTest, RetestReportsDifferencesForAnotherPerson) {
-  GuidedPerson person = quiet_person();
+  GuidedPerson person = quiet_person(true);
   person.noise_m = 0.0003;
-  person.in_plate = true;
   begin_setup(HRT_SETUP_CALIBRATION);
   EXPECT_EQ(run(person).done, HRT_SETUP_CALIBRATION);
   begin_setup(HRT_SETUP_RETEST);
@@ -362,8 +350,7 @@ TEST_F(SetupTest, CalibrationReplacesTheEstimatesOfReaches) {
   create(before);
   auto residual = output<hrt_setup_residual>();
   expect_error(hrt_setup_get_residual(session, 0, &residual), HRT_ERROR_WRONG_STATE, "HRT_SETUP_CALIBRATION");
-  GuidedPerson person = quiet_person();
-  person.in_plate = true;
+  GuidedPerson person = quiet_person(true);
   person.noise_m = 0.001;
   person.condition.person.bias_deg = 3.0;
   begin_setup(HRT_SETUP_CALIBRATION);
@@ -398,8 +385,7 @@ TEST_F(SetupTest, CalibrationReplacesTheEstimatesOfReaches) {
 
 // The weight changes from 0.1 to 0.35 after eight slides, which the model cannot fit: no result is applied.
 TEST_F(SetupTest, LackOfFitLeavesThePersonUnchanged) {
-  GuidedPerson person = quiet_person();
-  person.in_plate = true;
+  GuidedPerson person = quiet_person(true);
   hrt_setup_config setup = hrt_setup_config_init();
   setup.max_slides = 16;
   begin_setup(HRT_SETUP_CALIBRATION, &setup);
@@ -424,7 +410,7 @@ TEST_F(SetupTest, FitScaleEstimatesTheTrackersUnit) {
   const hrt_setup_result result = set_up(session, HRT_SETUP_REGISTRATION, &person, setup);
   const hrt_session_config config = config_of(session);
   EXPECT_NEAR(config.plate.scale, 1.04, 1e-3);
-  EXPECT_NEAR(57.29577951308232 * std::sqrt(config.plate.covariance[0]), result.registration_turn_sd_deg,
+  EXPECT_NEAR(deg_per_rad * std::sqrt(config.plate.covariance[0]), result.registration_turn_sd_deg,
               0.02 * result.registration_turn_sd_deg);
   EXPECT_GT(config.plate.covariance[2], 0.0);
   EXPECT_GT(config.registration.time_ns, 0);
@@ -480,9 +466,7 @@ TEST_F(SetupTest, InvalidConfigurationsAreRejectedNamingTheField) {
   expect_error(hrt_setup_update(session, &joint, &step), HRT_ERROR_OUT_OF_RANGE, "joint_rotation is");
   expect_error(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr), HRT_ERROR_WRONG_STATE, "set-up");
   ASSERT_OK(hrt_setup_cancel(session));
-  hrt_session_config config = session_config();
-  config.start_position_m[2] = -0.05;
-  create(config);
+  create(session_config(), [](auto& c) { c.start_position_m[2] = -0.05; });
   expect_error(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr), HRT_ERROR_OUT_OF_RANGE, "start_position_m");
 }
 

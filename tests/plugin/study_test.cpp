@@ -1,7 +1,6 @@
 // The simulated person of person.h: parameters follow from the seed, and the plate deflects the finger.
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "fixture.h"
 
@@ -33,7 +32,7 @@ class SimulatedPersonTest : public SessionTest {
     std::vector<double> seen_right_m;
   };
 
-  /// Runs one reach. Without `led`, the plate stays at 0.
+  /// Runs one reach of the person. If `led` is false, the plate stays at 0.
   Slide slide(hrt_person person, bool led = true) {
     if (led) {
       EXPECT_OK(begin(real, seen));
@@ -56,7 +55,7 @@ class SimulatedPersonTest : public SessionTest {
     return slide;
   }
 
-  // Bearing from the start, which is 5 cm towards the user.
+  // Returns the bearing from the start, which is 5 cm from the centre, towards the user.
   static double bearing_deg(const double (&position_m)[3]) {
     return std::atan2(-position_m[0], 0.05 - position_m[2]) * 180.0 / std::numbers::pi;
   }
@@ -74,10 +73,10 @@ TEST_F(SimulatedPersonTest, IsSteeredToTheRealTargetAndPerceivesTheVirtualOne) {
     on_target += std::abs(bearing_deg(led.end.position_m) + 5.0) < 1.5;
     EXPECT_NEAR(bearing_deg(led.end.felt_position_m), 5.0, 4.0) << seed;
   }
-  EXPECT_GE(on_target, 33);  // with a probability of 92 % each, fewer than 33 of 40 occur in one of 100 runs
+  EXPECT_GE(on_target, 33);  // if 92 % of people are on target, fewer than 33 of 40 are in one of 100 such tests
 }
 
-// 0.6 s of rest, 1.5 s of motion (1 mm of the path in the last tenth), and 0.4 s of dwell.
+// 0.6 s of rest, 1.5 s of motion (1 mm of the path in its last tenth), and 0.4 s of rest at the target.
 TEST_F(SimulatedPersonTest, ArrivesSoonAfterTheMotion) {
   for (const std::uint32_t guidance : {HRT_GUIDANCE_ARRIVAL, HRT_GUIDANCE_FIXED_DIRECTION}) {
     hrt_session_config config = session_config();

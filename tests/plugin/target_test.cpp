@@ -1,8 +1,4 @@
-// Targets, gaps between them, and assignment.
 #include <cmath>
-#include <cstring>
-#include <string>
-#include <vector>
 
 #include "fixture.h"
 
@@ -117,9 +113,10 @@ TEST_F(GapTest, GapOfAPairIsAsDerivedByHand) {
   EXPECT_NEAR(gap.settling_direction_deg, -5.0, 1e-12);
   expect_error(hrt_gap_query(session, virtual_target, real, &gap), HRT_ERROR_OUT_OF_RANGE,
                "real_target: target " + std::to_string(virtual_target.value) + " is virtual");
-  // Behind the user, the directions of a pair are on both sides of 180 degrees.
-  const hrt_reach_config behind = reach_config(add(HRT_TARGET_REAL, -175.0), add(HRT_TARGET_VIRTUAL, 175.0));
-  EXPECT_OK(hrt_reach_begin(session, &behind));
+  // Behind the user, the directions of a pair are on both sides of 180 degrees: the gap is the smaller angle.
+  const hrt_target real_behind = add(HRT_TARGET_REAL, 175.0), virtual_behind = add(HRT_TARGET_VIRTUAL, -175.0);
+  EXPECT_NEAR(gap_of(real_behind, virtual_behind).gap_deg, 10.0, 1e-12);
+  EXPECT_OK(begin(real_behind, virtual_behind));
 }
 
 // A linear illusion of weight 0.15 shifts the perceived direction by 0.15 times the angle between plate and motion: by
@@ -178,23 +175,14 @@ TEST_F(GapTest, WorldTargetsAreConvertedToPlateCoordinates) {
   EXPECT_NEAR(gap_of(add(target), add(HRT_TARGET_VIRTUAL, 0.0)).gap_deg, 45.0, 1e-9);
 }
 
-TEST_F(GapTest, GapIsTheSmallerAngle) {
-  EXPECT_NEAR(gap_of(add(HRT_TARGET_REAL, 175.0), add(HRT_TARGET_VIRTUAL, -175.0)).gap_deg, 10.0, 1e-12);
-}
-
 class AssignTest : public SessionTest {
  protected:
   std::vector<hrt_gap> assign(const std::vector<hrt_target>& virtuals, const std::vector<hrt_target>& reals,
                               std::uint32_t flags) const {
     std::vector<hrt_gap> out(virtuals.size(), output<hrt_gap>());
-    EXPECT_OK(hrt_gap_assign(session, virtuals.data(), size(virtuals), reals.data(), size(reals), flags, size(out),
+    EXPECT_OK(hrt_gap_assign(session, virtuals.data(), virtuals.size(), reals.data(), reals.size(), flags, out.size(),
                              out.data()));
     return out;
-  }
-
-  template <class Element>
-  static std::uint64_t size(const std::vector<Element>& elements) {
-    return elements.size();
   }
 };
 
@@ -210,7 +198,7 @@ TEST_F(AssignTest, AssignsTheNearestRealTargetOrOneEachIfExclusive) {
   EXPECT_TRUE(same(exclusive[0], gap_of(reals[0], virtuals[0])));
 }
 
-// With fading touch, a farther target needs a larger plate angle for the same gap.
+// Since the cue of touch decays between ridges, a farther target needs a larger plate angle for the same gap.
 TEST_F(AssignTest, AssignsTheSmallestRatioInAnyOrder) {
   hrt_session_config config = session_config();
   know_person(&config, {0.25, 0.0, 10.0, 0.0, 0.0, 0.3, -0.4, 0.6, 1.0}, 1e-4);
@@ -218,9 +206,7 @@ TEST_F(AssignTest, AssignsTheSmallestRatioInAnyOrder) {
   const auto real_at = [&](double direction_deg, double distance_m) {
     hrt_target_config target = target_config(HRT_TARGET_REAL, direction_deg);
     target.distance_m = distance_m;
-    hrt_target id{};
-    EXPECT_OK(hrt_target_add(session, &target, &id));
-    return id;
+    return add(target);
   };
   const hrt_target one = real_at(7.0, 0.02), other = real_at(7.5, 0.30), seen = add(HRT_TARGET_VIRTUAL, 0.0);
   const auto share = [](const hrt_gap& gap) { return std::abs(gap.gap_deg) / gap.max_gap_deg; };
@@ -270,7 +256,7 @@ TEST_F(AssignTest, MissingOrRepeatedTargetsAreRejected) {
 TEST_F(AssignTest, OutputElementsHaveTheCallersStructSize) {
   const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, 0.0)},
       virtuals{add(HRT_TARGET_VIRTUAL, 5.0), add(HRT_TARGET_VIRTUAL, 6.0)};
-  constexpr std::uint32_t later_size = sizeof(hrt_gap) + 8;  // of a later version
+  constexpr std::uint32_t later_size = sizeof(hrt_gap) + 8;
   alignas(8) unsigned char out[2 * later_size + 8]{};
   std::memcpy(out, &later_size, sizeof later_size);
   out[2 * later_size] = 77;

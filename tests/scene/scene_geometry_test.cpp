@@ -13,7 +13,7 @@ namespace hrt {
 namespace {
 
 const double sin_45 = std::sqrt(0.5);
-const Json quarter_left = {0.0, sin_45, 0.0, sin_45};  // about +Y, counter-clockwise from above
+const Json quarter_left = {0.0, sin_45, 0.0, sin_45};  // by 90 degrees about +Y, counter-clockwise from above
 
 TEST(SceneGeometry, DefaultStartIsTwoThirdsTowardsTheUser) {
   const Scene scene = load(document({plate(), real(), virtual_on_the_left()}));
@@ -90,7 +90,7 @@ TEST(SceneGeometry, NestedTransformsEqualNestedMatrices) {
   }
 }
 
-// Each component in turn is the largest.
+// Each component of the quaternion is the largest in turn.
 TEST(SceneGeometry, AnyRotationOfThePlateIsReturned) {
   for (std::vector<double> q = {0.8, 0.4, -0.4, 0.2}; const int turn : {0, 1, 2, 3}) {
     const Quaternion found = load(document({plate({{"rotation", q}}), real()})).plate.pose.orientation;

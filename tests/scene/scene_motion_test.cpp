@@ -30,7 +30,7 @@ class RandomScenes : public testing::Test {
     return {q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm};
   }
 
-  // Node 0 is the root; the plate, a start and some targets are its children, placed at random.
+  // Returns a root, and as its children the plate, a real and three virtual targets at random positions.
   Json nodes() {
     Json result = {node("Root", {}, {{"children", {1, 2, 3, 4, 5}}}),
                    plate({{"translation", translation(0.5)}, {"rotation", rotation()}})};
@@ -71,7 +71,6 @@ TEST_F(RandomScenes, RigidMotionChangesNoDirection) {
   }
 }
 
-// Mirrors the targets at the plate's YZ plane.
 TEST_F(RandomScenes, MirroringNegatesDirections) {
   for (int trial = 0; trial < trials; ++trial) {
     const Scene scene = load(document(nodes()));

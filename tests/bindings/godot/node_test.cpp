@@ -1,5 +1,3 @@
-// Tests the class without the engine, for example that a frame of a reach allocates no memory.
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,12 +58,16 @@ const Method& method(std::string_view name) {
   throw std::out_of_range("no such method");
 }
 
-TEST(GodotNode, UpdatesWithoutAllocatingMemoryAndArrives) {
-  StillEngine engine;
-  PlateNode node(engine);
+void begin_reach(PlateNode& node) {
   const Value real = node.call(method("add_real_target"), std::array<Value, 3>{"cylinder", -5.0, 0.1});
   const Value felt = node.call(method("add_virtual_target"), std::array<Value, 3>{"cup", 5.0, 0.1});
   node.call(method("begin"), std::array{real, felt});
+}
+
+TEST(GodotNode, UpdatesWithoutAllocatingMemoryAndArrives) {
+  StillEngine engine;
+  PlateNode node(engine);
+  begin_reach(node);
   const Method& update = method("update");
   const auto move = [&](int64_t frame, const Vector3& finger) {
     const std::int64_t before = allocations;
@@ -93,9 +95,7 @@ TEST(GodotNode, ErrorsUseTheNamesOfScripts) {
     return errors.empty() ? std::string() : errors.front();
   };
   EXPECT_EQ(error("remove_target", std::array<Value, 1>{int64_t{5}}).find("remove_target: "), 0u);
-  const Value real = node.call(method("add_real_target"), std::array<Value, 3>{"cylinder", -5.0, 0.1});
-  const Value felt = node.call(method("add_virtual_target"), std::array<Value, 3>{"cup", 5.0, 0.1});
-  node.call(method("begin"), std::array{real, felt});
+  begin_reach(node);
   EXPECT_EQ(error("update", std::array<Value, 2>{Vector3{0, 0, 0.05}, 0.5}),
             "called with (Vector3, float); it is update(world_position: Vector3, time_ns: int)");
   EXPECT_EQ(error("end", {}), "end: the reach has had no sample; cancel() ends it");

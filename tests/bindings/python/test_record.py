@@ -43,7 +43,7 @@ def test_checked_in_recordings_are_read() -> None:
 
 
 def with_row(tmp_path: Path, result: str, cells: dict[str, str]) -> Path:
-    """Returns the reach with an additional row "update" before its first, whose other cells are empty."""
+    """Writes the recording with an additional row "update" before the first one. Cells that are not given are empty."""
     lines = REACH.read_text().splitlines(keepends=True)
     header = next(line for line in lines if not line.startswith("#")).rstrip("\n").split(",")
     row = ["update", result, *(cells.get(name, "") for name in header[2:])]
@@ -159,7 +159,7 @@ def test_picture_shows_finger_targets_and_angles() -> None:
     assert real.get_ydata() == pytest.approx(-50 + 100 * np.cos(np.radians(5)))
     labels = [line.get_label() for line in (*time.lines, *plate.lines)]
     assert "plate, commanded" in labels and "felt, as the model predicts" in labels
-    # With ARRIVAL, the final direction of motion differs from the bearing, which the lines of the targets show.
+    # The picture shows the bearing of the finger, not the direction of its motion, which differs at the end.
     bearing = next(line for line in time.lines if line.get_label() == "finger").get_ydata()
     assert record.summary is not None and bearing[-1] - record.real_direction_deg == pytest.approx(record.summary.miss_deg, abs=0.5)
     canvas = FigureCanvasAgg(figure)

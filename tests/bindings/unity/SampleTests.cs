@@ -39,13 +39,14 @@ namespace Hrt.HostTests
             StringAssert.StartsWith("error: ", logged.Single());
         }
 
-        // For each of the three virtual objects, the hand ends at the cylinder (within 1.5 degrees at 10 cm), or the
-        // controller reports that the gap is not feasible.
         [Test]
         public void TheHandOnTheDeskIsSteered()
         {
-            HapticRetargeting retargeting = Desk();
-            retargeting.virtualTargets.RemoveAt(2); // not reachable
+            var desk = new GameObject("desk").AddComponent<HrtSamples.Desk>();
+            desk.Message("Reset")();
+            desk.Message("Awake")();
+            HapticRetargeting retargeting = desk.Retargeting;
+            retargeting.virtualTargets.RemoveAt(2); // its gap is not feasible
             var simulated = retargeting.gameObject.AddComponent<HrtSamples.SimulatedReach>();
             int ended = 0;
             retargeting.ReachEnded += summary =>
@@ -65,14 +66,6 @@ namespace Hrt.HostTests
             StringAssert.Contains("To the goblet, simulated: the hand ended", logged.Last());
             simulated.Message("OnDestroy")();
             UnityEngine.Object.DestroyImmediate(retargeting.gameObject);
-        }
-
-        static HapticRetargeting Desk()
-        {
-            var desk = new GameObject("desk").AddComponent<HrtSamples.Desk>();
-            desk.Message("Reset")();
-            desk.Message("Awake")();
-            return desk.Retargeting;
         }
 
         void Log(string level, string text) => logged.Add(level + ": " + text);

@@ -12,16 +12,25 @@ namespace Hrt.HostTests
     {
         HapticRetargeting component;
         Transform bottle;
+        readonly List<string> logged = new List<string>();
 
         [SetUp]
         public void SetUp()
         {
+            logged.Clear();
+            Debug.Logged += Log;
             component = Component();
             bottle = component.virtualTargets[0];
         }
 
         [TearDown]
-        public void TearDown() => UnityEngine.Object.DestroyImmediate(component.gameObject);
+        public void TearDown()
+        {
+            UnityEngine.Object.DestroyImmediate(component.gameObject);
+            Debug.Logged -= Log;
+        }
+
+        void Log(string level, string text) => logged.Add(level + ": " + text);
 
         [Test]
         public void FramesAreStampedWithUnitysUnscaledTime()
@@ -46,18 +55,13 @@ namespace Hrt.HostTests
         [Test]
         public void ARefusedSampleIsLoggedOnceInAReach()
         {
-            var logged = new List<string>();
-            Action<string, string> listener = (level, text) => logged.Add(level + ": " + text);
-            Debug.Logged += listener;
             component.BeginReach(bottle);
             component.finger.position = new Vector3(float.NaN, 0, 0);
             for (int i = 0; i < 3; ++i) component.Message("LateUpdate")();
             component.finger.position = Vector3.zero;
             component.Message("LateUpdate")();
-            Debug.Logged -= listener;
-            Assert.AreEqual(1, logged.Count);
-            StringAssert.StartsWith("error: Haptic retargeting: ", logged[0]);
-            StringAssert.Contains("finger_position_m", logged[0]);
+            StringAssert.StartsWith("error: Haptic retargeting: ", logged.Single());
+            StringAssert.Contains("finger_position_m", logged.Single());
             Assert.AreEqual(1, component.EndReach().samples);
         }
 
@@ -72,14 +76,10 @@ namespace Hrt.HostTests
         [Test]
         public void ASettingThatChangesDuringAReachIsReported()
         {
-            var logged = new List<string>();
-            Action<string, string> listener = (level, text) => logged.Add(level + ": " + text);
-            Debug.Logged += listener;
             component.Message("OnValidate")();
             Assert.AreEqual(0, logged.Count);
             component.BeginReach(bottle);
             component.Message("OnValidate")();
-            Debug.Logged -= listener;
             StringAssert.Contains("take effect when the next reach", logged.Single());
         }
 

@@ -47,7 +47,6 @@ class Component : public testing::Test {
   FHapticTarget real_, felt_;
 };
 
-/** Returns a pose that is moved and rotated about a general axis. */
 FTransform somewhere() {
   const double third = 1 / std::sqrt(3.0);
   return {FQuat(FVector(third, -third, third), 2.0), FVector(120, -45, 80)};
@@ -228,7 +227,8 @@ TEST_F(Component, TakesTheEstimatesOfAReach) {
   ASSERT_TRUE(component_.EndReach(summary));
   EXPECT_EQ(component_.Settings.PlateMaxSpeed, 123);
   EXPECT_EQ(component_.Settings.PlateRadius, 7.5);
-  EXPECT_NEAR(component_.Settings.TactileWeight, summary.TactileWeight, 0.01);  // a second pass of the filter estimates it
+  // The two differ, because the setting is from a second pass of the filter over the motion, after the reach.
+  EXPECT_NEAR(component_.Settings.TactileWeight, summary.TactileWeight, 0.01);
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }
 
@@ -289,7 +289,6 @@ TEST_F(Component, SetupMovesThePlateToItsMeasuredPose) {
   EXPECT_FALSE(component_.Settings.bRegistered) << "moved elsewhere";
 }
 
-// A mirrored interval exchanges its ends.
 TEST(UnrealSetup, IntervalsAreConverted) {
   hrt_setup_result found = hrt_setup_result_init();
   found.bias_deg = {.value = 2, .lower = 1, .upper = 4, .known = 1};
@@ -348,7 +347,6 @@ TEST(UnrealComponents, DestroyTheirSessions) {
   }
 }
 
-// Uses the emulated, commissioned servo of with_plate.
 TEST_F(Component, DeviceFollowsTheCommands) {
   const char* device = std::getenv("HRT_PLATE_FILE");
   ASSERT_NE(device, nullptr) << "run by with_plate";

@@ -1,5 +1,3 @@
-// Tests the module that loads the plugin's library, for Linux and for Windows.
-
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -1,5 +1,3 @@
-// Runs the examples of the Unreal plugin's README.
-
 #include <gtest/gtest.h>
 
 #include "readme_example.h"

@@ -46,7 +46,7 @@ function slide(session, frames) {
   }
 }
 
-// This test is among the first, because the engine allocates more once a test has stored other types in fields of numbers.
+// This test runs before those that store values of other types in fields for numbers, after which the engine allocates more.
 sessionTest("a frame allocates no objects", ({ session, real, virtual }) => {
   session.beginReach(real, virtual);
   const frames = (count, from) => {

@@ -17,7 +17,6 @@ const [, example] = /^```js\n(.*?)^```/ms.exec(readme), [, shown] = /^```text\n(
 const expected = `${shown}hash ${(await readFile(hashFile, "utf8")).trim()}`;
 const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm" };
 
-// A user's project, with the package copied into node_modules as by npm.
 const main = (module) => `import * as hrt from "haptic-retargeting";
 import { runReach } from "./reach.mjs";
 ${module}
@@ -34,7 +33,8 @@ await fetch(location.search.slice(1) || "/shown", { method: "POST", body: shown 
 `;
 const html = (script) => `<!doctype html><meta charset="utf-8"><title>reach</title><script type="module" src="${script}"></script>`;
 
-/** Creates a project. `module`: an import of the module as `wasm`, for load(). */
+/** Creates a user's project, with the package copied into node_modules as by npm. `module`: a statement that imports the
+ *  WebAssembly module as `wasm`, which is passed to load(). */
 async function project(name, module = "") {
   const folder = join(work, name);
   await rm(folder, { recursive: true, force: true });
@@ -59,7 +59,7 @@ async function runs(folder) {
   }
 }
 
-/** Returns the files of a page with the bundle. */
+/** Adds a page to the bundle in dist/, and returns this folder. */
 async function served(folder) {
   const out = join(folder, "dist");
   await writeFile(join(out, "index.html"), html("/main.js"));

@@ -1,8 +1,6 @@
 // The texts of hrt_last_error() are one line of UTF-8 with the reason, for any input.
 #include <cerrno>
-#include <cstring>
 #include <fstream>
-#include <string>
 
 #include "plugin/src/abi/utf8.h"
 #include "tests/plugin/fixture.h"

@@ -21,16 +21,8 @@ TEST_F(ThreadTest, SecondThreadGetsBusyAndNothingIsCorrupted) {
     for (int i = 0; i < 100'000 || (refused == 0 && i < 50'000'000); ++i) {
       const hrt_sample sample = direction_sample(0, 1.0);
       auto command = output<hrt_command>();
-      switch (hrt_reach_update(session, &sample, &command)) {
-        case HRT_OK:
-          ++taken;
-          break;
-        case HRT_ERROR_BUSY:
-          ++refused;
-          break;
-        default:
-          ++other;
-      }
+      const hrt_result result = hrt_reach_update(session, &sample, &command);
+      ++(result == HRT_OK ? taken : result == HRT_ERROR_BUSY ? refused : other);
     }
   };
   std::thread a(hammer), b(hammer);

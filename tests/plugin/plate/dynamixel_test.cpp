@@ -34,7 +34,7 @@ std::optional<Packet> only_packet(const std::string& bytes) {
   return packet;
 }
 
-// Examples of the protocol page of ROBOTIS.
+// The packets are examples of ROBOTIS' page of the protocol.
 TEST(DynamixelPacket, HasThePublishedBytes) {
   EXPECT_EQ(encode({.id = 1, .instruction = ping}), bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 3, 0, 1, 0x19, 0x4E}));
   EXPECT_EQ(encode({.id = 1, .instruction = dynamixel::read, .parameters = bytes_of({132, 0, 4, 0})}),
@@ -171,7 +171,7 @@ TEST_F(DynamixelTest, PushesWithAtMost4NewtonsAtTheRim) {
   EXPECT_EQ(servo.get(102, 2), 300);
 }
 
-// Drive mode 5: reversed, with a profile by time. 90 degrees would take 218 ms in the wrong direction.
+// Drive mode 5 is reversed, with a profile by time: 90 degrees would take 218 ms, in the wrong direction.
 TEST_F(DynamixelTest, SetsTheNormalDriveMode) {
   servo.set(10, 1, 5);
   const auto device = open();
@@ -216,7 +216,6 @@ TEST_F(DynamixelTest, ADamagedLengthLosesOneAnswer) {
   }
 }
 
-// Start::passive: torque stays off, and nothing is written.
 TEST_F(DynamixelTest, OpensWithoutAMotion) {
   const auto device = open("", Start::passive);
   EXPECT_EQ(device->description(), "Dynamixel XL330-M288, id 1, firmware 52");
@@ -396,7 +395,7 @@ TEST_F(DynamixelTest, IgnoresLateAnswers) {
   EXPECT_NE(failure_of_opening(), "");
 }
 
-// Each name, and the words of its refusal; no words: the name is valid.
+// Names of devices, and a part of the text that rejects each; empty if the name is valid.
 TEST(DeviceName, IsCheckedBeforeTheDeviceIsOpened) {
   const std::pair<const char*, const char*> rows[] = {
       {"", "device \"\" has no kind; allowed: serial:..., dynamixel:..."},

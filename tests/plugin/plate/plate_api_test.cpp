@@ -1,4 +1,3 @@
-// Tests of the C interface of libhrt_plate with emulated plates on pseudo-terminals.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <haptic_retargeting/plate.h>
@@ -92,7 +91,7 @@ TEST_F(PlateApi, ReportsTheReasonOfAFailure) {
   EXPECT_EQ(error(), std::string("hrt_plate_set: ") + report.message);
 }
 
-// Other programs cannot open the serial line. Those of root can, but see that it is marked as exclusive.
+// A program of the user root can open the serial line, but sees that the line is marked as exclusive.
 TEST_F(PlateApi, ASecondProgramCannotUseTheLine) {
   PtyPlate device;
   open_until_ready("serial:" + device.device());
@@ -129,7 +128,6 @@ TEST_F(PlateApi, HomesAPlateOfUnknownOrientationOnlyIfAllowed) {
   EXPECT_TRUE(eventually([&] { return (report_of(plate).flags & HRT_PLATE_REPORT_FIRST_MOTION) == 0; }));
 }
 
-// The measured properties are copied into the session. Opening fails for another plate and for changed settings.
 TEST_F(PlateApi, OpensAFileOfItsPlateOnly) {
   const std::string file = testing::TempDir() + "/hrt_plate_api_test.json";
   PtyPlate device;
@@ -193,7 +191,7 @@ TEST_F(PlateApi, PlateStopsWhenTheHostIsSilent) {
   }));
 }
 
-// The limit is half a second; the test allows 3 s for a busy machine. Waiting for the greeting would take 5 s.
+// The documented limit is half a second; the test allows 3 s, for a busy machine. Waiting for the greeting takes 5 s.
 TEST_F(PlateApi, ClosesWhileOpenAndWhileOpening) {
   constexpr auto generous = 3s;
   const auto time_to_close = [&] {
@@ -267,7 +265,7 @@ TEST_F(PlateApi, RefusesASeventeenthPlate) {
   for (const hrt_plate one : plates) EXPECT_EQ(hrt_plate_close(one), HRT_OK);
 }
 
-// The child has the memory of the driver, but not its thread. It does not keep the serial line locked.
+// The child has the memory of the driver, but not its thread, and does not keep the serial line locked.
 TEST_F(PlateApi, CallsFailInTheChildOfAFork) {
   PtyPlate device;
   open_until_ready("serial:" + device.device());

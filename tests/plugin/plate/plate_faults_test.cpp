@@ -29,7 +29,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Interval over which the speed is measured: five pulses of a hobby servo. Also the time between the two faults.
+// Interval over which the speed is measured (five pulses of a hobby servo), and the time between the two faults.
 constexpr auto window = 100ms;
 constexpr double place_deg = -20.0;  // initial plate orientation
 enum Phase { open, idle, home, move, hold, close };
@@ -39,8 +39,8 @@ template <class Emulated>
 struct Kind {
   const char* name;
   std::function<void(Emulated&)> begin;  ///< injects the fault; null: the serial line is unplugged
-  std::vector<std::string> texts;      ///< one of these is in the reported failure; empty: the fault is not observable
-  Phase first_phase = open;            ///< first phase in which the fault is observable
+  std::vector<std::string> texts;  ///< the reported failure contains one of these; empty: the fault is not observable
+  Phase first_phase = open;        ///< first phase in which the fault is observable
   std::function<void(Emulated&)> end;  ///< ends the fault 300 ms later; null: the fault lasts
 };
 
@@ -264,7 +264,7 @@ bool has_only_another_controller(Phase phase, const char* first, const char* sec
          std::string_view(second) == "second host";
 }
 
-// Runs all pairs of faults and prints the table. Returns the rows of the README that summarize it.
+// Runs all pairs of faults, prints the table, and returns the rows of plugin/src/plate/README.md that summarize it.
 template <class Plate>
 std::string run_all_pairs() {
   std::printf("%-12s %-12s %-12s %-6s %-14s %-14s %-8s %-8s %s\n", "plate", "fault", "and", "phase", "deg before set",

@@ -1,4 +1,3 @@
-// Tests of the host's side of the line protocol with an emulated plate, in simulated time.
 #include "plugin/src/plate/plate_link.h"
 
 #include <gtest/gtest.h>
@@ -113,7 +112,8 @@ TEST_F(PlateLinkTest, FailsWhenThePlateSendsAnotherGreeting) {
   EXPECT_EQ(fault, Fault::restarted);
 }
 
-// Four servos: as in the plate file, with a latency of 30 ms; slower; with an error at rest; later.
+// Four servos: as the plate file describes, with a latency of 30 ms; slower; with an error at rest; with a higher
+// latency.
 TEST_F(PlateLinkTest, DetectsADeviationFromTheFile) {
   const struct {
     ServoTraits servo;
@@ -145,7 +145,6 @@ TEST_F(PlateLinkTest, DetectsADeviationFromTheFile) {
   }
 }
 
-// Another program is the host of the plate, and sends heartbeats.
 TEST_F(PlateLinkTest, CannotOpenAPlateOfAnotherHost) {
   struct PlateWithHost : HobbyPlate {
     void run_until(Time now) {

@@ -1,4 +1,3 @@
-// Tests of the checks of a plate's reports, at times that the test sets.
 #include "plugin/src/plate/plate_watch.h"
 
 #include <gtest/gtest.h>
@@ -119,8 +118,8 @@ TEST_F(PlateWatchTest, IgnoresTheSpeedOfARampOfCommands) {
   EXPECT_FALSE(watch.speed_deg_s());
 }
 
-// Echoes after 4, 6 and 30 ms. A repeated echo does not count; an earlier number than the last one, and an unknown one,
-// are another host's.
+// Echoes after 4, 6 and 30 ms. A repeated echo does not count. A number that was not sent, or that is earlier than the
+// last echo's, is another host's.
 TEST(RoundTrips, HaveAMedian) {
   RoundTrips trips;
   EXPECT_FALSE(trips.median());
@@ -139,7 +138,6 @@ TEST(RoundTrips, HaveAMedian) {
   EXPECT_EQ(*trips.median(), std::chrono::nanoseconds(6ms));
 }
 
-// Columns: limits, wanted and present orientation, result.
 TEST(OrientationWithin, ReturnsTheNearestWithTheSameRidges) {
   const struct {
     double min_deg, max_deg, wanted_deg, now_deg, taken_deg;

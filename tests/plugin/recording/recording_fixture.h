@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <string>
 
 #include "core/paper_simulation/participant.h"
 #include "tests/plugin/fixture.h"
@@ -46,16 +45,6 @@ inline std::uint32_t ending(const std::string& text) {
   const hrt_replay_report report = replay(text);
   EXPECT_EQ(report.complete, report.ending == HRT_ENDING_COMPLETE ? 1u : 0u);
   return report.ending;
-}
-
-/// The table of a recording, without its comments.
-inline std::string rows_of(const std::string& text) {
-  std::istringstream lines(text);
-  std::string rows;
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("#")) rows += line + "\n";
-  }
-  return rows;
 }
 
 class RecordingTest : public SessionTest {

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <set>
 #include <thread>
-#include <vector>
 #endif
 
 #include "recording_fixture.h"
@@ -24,7 +23,6 @@ namespace hrt::test {
 namespace {
 
 #if !defined(__EMSCRIPTEN__)  // in WebAssembly, the library locks no files
-// The file of the first recording is not changed.
 TEST_F(RecordingTest, FileOfAnotherRecordingIsRejected) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();
@@ -94,7 +92,6 @@ TEST_F(RecordingTest, DiskThatIsFullAtTheStartIsReported) {
   update(direction_sample(0, 0.0));
 }
 
-// The log of the session receives a line that names session and file.
 TEST_F(RecordingTest, FullDiskIsReportedAndTheSessionContinues) {
   const Log others;
   Log log(session);
@@ -132,7 +129,7 @@ std::vector<int> descriptors_of(const std::string& path) {
   return found;
 }
 
-// The file is replaced by a pipe: while it is not read, it is like a stalled disk; read slowly, like a slow disk.
+// A pipe replaces the file. While nothing reads the pipe, it acts as a stalled disk; later, as a slow one.
 TEST_F(RecordingTest, SlowDiskLosesRowsAndDelaysNoCall) {
   Log log;
   ASSERT_OK(hrt_recording_start(session, path().c_str()));

@@ -1,10 +1,11 @@
-"""Builds a small haptic scene in Blender and exports it, so that the tests read what Blender really writes.
+"""Builds a small haptic scene in Blender and exports it, so that the tests read what Blender really writes. blender.gltf
+was exported by Blender 3.4.1 of Debian 12. The tests do not need Blender.
 
     blender --background --factory-startup --python-exit-code 1 \\
         --python tests/scene/files/make_with_blender.py -- tests/scene/files/blender.gltf
 
-Blender's axes: +Z up; the glTF exporter turns them, so that here a plate's normal is its local +Z and the mid-line
-its local +Y. Lengths in metres.
+In Blender, +Z is up. The glTF exporter rotates the axes, so that the plate's normal is its local +Z here, and its
+mid-line its local +Y. Lengths are in metres.
 """
 import math
 import sys
@@ -43,7 +44,7 @@ mesh = tetrahedron()
 desk = add("Desk", None, (1.0, 2.0, 0.7), unrelated="not haptic", numbers=[1.0, 2.0])
 rig = add("Rig", desk, (0.2, 0.0, 0.0))
 rig.rotation_euler = (0.0, 0.0, math.radians(30))
-# Scaled unevenly, as a designer does who never applies a scale.
+# The scales are not uniform, as in the scene of a designer who never applies them.
 add("Plate", rig, (0, 0, 0), mesh, (0.075, 0.075, 0.002), haptic_role="plate", haptic_radius_m=0.075,
     haptic_max_speed_deg_s=400)
 add("Brass", rig, at(0), mesh, (0.005, 0.005, 0.02), haptic_role="real", haptic_name="cylinder")

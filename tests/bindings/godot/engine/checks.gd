@@ -1,7 +1,6 @@
 # Functions for tests of the class: checks, and expected errors of the engine.
 extends Node
 
-# Collects errors and warnings of the engine's log.
 class Errors extends Logger:
 	var texts: PackedStringArray = []
 	var warnings: PackedStringArray = []

@@ -143,10 +143,10 @@ func test_adaptation() -> void:
 	plate.horizon = 4
 	check_equal(plate.end(), OK, "end")
 	check_equal(plate.horizon, 4, "the property")
-	check_near(plate.tactile_weight, plate.get_summary().tactile_weight, "the estimate of the reach is carried over", 0.002)  # filtered again after the reach
+	# The two differ, because the property is from a second pass of the filter over the motion, after the reach.
+	check_near(plate.tactile_weight, plate.get_summary().tactile_weight, "the estimate of the reach is carried over", 0.002)
 	check(plate.tactile_weight != 0.2, "the estimate has changed")
 
-# Tests targets as nodes, and files of the project.
 func test_places() -> void:
 	var plate := new_plate()
 	var nodes: Array[HapticTarget] = []
@@ -174,7 +174,7 @@ func test_places() -> void:
 	refused(ProjectSettings.globalize_path("res://none.gltf"), plate.load_scene.bind("res://none.gltf"))
 	nodes[0].free()
 
-# Nodes destroy their sessions, of which a process can have HRT_SESSIONS_MAX, 1024.
+# A node destroys its session when it is freed. A process can have 1024 sessions (HRT_SESSIONS_MAX).
 func test_lifetime() -> void:
 	for i in 1100:
 		var plate := HapticRetargeting.new()

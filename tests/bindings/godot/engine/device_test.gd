@@ -1,7 +1,7 @@
 # Tests the plate's device with emulated plates: HRT_PLATE_DEVICE is the firmware on a board, HRT_PLATE_FILE is a Dynamixel servo.
 extends "res://tests/checks.gd"
 
-# Waits up to 30 s until `key` of the report is `wanted`, and returns the report. Turns the device to an orientation meanwhile.
+# Waits up to 30 s until `key` of the report is `wanted`, and returns the report. While waiting, turns the device to the orientation.
 func eventually(plate: HapticRetargeting, key: String, wanted: Variant, orientation_deg := NAN) -> Dictionary:
 	for i in 3000:
 		if not is_nan(orientation_deg):
@@ -44,7 +44,6 @@ func test_turns() -> void:
 	check_equal(plate.take_device(), OK, "take")
 	check_equal(plate.plate_max_speed_deg_s, 123.0, "speed of the file")
 
-# A reach commands the open device, whose orientation is reported in the samples.
 func test_reach() -> void:
 	var plate := new_plate()
 	check_equal(plate.open_device(OS.get_environment("HRT_PLATE_DEVICE")), OK, "open")
@@ -62,6 +61,6 @@ func test_reach() -> void:
 	check_near(off_deg(plate, commanded_deg), 0, "the device's command", 0.1)
 	check_equal(plate.cancel(), OK, "cancel")
 
-# Returns the angle to the nearest equivalent orientation: ridges repeat every 180 degrees.
+# Returns the device's command minus the nearest orientation that has the same ridges, which repeat every 180 degrees.
 func off_deg(plate: HapticRetargeting, orientation_deg: float) -> float:
 	return fposmod(plate.get_device_report().command_deg - orientation_deg + 90, 180) - 90

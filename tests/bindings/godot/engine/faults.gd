@@ -1,5 +1,5 @@
-# Runs the sample, with its simulated person, through faults of a session: the hand is lost in a reach, the view is recentred in a
-# reach and in a set-up, the plate fails and is opened again, the window is closed. Then checks the text board and the results.
+# Runs the sample with its simulated person through faults: the hand is lost in a reach, the view is recentred in a reach and in
+# a set-up, the plate fails and is opened again, the window is closed. Then prints the lines of the board and the number of results.
 extends Node
 
 @onready var session: Node = $Main
@@ -34,7 +34,7 @@ func _process(_delta: float) -> void:
 			session.device = "serial:/nonexistent"  # unplugged
 			plate.open_device(session.device)
 			await get_tree().create_timer(1.0).timeout
-			session.device = OS.get_environment("HRT_PLATE_DEVICE")  # plugged in again, which the session detects
+			session.device = OS.get_environment("HRT_PLATE_DEVICE")  # plugged in again: the session opens it
 		5:
 			session.notification(NOTIFICATION_WM_CLOSE_REQUEST)
 			report()

@@ -1,4 +1,5 @@
-# Measures the time of update(), with the engine's call, and the growth of the engine's memory, in the reach of a simulated person.
+# Measures the time of calls of update() by the engine, and the growth of the engine's memory, in reaches along the path of a
+# simulated person.
 extends SceneTree
 
 func _initialize() -> void:

@@ -8,14 +8,13 @@ const MAGIC := "mndrmt3"
 @onready var session: Node = $Main
 @onready var remote := StreamPeerTCP.new()
 var person: SimulatedFinger
-# Offset from the sent pose to the tip of the index finger, in the hand's axes, measured once with a hand at the origin.
+# Offset from the sent pose to the tip of the index finger, in the hand's axes: measured in frame 10, with a hand at the origin.
 var offset: Variant = null
 var frames := 0
 
-# Draws little, because rendering is in software.
 func _enter_tree() -> void:
 	var xr: OpenXRInterface = XRServer.find_interface("OpenXR")
-	xr.render_target_size_multiplier = 0.1
+	xr.render_target_size_multiplier = 0.1  # rendering is in software
 
 func _ready() -> void:
 	get_viewport().disable_3d = true
@@ -44,7 +43,7 @@ func _process(_delta: float) -> void:
 	else:
 		remote.put_data(packet(wanted.translated_local(-offset)))
 
-# Returns a packet for the driver: a head and two hands, of which the left one is inactive.
+# Returns a packet for the driver: a head, an inactive left hand, and a right hand.
 func packet(right: Transform3D) -> PackedByteArray:
 	var data := StreamPeerBuffer.new()
 	data.put_data(MAGIC.to_ascii_buffer())

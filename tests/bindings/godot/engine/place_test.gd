@@ -1,4 +1,3 @@
-# Tests scenes and assignments.
 extends "res://tests/checks.gd"
 
 func test_scene() -> void:

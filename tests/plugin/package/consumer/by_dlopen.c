@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Acts like dlsym() for a library that lacks two functions. */
+/* Does what dlsym() does for a library that lacks two functions. */
 static void* find_most(void* library, const char* name) {
   if (!strcmp(name, "hrt_reach_retarget") || !strcmp(name, "hrt_reach_cancel")) return NULL;
   return dlsym(library, name);

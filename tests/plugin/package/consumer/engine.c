@@ -1,4 +1,4 @@
-/* A module of an engine that contains the static library. */
+/* A shared library of an engine, which contains the static library. */
 #include <haptic_retargeting/haptic_retargeting.h>
 
 hrt_result engine_start(hrt_session* out_session) {
