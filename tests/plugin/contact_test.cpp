@@ -207,7 +207,7 @@ class KnownContactTest : public ContactTest {
   hrt_session_config known{};
 };
 
-// Drift adds an SD of 0.002 to each element of the correction.
+// Loading adds an SD of 0.002 to each element of the correction, because the tracker may have drifted.
 TEST_F(KnownContactTest, ProfileWithTheSamePoseRestoresContactsAndAddsDrift) {
   const hrt_session_config back = loaded(save_profile(), registered());
   EXPECT_TRUE(same(back.registration.contact_correction, known.registration.contact_correction));

@@ -59,9 +59,8 @@ class Extremes : public SessionTest {
     hrt_session_config config = session_config();
     const auto share = one_of<std::size_t>({1, 2, 8});
     const auto changes = [&] { return below(share) == 0; };
-    for (const Range& range : ranges) {
+    for (const Range& range : ranges)
       if (changes()) range.of(config) = within(range.low, range.high);
-    }
     if (changes()) config.paper.horizon = one_of({1u, 2u, 3u, 10u, 20u});
     if (changes()) config.paper.step_period_ns = one_of<std::int64_t>({1'000'000, 10'000'000, 10'000'000'000});
     if (changes()) config.control = one_of({HRT_CONTROL_MPC, HRT_CONTROL_MPC, HRT_CONTROL_FIXED_PLATE});
@@ -76,12 +75,10 @@ class Extremes : public SessionTest {
       config.plate.lower_stop_deg = one_of({-3600.0, -90.0, 0.0, 3420.0});
       config.plate.upper_stop_deg = std::min(3600.0, config.plate.lower_stop_deg + one_of({180.0, 270.0, 7200.0}));
     }
-    for (double& coordinate_m : config.start_position_m) {
+    for (double& coordinate_m : config.start_position_m)
       if (changes()) coordinate_m = within(-10.0, 10.0);
-    }
-    for (double& coordinate_m : config.plate.position_m) {
+    for (double& coordinate_m : config.plate.position_m)
       if (changes()) coordinate_m = within(-1000.0, 1000.0);
-    }
     if (below(4) == 0) believe(&config);
     return config;
   }

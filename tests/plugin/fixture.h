@@ -1,4 +1,4 @@
-// Fixture of the tests of the C ABI: a session with one real and one virtual target.
+// Fixture of the tests of the C interface: a session, and functions that make its calls.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -118,6 +118,7 @@ inline hrt_setup_result set_up(hrt_session session, std::uint32_t what, GuidedPe
   for (int frame = 0; result.left != 0 && frame < 40'000; ++frame) {
     const hrt_sample sample = person->follow(step);
     EXPECT_OK(hrt_setup_update(session, &sample, &step));
+    EXPECT_NE(step.text[0], '\0');
     if (step.instruction != HRT_STEP_FINISH) continue;
     EXPECT_OK(hrt_setup_finish(session, &result));
   }

@@ -1,4 +1,4 @@
-// Estimation of the user's parameters from reach to reach, with simulated people, through the C ABI.
+// Estimates of the paper's controller from reach to reach, with its simulated participant.
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 #include "fixture.h"
@@ -76,7 +76,7 @@ TEST_F(LearningTest, OneReachChangesTheMotorVarianceByAFactorOfTwoAtMost) {
   EXPECT_EQ(config().paper.motor_variance_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 
-  // The limits of carried estimates, from extreme configured values.
+  // Carried estimates are between 0.05 and 5 deg^2, whatever the configured value.
   assumed.paper.motor_variance_deg2 = 1e-9;
   set(assumed);
   reach_of(4.0, 0);
@@ -111,7 +111,7 @@ TEST_F(LearningTest, CarriedEstimatesAreWithinTheirRanges) {
   set(config());
 }
 
-// With a bias of 2 degrees and a target at 5, the commands are those for a target at 7 without a bias.
+// With a bias of 2 degrees and a target at 5 degrees, the results are those for a target at 7 degrees without a bias.
 TEST_F(LearningTest, BiasActsLikeAShiftedTarget) {
   const auto reach = [&](double target_deg, double bias_deg) {
     create(paper_config(), [&](auto& c) { c.person.bias_deg = bias_deg; });

@@ -1,4 +1,4 @@
-// Reaches of people through the C ABI: a simulated person, tracker and plate. The library only gets positions.
+// Reaches of simulated people through the C interface, which only gets positions.
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -210,7 +210,7 @@ TEST_F(PersonTest, AdaptationOffKeepsTheConfiguredWeight) {
   config.adaptation = HRT_ADAPTATION_OFF;
   config.person.tactile_weight = 0.26;
   create(config);
-  const ReachOutcome outcome = run_reach(steady_person());  // the person's weight is 0.2
+  const ReachOutcome outcome = run_reach(steady_person());  // whose tactile weight is 0.2
   for (const hrt_command& command : outcome.commands) {
     EXPECT_NEAR(command.tactile_weight, 0.26, 0.01);
     EXPECT_LT(command.tactile_weight_sd, 0.01);
@@ -252,7 +252,7 @@ TEST_F(PersonTest, UnreachableAndMissedTargetsAreFlagged) {
   EXPECT_NE(weak.summary.flags & HRT_COMMAND_OFF_TARGET, 0u);
 }
 
-// A motion of 15 mm back and forth across the path within 0.1 s is impossible.
+// The finger moves by 15 mm to each side of the path within 0.1 s.
 TEST_F(PersonTest, ImpossibleMotionIsAMisfitAndChangesNoEstimate) {
   create(servo_config());
   const hrt_session_config before = config_of(session);
@@ -345,8 +345,7 @@ TEST_F(PersonTest, ReachWithoutSamplesDoesNotMoveThePlate) {
   begin_reach();
   ASSERT_OK(hrt_reach_cancel(session));
   begin_reach();
-  // 0.1 s at 100 degrees/s from 0.
-  EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 10.0, 1e-9);
+  EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 10.0, 1e-9) << "0.1 s at 100 degrees/s from 0";
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ TEST(Process, RoundingModeOfTheHostIsRestoredAndChangesNoResult) {
     expect_golden_bits();
     EXPECT_EQ(std::fegetround(), mode);
     EXPECT_EQ(one / three, third);
-    // A call that fails restores the mode, too.
     EXPECT_EQ(hrt_session_destroy({42}), HRT_ERROR_INVALID_HANDLE);
     EXPECT_EQ(std::fegetround(), mode);
     EXPECT_EQ(one / three, third);

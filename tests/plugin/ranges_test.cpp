@@ -63,9 +63,8 @@ std::set<std::string> try_ranges(Prepare&& prepare, Take&& take) {
     };
     constexpr std::size_t elements = std::extent_v<std::remove_reference_t<decltype(field.of(std::declval<S&>()))>>;
     for (std::size_t i = 0; i < std::max<std::size_t>(elements, 1); ++i) {
-      for (const auto value : ends(field)) {
+      for (const auto value : ends(field))
         if (with(value, i) != HRT_OK) refused_at_an_end.insert(field.name);
-      }
       for (const auto value : beyond(field)) {
         expect_error(with(value, i), HRT_ERROR_OUT_OF_RANGE, std::string(field.name));
         ++tried;

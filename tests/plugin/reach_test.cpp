@@ -1,4 +1,4 @@
-// Reaches of the paper's person through the C ABI.
+// Reaches under the paper's controller, through the C interface.
 #include <cmath>
 
 #include "core/paper_simulation/participant.h"
@@ -65,7 +65,7 @@ TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
   begin_reach();
   double forward_m = -0.05;
   hrt_command command{};
-  for (int i = -50; i <= 28; ++i) {  // rests first
+  for (int i = -50; i <= 28; ++i) {  // the finger rests until i is 0
     command = update(position_sample((i + 50) * 10 * ms, 0.0, forward_m));
     if (i >= 0) forward_m += 0.001;
   }

@@ -251,7 +251,6 @@ TEST_F(RealTimeTest, MakesNoSystemCall) {
   expect_success(status_without_system_calls([] {}, [&] { return call_everything(); }));
 }
 
-// The calls are recorded, and the ring buffer of the recording overflows.
 TEST_F(RealTimeTest, MakesNoSystemCallWhileRecorded) {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("hrt_realtime" + std::to_string(getpid()) + ".csv");

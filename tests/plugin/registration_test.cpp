@@ -77,7 +77,7 @@ TEST_F(RegisteredReachTest, OldRegistrationIsFlagged) {
   const auto flagged = [&](std::int64_t time_ns) {
     return (command_at(time_ns, config).flags & HRT_COMMAND_REGISTRATION) != 0;
   };
-  EXPECT_FALSE(flagged(INT64_MAX));  // not checked
+  EXPECT_FALSE(flagged(INT64_MAX)) << "max_age_ns is 0, which means any age";
   config.registration.max_age_ns = 500;
   EXPECT_FALSE(flagged(1500));
   EXPECT_EQ(end().flags & HRT_COMMAND_REGISTRATION, 0u);
@@ -145,7 +145,7 @@ TEST_F(RegisteredReachTest, RetargetChecksTheRegistrationAgain) {
 TEST_F(RegisteredReachTest, StartAtFingerChecksTheRegistrationFromThere) {
   create_shifted_by_1_mm();
   ASSERT_OK(begin(add(placed(HRT_TARGET_REAL, 0.0, 0.07)), add(HRT_TARGET_VIRTUAL, 5.0), HRT_REACH_START_AT_FINGER));
-  // 0.82 degrees from the configured start, 1.15 from 5 cm before the target.
+  // 1 mm is 0.82 degrees from the configured start, and 1.15 degrees from 5 cm before the target.
   EXPECT_EQ(update(output<hrt_sample>()).flags & HRT_COMMAND_REGISTRATION, 0u);
   const hrt_command command = update(position_sample(10, 0.0, 0.02));
   EXPECT_EQ(command.flags & HRT_COMMAND_REGISTRATION, HRT_COMMAND_REGISTRATION);

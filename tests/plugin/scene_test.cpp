@@ -1,4 +1,4 @@
-// Scenes through the C ABI, with samples/scenes/desk.gltf. tests/scene checks its numbers.
+// Scenes through the C interface, with samples/scenes/desk.gltf, whose numbers tests/scene checks.
 #include <fstream>
 #include <sstream>
 

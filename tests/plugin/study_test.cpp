@@ -120,7 +120,7 @@ TEST_F(SimulatedPersonTest, MotionsFollowFromTheSeed) {
   const Slide first = slide(one, false);
   EXPECT_EQ(first.seen_right_m, slide(same, false).seen_right_m);
   EXPECT_NE(first.seen_right_m, slide(other, false).seen_right_m);
-  EXPECT_NE(first.seen_right_m, slide(one, false).seen_right_m);  // another reach has other noise
+  EXPECT_NE(first.seen_right_m, slide(one, false).seen_right_m) << "the noise differs from reach to reach";
 }
 
 TEST_F(SimulatedPersonTest, HasTheConfiguredBiasAndDuration) {
@@ -133,7 +133,7 @@ TEST_F(SimulatedPersonTest, HasTheConfiguredBiasAndDuration) {
   EXPECT_NEAR(biased.end.felt_error_deg, 6.0, 2.0);
   const double end_m = biased.end.position_m[0];
   EXPECT_NE(std::abs(biased.seen_right_m[100] - end_m), 0.0);
-  EXPECT_NEAR(biased.seen_right_m[146], end_m, 1e-7);  // 1.6 s
+  EXPECT_NEAR(biased.seen_right_m[146], end_m, 1e-7);  // at 1.6 s
 }
 
 TEST_F(SimulatedPersonTest, PlateHasTheConfiguredLatencyAndSpeed) {

@@ -37,9 +37,7 @@ class RandomScenes : public testing::Test {
     const Json at_plate = result[1]["translation"];
     const auto near_plate = [&] {
       Json place = translation(0.1);
-      for (std::size_t i = 0; i < 3; ++i) {
-        place[i] = place[i].get<double>() + at_plate[i].get<double>();
-      }
+      for (std::size_t i = 0; i < 3; ++i) place[i] = place[i].get<double>() + at_plate[i].get<double>();
       return place;
     };
     result.push_back(node("Real", haptic("real"), {{"translation", near_plate()}}));

@@ -1,5 +1,3 @@
-// Files that are rejected, with one line that names the file, the node and the field; and unusual files that are
-// accepted.
 #include <gtest/gtest.h>
 
 #include "tests/scene/scene_document.h"
@@ -198,7 +196,7 @@ TEST(SceneRefusal, RejectsMissingAndRepeatedRoles) {
                  "node \"Real\": ");
 }
 
-// Parsers differ in which of two values they use.
+// If a key is repeated, parsers differ in which of the values they use.
 TEST(SceneRefusal, RejectsRepeatedKeys) {
   const auto with_member = [](const std::string& before, const std::string& member) {
     std::string text = good().dump();

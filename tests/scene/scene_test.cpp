@@ -47,9 +47,8 @@ TEST(Table1Scene, HasTheSixPairsOfThePaper) {
                                                                     {-10, 0}, {10, 0}, {0, -10}};
   std::vector<std::pair<double, double>> found;
   for (const SceneTarget& target : scene.targets) {
-    if (target.served_by) {
+    if (target.served_by)
       found.emplace_back(direction_deg(scene, scene.targets[*target.served_by]), direction_deg(scene, target));
-    }
   }
   ASSERT_EQ(found.size(), real_and_virtual_deg.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -58,8 +57,8 @@ TEST(Table1Scene, HasTheSixPairsOfThePaper) {
   }
 }
 
-// Exported by Blender from files/make_with_blender.py in single precision: 1e-8 m at 0.1 m are 1e-5 degrees. The group
-// is at (1.2, 2, 0.7) in Blender's axes, which is (1.2, 0.7, -2) in those of glTF, and is rotated by 30 degrees.
+// files/make_with_blender.py made the file, in single precision: 1e-8 m at 0.1 m are 1e-5 degrees. The group "Rig" is
+// at (1.2, 2, 0.7) in Blender's axes, which is (1.2, 0.7, -2) in those of glTF, and is rotated by 30 degrees.
 TEST(BlenderScene, LoadsFlatAndNestedPropertiesOfAnExport) {
   const Scene scene = load_scene(scene_files / "blender.gltf");
   EXPECT_EQ(scene.plate.node_path, "Desk/Rig/Plate");
@@ -82,9 +81,7 @@ TEST(BlenderScene, LoadsFlatAndNestedPropertiesOfAnExport) {
   EXPECT_NEAR(direction_deg(scene, cylinder), 0.0, 1e-3);
   EXPECT_NEAR(direction_deg(scene, mirrored), -8.0, 1e-3);
   EXPECT_NEAR(mirrored.position_m.y, 0.01, 1e-7);
-  for (const SceneTarget& target : scene.targets) {
-    EXPECT_NEAR(distance_m(scene, target), 0.1, 1e-7);
-  }
+  for (const SceneTarget& target : scene.targets) EXPECT_NEAR(distance_m(scene, target), 0.1, 1e-7);
 }
 
 }  // namespace

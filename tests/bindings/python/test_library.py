@@ -1,5 +1,3 @@
-"""Tests of loading a library that is missing, is not a library, or has another version."""
-
 import os
 import re
 import subprocess

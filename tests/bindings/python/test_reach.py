@@ -1,5 +1,3 @@
-"""Tests of reaches over arrays and of single steps."""
-
 import ctypes
 import re
 

@@ -1,5 +1,3 @@
-"""Tests of recordings as arrays, and of their pictures."""
-
 from pathlib import Path
 
 import numpy as np

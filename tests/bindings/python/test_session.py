@@ -1,5 +1,3 @@
-"""Tests of sessions, targets, gaps and profiles: values derived by hand, and invalid arguments."""
-
 import gc
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""Tests of a set-up as a loop, which calibrates a simulated person."""
-
 from pathlib import Path
 
 import pytest

@@ -181,7 +181,7 @@ TEST_F(Component, BroadcastsCommandsFlagsAndTheEnd) {
   ASSERT_TRUE(component_.UpdateSample(sample));
   EXPECT_EQ(yaws, std::vector<double>{component_.GetCommand().PlateYaw})
       << "one step, and a sample between steps";
-  const size_t changed = flags.size();  // a reach by directions predicts no miss
+  const size_t changed = flags.size();  // not 0: the first sample has set MISS_UNKNOWN
   ASSERT_TRUE(component_.UpdateLost(0.25));
   ASSERT_EQ(flags.size(), changed + 1);
   EXPECT_TRUE(flags.back() & static_cast<int32>(EHapticCommandFlags::Predicted));
@@ -232,7 +232,7 @@ TEST_F(Component, TakesTheEstimatesOfAReach) {
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }
 
-// The apparatus of the desk is at (0.12, 0.75, -0.32) m, rotated by 20 degrees to the left.
+// The plate of the scene is at (0.12, 0.75, -0.32) m, rotated by 20 degrees to the left.
 TEST_F(Component, LoadsAScene) {
   TArray<FHapticTarget> ids;
   TArray<FHapticSceneTarget> targets;

@@ -201,7 +201,7 @@ test("a file is not fetched without node.mjs", async () => {
   assert.equal(web.HapticRetargetingError, hrt.HapticRetargetingError);
 });
 
-sessionTest("lists have the length of their content", ({ session, real, virtual }) => {
+sessionTest("a session has a state, and assigns targets", ({ session, real, virtual }) => {
   assert.equal(session.state, hrt.HRT_STATE_READY);
   session.beginReach(real, virtual, undefined, true);
   assert.equal(session.state, hrt.HRT_STATE_REACHING);

@@ -1,11 +1,10 @@
-// Opens a page in Chromium or Firefox without a display, and waits for its post to /shown.
+// Runs pages in Chromium and Firefox, without a display.
 import { spawn } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-/** Program and arguments of each browser. */
 const browsers = {
   chromium: (profile) => ["chromium", ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", `--user-data-dir=${profile}`, "--remote-debugging-port=0"]],
@@ -15,8 +14,8 @@ export const browserNames = Object.keys(browsers);
 const quiet = ["browser.aboutwelcome.enabled", "browser.shell.checkDefaultBrowser", "datareporting.policy.dataSubmissionEnabled", "app.normandy.enabled",
                "extensions.update.enabled", "network.captive-portal-service.enabled", "browser.safebrowsing.downloads.remote.enabled"];
 
-/** Returns the text that the page "/" posts in the browser `name`. `answer(path)` returns { type, body } or nothing; it may instead
- *  be the address of a running server, whose page posts to the address in its query. */
+/** Opens a page in the browser `name`, and returns the text that the page posts. `answer`: a function that returns { type, body } of
+ *  the page's files, or nothing; or the address of a running server, whose page posts to the address in its query. */
 export async function shownBy(answer, name) {
   let onShown;
   const shown = new Promise((resolve) => { onShown = resolve; });

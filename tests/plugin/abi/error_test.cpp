@@ -14,13 +14,11 @@ class ErrorTextTest : public SessionTest {
     expect_error(result, expected, part);
     const std::string text = hrt_last_error();
     EXPECT_TRUE(plugin::is_utf8(text)) << text;
-    for (const char c : text) {
-      EXPECT_FALSE(static_cast<unsigned char>(c) < 0x20 || c == 0x7f) << text;
-    }
+    for (const char c : text) EXPECT_FALSE(static_cast<unsigned char>(c) < 0x20 || c == 0x7f) << text;
     EXPECT_EQ(text.find("\u0085"), std::string::npos) << "a line break";
   }
 
-  /// Returns 300 characters of two bytes, at an odd offset.
+  /// Returns "x" and 300 characters of two bytes.
   static std::string long_text() {
     std::string text = "x";
     for (int i = 0; i < 300; ++i) text += "\u00e4";

@@ -11,7 +11,7 @@
 namespace hrt::test {
 namespace {
 
-// Uses a session, in steps that each must succeed, or fail with OUT_OF_MEMORY and change nothing.
+// Creates a session with two targets, and begins a reach. Returns the result of the first call that fails.
 hrt_result live(hrt_session* session) {
   const hrt_session_config config = session_config();
   if (const auto result = hrt_session_create(HRT_VERSION, &config, session); result != HRT_OK) return result;

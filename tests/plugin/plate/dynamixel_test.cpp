@@ -1,5 +1,4 @@
-// Dynamixel Protocol 2.0: published packets, stuffing, damaged bytes; and the device on an emulated servo, in
-// simulated time.
+// Packets of the Dynamixel Protocol 2.0, and the driver's device on an emulated servo, in simulated time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +47,7 @@ TEST(DynamixelPacket, HasThePublishedBytes) {
   EXPECT_EQ(encode({.id = 1, .instruction = status}), bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 4, 0, 0x55, 0, 0xA1, 0x0C}));
 }
 
-// A header in the parameters is followed by one more FD, which the length includes.
+// If the parameters contain the bytes of a header, another FD follows them, which the length includes.
 TEST(DynamixelPacket, StuffsAHeaderInTheParameters) {
   const std::string plain = bytes_of({0xFF, 0xFF, 0xFD, 0xFD, 0, 0xFF, 0xFF, 0xFF, 0xFD});
   const std::string packet = encode({.id = 7, .instruction = dynamixel::write, .parameters = plain});
@@ -226,7 +225,7 @@ TEST_F(DynamixelTest, OpensWithoutAMotion) {
   EXPECT_EQ(servo.writes_to_eeprom(), 0);
 }
 
-// Orientation 0 is 3 degrees too far counter-clockwise: the shaft turns back by 3 degrees to the new orientation 0.
+// Orientation 0 moves by 3 degrees clockwise, and the shaft turns to the new orientation 0.
 TEST_F(DynamixelTest, MovesItsZeroByTheHomingOffset) {
   const auto device = open();
   turn(*device, 0.0, 100ms);
@@ -335,8 +334,8 @@ TEST_F(DynamixelTest, ReportsAnErrorOfTheServo) {
   EXPECT_EQ(fault, Fault::protocol);
 }
 
-// Another program writes a goal while this one has no command, holds one, or moves: the plate is stopped, and has no
-// torque, so that the next goals do not turn it. Writing the present goal again changes nothing.
+// Another program writes a goal while the driver has no command, holds one, or moves the plate: the plate is stopped
+// without torque, so that later goals do not turn it. Writing the present goal again changes nothing.
 TEST_F(DynamixelTest, CommandsOfAnotherProgramEndTheTorque) {
   const auto send_goal = [&](std::int64_t step) {
     const std::string goal = little_endian(116, 2) + little_endian(step, 4);
@@ -362,8 +361,8 @@ TEST_F(DynamixelTest, CommandsOfAnotherProgramEndTheTorque) {
   }
 }
 
-// At rest, the profile is that of 1.4 degrees a second: a goal of another program, after the line was unplugged, turns
-// the plate by 0.42 degrees until the watchdog expires. The next command turns it fast.
+// At rest, the profile has a speed of 1.4 degrees/s: after the line is unplugged, a goal of another program turns the
+// plate by 0.42 degrees, until the watchdog expires.
 TEST_F(DynamixelTest, APlateAtRestHasASlowProfile) {
   const auto device = open();
   turn(*device, 45.0, 500ms);

@@ -58,7 +58,7 @@ struct Hobby {
   using Emulated = HobbyPlate;
   static constexpr const char *name = "hobby servo", *device = "serial:line";
   static constexpr double speed_limit_deg_s = 200.0;  // limit of the firmware
-  static constexpr double latency_s = 0.03;           // dead time of 10 ms, and a frame of its pulses
+  static constexpr double latency_s = 0.03;           // dead time of 10 ms, and one period of the pulses
   static constexpr bool homes = true, refuses_second_host = true;
 
   static HobbyPlate make(Phase phase) {
@@ -95,7 +95,7 @@ struct Hobby {
 struct Xl330 {
   using Emulated = EmulatedDynamixel;
   static constexpr const char *name = "XL330", *device = "dynamixel:line?effort=100";
-  static constexpr double speed_limit_deg_s = 300.0;  // its profile
+  static constexpr double speed_limit_deg_s = 300.0;  // speed of its profile
   static constexpr double latency_s = 0.02;           // an exchange that must end first, and the exchange of the stop
   static constexpr bool homes = false, refuses_second_host = false;
 

@@ -88,7 +88,7 @@ TEST_F(PlateWatchTest, APlateThatWasStoppedIsNotStuck) {
   report(watch, 920ms, 3000ms, [](double) { return 0.0; });
 }
 
-// Two degrees a second are a motion of a plate that reports this speed.
+// 2 degrees/s count as a motion, because the plate reports this maximum speed.
 TEST_F(PlateWatchTest, ASlowPlateIsNotStuck) {
   PlateGreeting slow = greeting;
   slow.speed_deg_s = 2.0;

@@ -88,8 +88,7 @@ class RecordingTest : public SessionTest {
     return static_cast<double>(state_ >> 40) / double{1 << 23} - 1.0;
   }
 
-  /// Runs three reaches with both controllers and every flag of a sample except JOINT_ROTATION, and makes calls that
-  /// fail.
+  /// Runs three reaches with both controllers and every flag of a sample except JOINT_ROTATION. Some calls fail.
   void play() {
     const hrt_target real = add(HRT_TARGET_REAL, -5.0, "cylinder"), cup = add(HRT_TARGET_VIRTUAL, 5.0, "a \"cup\"");
     reach_by_direction(real, cup);

@@ -14,7 +14,7 @@
 
 #include "recording_fixture.h"
 
-// In the child of a fork, memory that a thread of the parent owned is unreachable, and must not be reported as a leak.
+// In the child of a fork, memory of the parent's threads is unreachable, and must not be reported as a leak.
 extern "C" __attribute__((weak, visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:start_thread_with_signals_blocked\n";
 }
@@ -207,8 +207,7 @@ TEST_F(RecordingTest, ForkedChildIsNotRecordedAndReportsIt) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();
   update(direction_sample(0, 1.0));
-  // The flush waits for the writing thread: with the address sanitizer, a child that is forked while a thread starts
-  // may hang.
+  // Waits until the writing thread runs: under the address sanitizer, a child that is forked earlier may hang.
   auto written = output<hrt_recording_status>();
   ASSERT_OK(hrt_recording_flush(session, &written));
   EXPECT_EQ(written.rows_written, 2u);

@@ -1,4 +1,3 @@
-# Tests the class in the engine: properties, constants, axes, signals, errors, lifetimes.
 extends "res://tests/checks.gd"
 
 func test_properties() -> void:

@@ -1,4 +1,3 @@
-# Tests the messages of the sample when it cannot begin.
 extends "res://tests/checks.gd"
 
 func test_scene_without_a_plate() -> void:
