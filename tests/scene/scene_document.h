@@ -13,7 +13,7 @@
 
 namespace hrt {
 
-/// Keeps the order of members, which the default of nlohmann sorts.
+/// JSON whose members keep their order; nlohmann's default type sorts them.
 using Json = nlohmann::ordered_json;
 
 inline Json haptic(const char* role, Json more = Json::object()) {
@@ -27,7 +27,7 @@ inline Json node(const char* name, Json extras, Json more = Json::object()) {
   return more;
 }
 
-/// Returns a file with one scene, whose roots are the nodes that are not children of another one.
+/// Returns a file with one scene, whose roots are the nodes that are not children of another node.
 inline Json document(Json nodes) {
   std::set<Json> children;
   for (const Json& parent : nodes)
@@ -45,12 +45,12 @@ inline Json plate(Json more = Json::object()) {
   return node("Plate", haptic("plate", {{"radius_m", 0.075}}), std::move(more));
 }
 
-/// A real target 100 mm straight ahead of the default start.
+/// Returns a real target, by default 100 mm straight ahead of the default start.
 inline Json real(Json more = {{"translation", {0.0, 0.0, -0.05}}}) {
   return node("Real", haptic("real"), std::move(more));
 }
 
-/// A virtual target 100 mm to the left of the default start.
+/// Returns a virtual target 100 mm to the left of the default start.
 inline Json virtual_on_the_left() { return node("Left", haptic("virtual"), {{"translation", {-0.1, 0.0, 0.05}}}); }
 
 inline Scene load(const std::string& bytes, const char* name = "test.gltf") {

@@ -12,7 +12,7 @@ static class RunTests
         foreach (MethodInfo method in fixture.GetType().GetMethods().Where(m => m.IsDefined(typeof(T)))) method.Invoke(fixture, null);
     }
 
-    // Runs one test of a fixture whose constructor and SetUp methods have run. Returns its exception or null.
+    // Runs one test between the fixture's SetUp and TearDown methods. Returns its exception, or null.
     static Exception Failure(object fixture, MethodInfo test, object[] arguments)
     {
         try

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Hrt.HostTests
 {
-    // Tests that need the stubs, for Unity's clock, its console and drawing.
+    // Tests that need the stubs of Unity's clock and console.
     public sealed class UnityTests
     {
         HapticRetargeting component;
@@ -105,7 +105,6 @@ namespace Hrt.HostTests
             Assert.IsTrue(component.IsReaching);
         }
 
-        // The scene is a file of the repository that contains the plate and its targets.
         [Test]
         public void ScenesSetPlateAndTargets()
         {

@@ -44,10 +44,10 @@ export async function shownBy(answer, name) {
   browser.stderr.on("data", (data) => { complaints += data; });
   const ended = new Promise((resolve) => {
     browser.on("error", (error) => resolve(`${program} does not start: ${error.message}`));
-    browser.on("exit", (code) => resolve(`${program} ended with ${code} before the page showed anything:\n${complaints}`));
+    browser.on("exit", (code) => resolve(`${program} ended with ${code} before the page posted anything:\n${complaints}`));
   });
   const late = new Promise((resolve) => {
-    setTimeout(resolve, 60_000, `the page showed nothing in 60 s:\n${complaints}`).unref();
+    setTimeout(resolve, 60_000, `the page posted nothing in 60 s:\n${complaints}`).unref();
   });
 
   const text = await Promise.race([shown, ended, late]);

@@ -72,7 +72,7 @@ test("with three.js a registered plate and the skin beside the joint are those o
   const registered = { flags: hrt.HRT_SESSION_REGISTERED, plate_position_m: [0, 0.7, -0.3] }, here = at(0.04, 0.7, -0.3);
   const expected = Math.hypot(40 - 14, 50);  // from a position 26 mm to the right of the centre to the target
   for (const [config, place, update] of [
-    [registered, [0, 0, 0], bySession(here)], [registered, [5, 5, 5], byHand(here)],  // drawn at another position
+    [registered, [0, 0, 0], bySession(here)], [registered, [5, 5, 5], byHand(here)],  // the plate is drawn at another position
     [{}, [0, 0.7, -0.3], byHand(here)], [{ plate_position_m: [5, 5, 5] }, [0, 0.7, -0.3], byHand(here)],
   ]) assert.ok(Math.abs(toGo_mm(config, place, update) - expected) < 0.5, `${toGo_mm(config, place, update)} mm`);
 });

@@ -125,7 +125,7 @@ func test_refusals() -> void:
 				ERR_INVALID_PARAMETER, "update with %s" % [arguments])
 	check_equal(refused("it is update_sample(flags: int", plate.callv.bind("update_sample", range(20))), ERR_INVALID_PARAMETER,
 			"far too many arguments")
-	for flags: int in [HapticRetargeting.SAMPLE_PLATE_POSE, -1]:  # without a pose, and unknown flags
+	for flags: int in [HapticRetargeting.SAMPLE_PLATE_POSE, -1]:  # a pose that is not given; unknown flags
 		check_equal(refused("update: ", reaching_plate().update_sample.bind(flags, 2000, 0.0, 0.0, 0.0, 0.0, 0.0)), ERR_PARAMETER_RANGE_ERROR,
 				"flags %d" % flags)
 	check_equal(plate.update(Vector3(), 2000), OK, "update after refusals")

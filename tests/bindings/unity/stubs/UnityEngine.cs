@@ -1,5 +1,5 @@
 // Stubs of the parts of Unity that the package uses, to compile and run it without Unity. Vectors, quaternions and Transforms
-// compute as Unity documents; GameObjects send OnEnable, LateUpdate and OnDisable when a test requests it.
+// compute as Unity documents. OnEnable and OnDisable are called as in Unity; tests call LateUpdate and the other messages.
 using System;
 using System.Collections.Generic;
 using System.Reflection;

@@ -1,5 +1,5 @@
-// Stubs of the Unreal types that the plugin uses, to compile and run it without the engine. Tests with them are valid if
-// the engine's types behave like these.
+// Stubs of the Unreal types that the plugin uses, to compile and run it without the engine. Tests with these stubs are
+// valid if the engine's types behave like them.
 #pragma once
 
 #include <cmath>
