@@ -59,9 +59,8 @@ class ContactTest : public SessionTest {
   }
 };
 
-// The frame is rotated by 2 degrees: the finger is tracked at 0 and is at -2 degrees. With a prior SD of 2 mm and a
-// contact of 1 mm, four fifths of the rotation are corrected, and 0.4 degrees remain. The bias is reduced by the
-// correction, so that the sum is unchanged.
+// The frame is rotated by 2 degrees: the finger is tracked at 0 degrees and is at -2 degrees. With a prior SD of 2 mm
+// and an SD of the contact of 1 mm, 1.6 degrees are corrected, by which the estimated bias decreases.
 TEST_F(ContactTest, OneContactCorrectsFourFifthsOfARotatedFrame) {
   EXPECT_NEAR(reach_straight_ahead().miss_deg, 0.0, 0.05);
   const double bias_deg = config_of(session).person.mean[HRT_PERSON_BIAS];
@@ -140,7 +139,7 @@ TEST_F(ContactTest, CorrectsPositionsUnderFixedDirection) {
   EXPECT_NEAR(reach_straight_ahead().distance_to_target_m, 0.1 * 1.6 / deg_per_rad, 0.0003);
 }
 
-// The limit is 3.717 SD of 2 mm, which is 7.4 mm.
+// The limit is 3.717 times the SD of 2 mm, which is 7.4 mm.
 TEST_F(ContactTest, FlagsAContactThatContradictsTheRegistration) {
   for (const bool contradicts : {false, true}) {
     create(registered());

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t frame_ns = 11'111'111;
 constexpr double reach_m = 0.1;
 const std::vector<double> directions_deg{-14.0, 0.0, 10.0};
-const Eigen::Vector2d start_m{0.0, -0.05};  // right, away
+const Eigen::Vector2d start_m{0.0, -0.05};  // to the right of the plate's centre, and away from the user
 
 Eigen::Vector2d target_m(double direction_deg) {
   return start_m + reach_m * Eigen::Vector2d(-sin_deg(direction_deg), cos_deg(direction_deg));

@@ -58,7 +58,7 @@ TEST(Process, FloatingPointTrapsAreKeptAndNotTriggered) {
 
 #if defined(HRT_MEASURES_MEMORY)
 
-// Documented limits in bytes, on 64-bit machines.
+// Limits that plugin/PROCESS.md states for 64-bit machines, in bytes.
 constexpr long max_of_session = 31'000;
 constexpr long max_of_target = 320;
 constexpr long max_of_recording = 9'700'000;

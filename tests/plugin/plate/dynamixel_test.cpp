@@ -132,19 +132,19 @@ class DynamixelTest : public FailingTest {
 TEST_F(DynamixelTest, OpeningWritesTheControlTable) {
   servo.set(132, 4, 2148);
   const auto device = open("?speed=200&effort=40");
-  EXPECT_EQ(servo.get(11, 1), 5);     // current-based position
-  EXPECT_EQ(servo.get(102, 2), 588);  // 40 % of 1470 mA
-  EXPECT_EQ(servo.get(112, 4), 1);    // slow until the first command
-  EXPECT_EQ(servo.get(98, 1), 15);    // 300 ms
-  EXPECT_EQ(servo.get(64, 1), 1);
+  EXPECT_EQ(servo.get(11, 1), 5);     // operating mode: current-based position
+  EXPECT_EQ(servo.get(102, 2), 588);  // goal current: 40 % of 1470 mA
+  EXPECT_EQ(servo.get(112, 4), 1);    // profile velocity: slow until the first command
+  EXPECT_EQ(servo.get(98, 1), 15);    // bus watchdog: 15 times 20 ms
+  EXPECT_EQ(servo.get(64, 1), 1);     // torque: on
   EXPECT_EQ(device->description(), "Dynamixel XL330-M288, id 1, firmware 52");
   EXPECT_NEAR(device->limits().speed_deg_s, 200.0, 0.7);
   EXPECT_EQ(device->limits().max_deg, 360.0);
   EXPECT_TRUE(device->is_measured());
-  // A request of 14 bytes and an answer of 12 to 15 bytes, of 174 us each, and the servo's delay of 500 us.
+  // A request of 14 bytes and an answer of 12 to 15 bytes, at 174 us per byte, and the servo's delay of 500 us.
   EXPECT_NEAR(std::chrono::duration<double>(*device->round_trip()).count(), 5.4e-3, 0.4e-3);
   turn(*device, 9.0, 100ms);
-  EXPECT_EQ(servo.get(112, 4), 146);  // 200 / (0.229 * 6)
+  EXPECT_EQ(servo.get(112, 4), 146);  // 200 degrees/s, in units of 0.229 * 6
 }
 
 // Calculated by hand from ROBOTIS' pages: stall torque at 5 V and 1.47 A: 0.52 N m (M288), 0.215 N m (M077).
@@ -294,7 +294,8 @@ TEST_F(DynamixelTest, AStopEndsTheMotion) {
   }
 }
 
-// When the host hangs, the servo's own watchdog stops it within 300 ms and clears its profile, which is set again.
+// When the host hangs, the servo's watchdog stops it within 300 ms and clears its profile. The next command sets the
+// profile again.
 TEST_F(DynamixelTest, TheWatchdogStopsItAndTheNextCommandContinues) {
   const auto device = open("?speed=100");
   turn(*device, 150.0, 100ms);
@@ -368,7 +369,7 @@ TEST_F(DynamixelTest, APlateAtRestHasASlowProfile) {
   turn(*device, 45.0, 500ms);
   EXPECT_EQ(servo.get(112, 4), 1);
   turn(*device, -45.0, 100ms);
-  EXPECT_EQ(servo.get(112, 4), 218);  // 300 / (0.229 * 6)
+  EXPECT_EQ(servo.get(112, 4), 218);  // 300 degrees/s, in units of 0.229 * 6
   device->stop();
   serve(*device, 50ms);
   EXPECT_EQ(servo.get(112, 4), 1);

@@ -65,7 +65,7 @@ struct Hobby {
     return HobbyPlate({.settings = phase == home ? settings_default() : commissioned(), .orientation_deg = place_deg});
   }
   static void greet(HobbyPlate& board) { board.receive_line("HELLO 2 00042"); }
-  static double force_n(const HobbyPlate&) { return 0.0; }  // unknown: the firmware does not limit it
+  static double force_n(const HobbyPlate&) { return 0.0; }  // unknown: the firmware does not limit the force
   static bool is_silent(const HobbyPlate&) { return false; }
   static inline const std::vector<Kind<HobbyPlate>> kinds = {
       {"unplug", {}, {"is unplugged"}},
@@ -150,8 +150,8 @@ struct Operation {
   std::set<std::string> reported;
   double before_first_set_deg = 0.0, after_stop_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
   bool is_set = false, is_unplugged = false;
-  std::optional<std::chrono::nanoseconds>
-      stops;  // time of the stop; a plate without a serial line is stopped by its watchdog
+  // Time of the stop: 300 ms later, by the plate's watchdog, if the line is unplugged or the plate is silent.
+  std::optional<std::chrono::nanoseconds> stops;
   std::optional<double> stopped_deg;
   std::function<void(Emulated&)> ends;  // ends the injected fault
   std::chrono::nanoseconds ends_at{};

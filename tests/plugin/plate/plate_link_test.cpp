@@ -49,7 +49,7 @@ TEST_F(PlateLinkTest, ReadsLimitsAndOrientation) {
   EXPECT_EQ(link->limits().min_deg, -90.0);
   EXPECT_EQ(link->limits().max_deg, 90.0);
   EXPECT_EQ(link->limits().speed_deg_s, 150.0);
-  // A line and its answer have 22 bytes each, of 87 us.
+  // A line and its answer have 22 bytes each; a byte takes 87 us.
   EXPECT_GE(*link->round_trip(), 44 * 87us);
   EXPECT_LT(*link->round_trip(), 44 * 87us + 2ms);
   EXPECT_EQ(link->limits().latency, 30ms + *link->round_trip() / 2);
@@ -72,8 +72,7 @@ TEST_F(PlateLinkTest, SendsAnEqualCommandOnceAndHeartbeats) {
   EXPECT_EQ(plate->heartbeat_stops(), 0);
 }
 
-// When the host is late (it hangs, or its machine is busy), the plate stops by itself, and the next command moves it
-// again.
+// The host is silent for 400 ms: the plate stops by itself, and the next command moves the plate again.
 TEST_F(PlateLinkTest, ThePlateStopsWithoutAHeartbeatAndTheNextCommandContinues) {
   open();
   link->turn_to(80.0);

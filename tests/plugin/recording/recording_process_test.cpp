@@ -68,7 +68,7 @@ TEST_F(RecordingTest, PipesAreRejectedWithoutBlocking) {
   expect_error(hrt_recording_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM, "/dev/zero");
 }
 
-/// While this object exists, the system limits the size of files.
+/// While this object exists, the system limits files to `size` bytes.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t size) {
@@ -230,7 +230,7 @@ TEST_F(RecordingTest, ForkedChildIsNotRecordedAndReportsIt) {
     EXPECT_EQ(replay(read(of_child)).rows, 2u);
   });
   EXPECT_EQ(child, 0);
-  // A child that makes no call and exits, which runs the library's destructors.
+  // This child makes no call; its exit runs the library's destructors.
   EXPECT_EQ(status_in_child([] {}), 0);
   EXPECT_EQ(status_in_child([&] { EXPECT_OK(hrt_session_destroy(session)); }), 0);
   update(direction_sample(1, 2.0));

@@ -121,7 +121,7 @@ TEST_F(RecordingTest, EqualNumbersWithOtherTextsAreNoDifference) {
   EXPECT_EQ(replay(text).first_different_line, 0u);
 }
 
-// Fields that are not read may have any value. -0 is written as "-0".
+// Fields that are not read may have any value. The sign of -0 is recorded.
 TEST_F(RecordingTest, UnreadFieldsAndNegativeZeroReplay) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   hrt_target_config config = target_config(HRT_TARGET_REAL, -5.0);
