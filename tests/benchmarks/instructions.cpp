@@ -60,7 +60,6 @@ class Frames {
     target.direction_deg = virtual_deg;
     require(api.target_add(session_, &target, &reach.virtual_target) == HRT_OK, "hrt_target_add");
     require(api.reach_begin(session_, &reach) == HRT_OK, "hrt_reach_begin");
-    command_.struct_size = sizeof command_;
   }
   ~Frames() { api.session_destroy(session_); }
   Frames(const Frames&) = delete;
@@ -71,7 +70,7 @@ class Frames {
 
  private:
   hrt_session session_{};
-  hrt_command command_{};
+  hrt_command command_ = hrt_command_init();
 };
 
 void count_sessions() {
@@ -99,8 +98,7 @@ std::uint64_t count_updates(std::uint32_t person, int period_ms) {
     const bool moves = t >= 500;
     if (moves) finger.advance(frames.plate_deg());
     if (t % period_ms != 0) continue;
-    hrt_sample sample{};
-    sample.struct_size = sizeof sample;
+    hrt_sample sample = hrt_sample_init();
     sample.flags = HRT_SAMPLE_PLATE_POSITION;
     sample.time_ns = std::int64_t{1'000'000} * t;
     sample.finger_position_m[0] = 1e-3 * (finger.position().right_mm + 1.2 * noise.normal());
@@ -171,31 +169,21 @@ void count_fit() {
   require(std::holds_alternative<Calibration>(fit.result()), "CalibrationFit");
 }
 
-hrt_session_config paper_config(int horizon) {
-  hrt_session_config config = hrt_session_config_init();
-  config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
-  config.paper.horizon = static_cast<std::uint32_t>(horizon);
-  return config;
-}
-
-hrt_sample direction_at(std::int64_t step, double direction_deg) {
-  hrt_sample sample{};
-  sample.struct_size = sizeof sample;
-  sample.flags = HRT_SAMPLE_DIRECTION;
-  sample.time_ns = 100'000'000 * step;
-  sample.finger_direction_deg = direction_deg;
-  return sample;
-}
-
 void count_paper_updates(int horizon) {
   constexpr std::int64_t reaches = 10;
   constexpr std::int64_t steps = 30;
+  hrt_session_config config = hrt_session_config_init();
+  config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
+  config.paper.horizon = static_cast<std::uint32_t>(horizon);
+  hrt_sample sample = hrt_sample_init();
+  sample.flags = HRT_SAMPLE_DIRECTION;
   for (std::uint32_t reach = 0; reach < reaches; ++reach) {
-    Frames frames(paper_config(horizon), -5.0, 5.0);
+    Frames frames(config, -5.0, 5.0);
     SimulatedParticipant person(Participant{}, 5.0);
     Draws noise(1, 1, reach, 0);
     for (std::int64_t i = 0; i < steps; ++i) {
-      const hrt_sample sample = direction_at(i, person.finger_direction_deg());
+      sample.time_ns = 100'000'000 * i;
+      sample.finger_direction_deg = person.finger_direction_deg();
       require(counted([&] { return frames.update(sample); }) == HRT_OK, "hrt_reach_update");
       person.step(frames.plate_deg(), noise.normal());
     }

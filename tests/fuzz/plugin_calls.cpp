@@ -140,8 +140,7 @@ class Caller {
   }
 
   void gap() {
-    hrt_gap out{};
-    out.struct_size = sizeof out;
+    hrt_gap out = hrt_gap_init();
     const hrt_result result = hrt_gap_query(session(), target(), target(), &out);
     check(result);
     if (result == HRT_OK) require_finite(out, offsetof(hrt_gap, gap_deg));
@@ -159,8 +158,7 @@ class Caller {
   void assign() {
     hrt_target virtuals[3] = {target(), target(), target()}, reals[3] = {target(), target(), target()};
     const uint32_t count = bytes_.ConsumeIntegralInRange(0u, 3u);
-    hrt_gap out[3]{};
-    out[0].struct_size = sizeof out[0];
+    hrt_gap out[3]{hrt_gap_init()};
     const hrt_result result =
         hrt_gap_assign(session(), virtuals, count, reals, bytes_.ConsumeIntegralInRange(0u, 3u),
                        bytes_.ConsumeIntegralInRange(0u, 2u), bytes_.ConsumeIntegralInRange(0u, 3u), out);
@@ -183,8 +181,7 @@ class Caller {
   }
 
   void residual() {
-    hrt_setup_residual out{};
-    out.struct_size = sizeof out;
+    hrt_setup_residual out = hrt_setup_residual_init();
     out.verdict = 77;
     const hrt_result result = hrt_setup_get_residual(session(), bytes_.ConsumeIntegralInRange(0u, 20u), &out);
     check(result);
@@ -202,8 +199,7 @@ class Caller {
     hrt_setup_result result = hrt_setup_result_init();
     const uint32_t flags = bytes_.ConsumeBool() ? HRT_SAMPLE_PLATE_POSITION : HRT_SAMPLE_WORLD_POSITION;
     for (int place = bytes_.ConsumeIntegralInRange(0, 30); place > 0; --place) {
-      hrt_sample sample{};
-      sample.struct_size = sizeof sample;
+      hrt_sample sample = hrt_sample_init();
       sample.flags = flags;
       for (double& coordinate_m : sample.finger_position_m)
         coordinate_m = bytes_.ConsumeFloatingPointInRange(-0.1, 0.1);
@@ -222,8 +218,7 @@ class Caller {
   }
 
   void update() {
-    hrt_sample sample{};
-    sample.struct_size = sizeof sample;
+    hrt_sample sample = hrt_sample_init();
     sample.flags = bytes_.ConsumeBool() ? bytes_.ConsumeIntegralInRange(0u, 128u) : HRT_SAMPLE_PLATE_POSITION;
     time_ns_ += bytes_.ConsumeIntegralInRange(0, 1 << 28);
     sample.time_ns = bytes_.ConsumeIntegralInRange(0, 15) ? time_ns_ : bytes_.ConsumeIntegral<int64_t>();
@@ -232,8 +227,7 @@ class Caller {
     sample.finger_position_m[2] = bytes_.ConsumeFloatingPointInRange(-0.1, 0.1);
     sample.plate_rotation[3] = 1.0;
     disturb(sample);
-    hrt_command command{};
-    command.struct_size = sizeof command;
+    hrt_command command = hrt_command_init();
     command.paper.step = 77;
     const hrt_result result = hrt_reach_update(session(), &sample, &command);
     check(result);
@@ -244,8 +238,7 @@ class Caller {
   }
 
   void end() {
-    hrt_reach_summary summary{};
-    summary.struct_size = sizeof summary;
+    hrt_reach_summary summary = hrt_reach_summary_init();
     const hrt_session ended = session();
     const hrt_result result = hrt_reach_end(ended, &summary);
     check(result);
@@ -253,8 +246,7 @@ class Caller {
     require((summary.flags & HRT_COMMAND_FAULT) == 0 && summary.counts.samples >= 0);
     require_finite(summary, offsetof(hrt_reach_summary, bearing_deg));
     // The configuration with the estimates of this reach is valid.
-    hrt_session_config config{};
-    config.struct_size = sizeof config;
+    hrt_session_config config = hrt_session_config_init();
     require(hrt_session_get(ended, &config, nullptr) == HRT_OK);
     require_finite(config.person.mean, 0);
     require_finite(config.person.covariance, 0);

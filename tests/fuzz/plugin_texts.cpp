@@ -43,8 +43,7 @@ void try_profile(const char* text, std::size_t size) {
 }
 
 void try_recording(const char* text, std::size_t size) {
-  hrt_replay_report first{}, second{};
-  first.struct_size = second.struct_size = sizeof first;
+  hrt_replay_report first = hrt_replay_report_init(), second = hrt_replay_report_init();
   const hrt_result result = hrt_recording_replay(nullptr, text, size, &first);
   require(hrt_recording_replay(nullptr, text, size, &second) == result);
   require(first.hash == second.hash && first.rows == second.rows);
