@@ -227,7 +227,7 @@ bool CalibrationFit::describe() {
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight))
     return refuse("w_T is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) + " to " +
                   decimal(w.upper, 3) +
-                  "; allowed: within 0.02 to 0.48. Add slides; if that does not help, the hand does not feel ridges");
+                  "; allowed: within 0.02 to 0.48. Add slides, and check that the finger feels the ridges");
   calibration.slides_turned = slides_.turned;
   result_ = std::move(calibration);
   rests_.emplace();

@@ -16,8 +16,8 @@ namespace hrt {
 
 struct CalibratedSlide {
   std::size_t trial;          ///< index of the slide in the data, from 0
-  double plate_deg;           ///< direction of the ridge normal, relative to the goal direction
-  SlideDirections parts_deg;  ///< directions of the parts of its path, relative to the goal direction
+  double plate_deg;           ///< direction of the ridge normal, relative to the direction of the target
+  SlideDirections parts_deg;  ///< directions of the parts of the path, relative to the direction of the target
   SlideDirections fitted_deg;
   SlideVerdict verdict;
 };
@@ -45,7 +45,7 @@ struct Calibration {
   LackOfFit lack_of_fit;
   std::vector<CalibratedSlide> slides;  ///< all slides over a plate at rest
   std::size_t slides_turned = 0;        ///< excluded slides, in which the plate turned
-  double max_plate_deg = 0.0;           ///< largest plate angle of the fitted slides; published human data end at 60
+  double max_plate_deg = 0.0;  ///< largest size of a plate angle of the fitted slides; published human data end at 60
 
   /// True if no test for lack of fit is significant.
   bool fits() const;
@@ -77,7 +77,7 @@ class CalibrationFit {
   CalibrationFit(const CalibrationFit&) = delete;
   CalibrationFit& operator=(const CalibrationFit&) = delete;
   ~CalibrationFit() = default;
-  /// Returns true when finished; do not call it again then.
+  /// Returns true when the fit is finished; do not call step() after that.
   bool step();
   const std::variant<Calibration, CalibrationRefusal>& result() const { return result_; }
 

@@ -49,7 +49,7 @@ class CurveFitting {
   CurveFitting(const CurveFitting&) = delete;
   CurveFitting& operator=(const CurveFitting&) = delete;
   ~CurveFitting() = default;
-  /// Returns true when finished; do not call it again then.
+  /// Returns true when the fit is finished; do not call step() after that.
   bool step();
   const CurveFit& fit() const { return fit_; }
 

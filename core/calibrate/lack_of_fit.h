@@ -27,7 +27,7 @@ class LackOfFitTests {
   /// `parts_covariance`: covariance of the directions of one slide's parts, deg^2.
   LackOfFitTests(const CurveFit& fit, std::span<const SlideTrack> slides, std::span<const double> order,
                  const PartsMatrix& parts_covariance, int degree);
-  /// Returns true when finished; do not call it again then.
+  /// Returns true when the tests are finished; do not call step() after that.
   bool step();
   LackOfFit result() const { return {patterns_[0].p, patterns_[1].p, patterns_[2].p}; }
 

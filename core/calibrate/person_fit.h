@@ -53,7 +53,7 @@ class PersonFitting {
   PersonFitting(const PersonFitting&) = delete;
   PersonFitting& operator=(const PersonFitting&) = delete;
   ~PersonFitting() = default;
-  /// Requires min_fitted_slides usable slides. Returns true when finished; do not call it again then.
+  /// Requires min_fitted_slides usable slides. Returns true when finished; do not call step() after that.
   bool step();
   /// Before the end, only `verdicts`, `used` and `scatter` are valid.
   const PersonFit& result() const { return person_; }

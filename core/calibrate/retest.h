@@ -21,7 +21,7 @@ struct RetestDifference {
 };
 
 /// Returns the differences; intervals and p-values are normal approximations. `differs` is Holm's procedure over all
-/// known values: if nothing has changed, the probability that any value differs is 5 %.
+/// known values: if nothing has changed, the probability that any value differs is at most 5 %.
 std::vector<RetestDifference> compare(std::span<const RepeatedValue> values);
 
 }  // namespace hrt

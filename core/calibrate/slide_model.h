@@ -6,10 +6,10 @@
 
 namespace hrt {
 
-/// Limit of the direction of motion relative to the goal.
+/// Limit of the direction of motion relative to the direction of the target.
 inline constexpr double max_direction_deg = 60.0;
 
-/// Parameters of a person. Angles are relative to the goal direction.
+/// Parameters of a person. Angles are relative to the direction of the target.
 struct SlidingPersonModel {
   IllusionCurve curve;
   double bias_deg = 0.0;      ///< goal direction at the middle of the path
@@ -26,6 +26,8 @@ struct SlidingPersonModel {
 ///
 ///   dP/dt = -k (P(t - D) + (1 + eta (2 s - 1)) g(T - P(t - D)) - bias - habit (1 - 2 s(t - L)))
 ///   P(0) = start + lambda P(end)
+///
+/// T: plate angle; g: illusion curve; s: fraction of the path; P(end): measured direction of the second half.
 SlideDirections predicted_directions(const SlideTrack& track, const SlidingPersonModel& person);
 
 }  // namespace hrt

@@ -33,7 +33,7 @@ constexpr double end_fraction = 0.02;
 // Minimum length of a part as a fraction of the path.
 constexpr double min_part_fraction = 0.02;
 
-// A position relative to the rest position: along the goal direction, and to its left.
+// A position relative to the rest position: in the direction of the target, and to the left of this direction.
 struct Place {
   double time_s;
   double along_mm;
@@ -66,8 +66,8 @@ std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
   return keep;
 }
 
-// Distance along the goal direction at `time_s`, by a weighted line through the positions around it. `first`: index of
-// the first position to use; it is advanced for the next call, whose time must be later.
+// Distance in the direction of the target at `time_s`, by a weighted line through the positions around it. `first`:
+// index of the first position to use; it is advanced for the next call, whose time must be later.
 double smooth_along_mm(const std::vector<Place>& places, double time_s, std::size_t* first) {
   double reach_s = smoothing_s;
   while (*first + 1 < places.size() && places[*first + 1].time_s < time_s - reach_s) ++*first;

@@ -18,18 +18,18 @@ struct CalibrationTrial {
 };
 
 /// The directions of a path's four parts: from the start to the mean position in a first window of the path, and from
-/// each window to the next. Windows are ranges of the fraction of the path along the goal direction.
+/// each window to the next. Windows are ranges of the fraction of the path.
 inline constexpr int slide_parts = 4;
 using SlideDirections = Eigen::Matrix<double, slide_parts, 1>;
 
-/// A reduced slide. Angles are relative to the goal direction.
+/// A reduced slide. Angles are relative to the direction of the target.
 struct SlideTrack {
   double plate_deg = 0.0;                                   ///< direction of the ridge normal, -90 to 90
   SlideDirections direction_deg = SlideDirections::Zero();  ///< direction of each part
 
   /// Pace in steps of `step_s` from the onset.
   struct Step {
-    double advance_mm;     ///< distance along the goal direction in this step
+    double advance_mm;     ///< distance in the direction of the target in this step
     double share;          ///< fraction of the path at the step's middle
     int window = -1;       ///< index of the window that contains the step; -1: none
     double samples = 0.0;  ///< number of samples in this step
@@ -37,7 +37,7 @@ struct SlideTrack {
   double onset_s = 0.0;  ///< time of the onset
   double step_s = 0.01;
   std::vector<Step> steps;
-  SlideDirections advance_mm = SlideDirections::Zero();  ///< length of each part along the goal direction
+  SlideDirections advance_mm = SlideDirections::Zero();  ///< length of each part in the direction of the target
   SlideDirections window_samples = SlideDirections::Zero();
 };
 
@@ -49,7 +49,8 @@ std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples);
 
 inline constexpr double min_slide_mm = 30.0;
 
-/// Reduces a slide; nullopt without a motion of `min_slide_mm` towards the goal, or without samples in a window.
+/// Reduces a slide; `goal_direction_deg`: direction of the target. Returns nullopt without a motion of `min_slide_mm`
+/// towards the target, or if a window has no samples or a part goes backwards.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
 
 /// Returns true if the plate turned by more than `max_turn_deg` during the motion.

@@ -16,7 +16,7 @@ constexpr double speed_density_mm2_s3 = 300.0;
 constexpr double initial_speed_mm_s = 30.0;
 constexpr double initial_speed_sd_mm_s = 30.0;
 constexpr double initial_direction_sd_deg = 4.0;
-// SD of the drift of w_T in a model step. Over a reach of 30 steps, this is a tenth of the prior SD of w_T.
+// SD of the drift of w_T in a model step. Over a reach of 30 steps, the drift is a tenth of the prior SD of w_T.
 constexpr double weight_drift_sd = 0.001;
 // Variance assumed for an exact direction.
 constexpr double exact_direction_variance_deg2 = 1e-12;

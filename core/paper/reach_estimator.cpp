@@ -124,8 +124,7 @@ inline Observation ReachEstimator::take(const FingerSample& sample, PlateModel& 
   return take_position(sample, plate);
 }
 
-// Returns the configured SD, or else the estimate from successive positions, in which the assumed SD counts as one
-// observation. The noise determines which part of a deviation is attributed to the person.
+// Returns the configured SD or the estimate from successive positions; the assumed SD counts as one observation.
 double ReachEstimator::white_noise_mm() const {
   const NoiseLearner<PlatePoint>& learner = finger_.learner();
   if (learner.known()) return learner.noise().white_mm;

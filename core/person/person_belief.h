@@ -40,7 +40,8 @@ void set_variance(PersonBelief& belief, int trait, double variance);
 /// Returns the belief with which a reach begins: `belief`, with the SD of the habit limited to steered_habit_sd_deg.
 PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning);
 
-/// The weight of the linear illusion that causes the same shift at 60 degrees, clamped to [0.001, 0.499], and its SD.
+/// Weight of the linear illusion that causes the same shift at 60 degrees as the curve with w and b (illusion.h),
+/// clamped to [0.001, 0.499], and the SD of this weight.
 struct LinearIllusion {
   double weight;
   double weight_sd;

@@ -35,8 +35,8 @@ struct SteeringStep {
 };
 
 /// Integrates the response over `seconds` >= 0 for a gain k. The method is implicit in the effect of psi on e: it is
-/// stable for any step, and of second order. `max_slope` bounds |1 - dg/dtheta|, since g may be steep over less than a
-/// degree, for example where the cue from touch decays along the ridges.
+/// stable for any step, and of second order. `max_slope` bounds |1 - dg/dt|, where t is the angle from the motion to
+/// the ridge normal, since g may be steep over less than a degree, for example for motions along the ridges.
 SteeringStep steer(double gain_per_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
                    double max_slope = Tuning{}.max_slope);
 
@@ -77,11 +77,11 @@ class PersonFilter {
   /// Corrects the state by `innovation`. The filter must not have changed since innovation() returned it.
   void correct(const Innovation& innovation);
 
-  /// Sets the position, after a jump of the tracker or when a lifted finger is set down.
+  /// Sets the position after a jump, a pause or a lift.
   void place_at(const PlatePoint& position);
 
   /// Changes the target during the motion, to `virtual_direction_deg` and a path that is `longer_mm` longer.
-  /// `answered`: true: the person has responded; false: the response is still to come, and goal_deg() approaches it.
+  /// `answered`: false: the person's response is still to come, and goal_deg() approaches the new goal.
   void retarget(double virtual_direction_deg, double longer_mm, bool answered);
 
   /// Increases the variance of the phase u by that of a time with the SD `seconds`.
@@ -111,7 +111,7 @@ class PersonFilter {
   double turn_kept(double seconds) const;
   /// Own path o at a fraction of the path, when the fraction `wander_kept` of the present wander remains.
   double own_deg(double path_fraction, double wander_kept) const;
-  /// Lateral distance, left positive, that the own path will add until arrival at the end of the line.
+  /// Lateral distance, left positive, that the own path will add until arrival.
   double own_to_come_mm() const;
   Progress pace(double phase) const { return progress(mean_(X::evenness), phase, tuning_.pace_skew); }
 

@@ -101,7 +101,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   }
 }
 
-// Converts a tracked position to the plate. If the user feels the start, the tracked rest position is the start.
+// Returns `seen` or, if the user feels the start, `seen` shifted such that the rest position is the start.
 PlatePoint PersonReach::on_plate(const PlatePoint& seen) const {
   return config_.start_is_felt ? seen - estimator_.origin() + goal_.reach.start : seen;
 }

@@ -27,7 +27,8 @@ struct ReachControlConfig {
 /// Input of a plan, in addition to the filter's state. Positions are relative to the finger's rest position.
 struct ReachOutlook {
   PlatePoint target;  ///< the real target
-  /// direction to the target from the rest position or that at the last retarget; the miss is measured across this line
+  /// direction to the target from the rest position or, after a retarget, from the position of the finger at that time;
+  /// the miss is measured across this line
   double line_deg;
   double dead_s;          ///< dead time: time from the state of the filter until a command given now affects the motion
   double felt_plate_deg;  ///< plate orientation whose effect the person perceives in the middle of the dead time

@@ -80,8 +80,8 @@ class PlateModel {
   int pending_count_ = 0;
 };
 
-/// Plate orientations of the last second, which are needed because perception and tracking are delayed. Uses no heap,
-/// lock or exception. One thread at a time.
+/// Plate orientations of at least the last second, for models with delays. Uses no heap, lock or
+/// exception. One thread at a time.
 class PlateTrace {
  public:
   void clear() { count_ = 0; }

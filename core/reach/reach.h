@@ -115,7 +115,7 @@ struct FingerEstimate {
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
   double tracker_noise_mm = 0.0;  ///< SD of the noise of a coordinate
-  /// Estimated sigma_u^2 and its SD; near the configured values if the reach does not determine sigma_u^2.
+  /// Motor variance (sigma_u^2 of the paper) and its SD; near the configured values if the reach does not show them.
   double motor_variance_deg2 = 0.0;
   double motor_variance_sd_deg2 = 0.0;
 };

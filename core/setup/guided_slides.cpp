@@ -15,12 +15,12 @@ constexpr double near_share = 0.3;
 constexpr double max_near_mm = 30.0;
 constexpr double max_unseen_s = 0.5;
 constexpr double max_raised_s = 0.1;
-// Largest distance of a measured vector from the mean of the three: beyond it, the finger was not at the guide's end.
+// Largest distance of a measured vector from the mean of the three vectors to its object.
 constexpr double max_deviation_mm = 4.8;
 // Prior SD of a coordinate of a measured vector, and the number of observations that the prior counts as.
 constexpr double expected_sd_mm = 1.0;
 constexpr double expected_count = 6.0;
-// Additional SD of a vector: the end of a slide, and the tracker's error, which differs between rest and motion.
+// SD of the errors that all slides to an object share: position of the finger at the guide's end, and tracker.
 constexpr double hold_sd_mm = 0.8;
 // Prior SD of an entry of the matrix D (core/plate/touched_frame.h).
 constexpr double stretch_sd = 0.05;

@@ -29,7 +29,7 @@ class GuidedSlides {
   int done() const { return object_ * slides_an_object + std::max(0, rests_ - 1); }
   int of() const { return count_ * slides_an_object; }
   int object() const { return object_; }
-  /// Number of rejected slides to the present object.
+  /// Number of failed attempts to complete the slides of the present object.
   int failed() const { return failed_; }
   bool has_begun() const { return rests_ > 0; }
   /// Position of the next rest.

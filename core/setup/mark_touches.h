@@ -29,7 +29,7 @@ class MarkTouches {
   const SetupTouch& operator[](int i) const { return touches_[static_cast<std::size_t>(i)]; }
   /// True if the finger has begun to rest on a mark.
   bool holding() const;
-  /// True if the tracker lost the finger while it was on the mark.
+  /// True if the tracker lost the finger while the finger rested on the mark.
   bool lost() const { return lost_; }
 
  private:

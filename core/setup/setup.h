@@ -62,7 +62,7 @@ class Setup {
   /// True if the sample has the fields that the current part requires.
   bool can_show(const SetupSample& sample) const;
 
-  /// Ends the current part with a result, and begins the next one.
+  /// Ends the current part, and begins the next one.
   void close();
   /// Ends the current part without a result, and drops the parts that need its result.
   void drop(SetupProblem problem, std::string_view reason);

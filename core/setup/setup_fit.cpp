@@ -128,7 +128,8 @@ bool PartFit::step() {
       return true;
     case setup_guides:
       fit_.guided = setup_.guided().fit();
-      if (!fit_.guided) reject(SetupProblem::disagrees, "slides along a guide end at different positions", &fit_);
+      if (!fit_.guided)
+        reject(SetupProblem::disagrees, "slides along the same guide, or along different guides, disagree", &fit_);
       return true;
     case setup_calibration:
     case setup_retest:

@@ -13,7 +13,7 @@ namespace hrt {
 struct SetupFit {
   SetupPart part = setup_calibration;
   SetupProblem problem = SetupProblem::none;  ///< reason for repeating the part
-  std::string reason;                         ///< details of the problem, or of an unknown result
+  std::string reason;                         ///< details of the problem or of the result
   std::optional<FingertipOffset> fingertip;   ///< known offset
   std::optional<Registration> registration;   ///< accepted registration
   std::optional<RegistrationCheck> check;
@@ -29,7 +29,7 @@ class PartFit {
   /// Requires finish_is_due() and a pending part. `setup` must outlive the fit and must not change. `registered`:
   /// registration with which a check is compared.
   PartFit(const Setup& setup, Registration registered);
-  /// Returns true when finished; do not call it again then.
+  /// Returns true when the fit is finished; do not call step() after that.
   bool step();
   SetupFit& result() { return fit_; }
 

@@ -20,7 +20,7 @@ class SlideStore {
   bool add(const FingerSample& sample);
   /// Discards the samples of the current slide.
   void drop();
-  /// Discards all but the last second of a long rest before the current slide.
+  /// If more than 500 positions of the current slide are stored, discards all but the last 250.
   void shorten_rest();
   void end() { under_way_ = false; }
 

@@ -11,7 +11,7 @@ namespace hrt {
 /// Returns a controller for people with the dynamics of a usual plate and the prior of an unknown person.
 RetargeterConfig people_controller(const Tuning& tuning = {});
 
-/// Returns the same controller with the declared latency and accuracy of the condition's tracker.
+/// Returns people_controller(tuning) with the declared latency and accuracy of the condition's tracker.
 RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning = {});
 
 /// Traits that an informed controller is given. If gain and fading were given too, fewer reaches would end on target.

@@ -190,7 +190,7 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { c.tracker.latency_s = c.tracker.declared_latency_s = 0.1; }},
     {"latency-45", "tracker 45 ms late, not declared", false,
      [](PersonCondition& c, Draws&) { c.tracker.latency_s = 0.045; }},
-    {"faults", "one of these faults of tracker or plate, or none, drawn in each reach", false,
+    {"faults", "a fault of tracker or plate, or none, drawn in each reach", false,
      [](PersonCondition& c, Draws&) { c.faulty = true; }},
     {"mixture", "clip-60, bias 2°, habit 3°, noise half correlated", true,
      [](PersonCondition& c, Draws& d) {

@@ -1,5 +1,5 @@
 // A simulated person who slides a fingertip over the plate. Illusion, goal, steering and pace are chosen independently.
-// None of them is the controller's model, so results show how the controller performs with people who differ from it.
+// Most combinations differ from the controller's model, so results show how the controller performs with such people.
 //
 // Angles are degrees counter-clockwise from the mid-line; t is the angle from the direction of motion to the ridge
 // normal, folded to within 90 degrees.
@@ -20,7 +20,7 @@ enum class IllusionFamily {
   saturating,  ///< w t within `scale_deg`, constant beyond
   sine,        ///< w scale_deg sin 2t
   tanh,        ///< w scale_deg tanh(t / scale_deg)
-  dead_band,   ///< 0 within scale_deg of 0, w (|t| - scale_deg) beyond
+  dead_band,   ///< 0 within scale_deg of 0; beyond, w (|t| - scale_deg) with the sign of t
   unequal,     ///< w t to the left, half of w t to the right
   peaked,      ///< w t within scale_deg; beyond, falls linearly to 0 at 90 degrees
 };
@@ -51,7 +51,7 @@ enum class Steering {
 enum class Pace {
   minimum_jerk,  ///< 10 u^3 - 15 u^4 + 6 u^5
   even,
-  skewed,        ///< minimum jerk with the maximum of the speed at two fifths of the time
+  skewed,        ///< minimum jerk with the maximum of the speed at 0.37 of the time
   stop_and_go,   ///< minimum jerk with pauses of 0.3 s at 35 and at 70 % of the duration
   pause,         ///< minimum jerk with a pause of 0.6 s at half of the duration
   two_parts,     ///< minimum jerk to 60 % of the path, then again to the end

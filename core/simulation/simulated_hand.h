@@ -20,13 +20,13 @@ class SimulatedHand {
   /// Begins a reach at rest at `start`, over `distance_mm` towards the virtual target.
   void begin(const PlatePoint& start, double virtual_direction_deg, double distance_mm);
   bool has_begun() const { return finger_.has_value(); }
-  /// True if `time_ns` is earlier than that of the last move() of this reach.
+  /// True if `time_ns` is earlier than that of the last move() or follow() of this reach or set-up.
   bool is_past(std::int64_t time_ns) const { return moved_ && time_ns < now_ns_; }
 
   /// Begins a set-up: the person rests until the first instruction.
   void begin_setup();
-  /// Advances to `time_ns` like move(), but the person follows the instruction `step`, if any. Returns the skin's
-  /// position on the plate. Requires is_guided().
+  /// Advances to `time_ns` like move(), but the person follows the instruction `step`, if any. Returns the tracked
+  /// position of the skin in plate coordinates. Requires is_guided().
   Eigen::Vector3d follow(std::int64_t time_ns, double plate_orientation_deg, const std::optional<SetupStep>& step);
   bool is_guided() const { return guided_.has_value(); }
   /// Rotation of the tracked joint relative to the plate's axes. Requires is_guided().

@@ -1,11 +1,10 @@
-// Phase of a tracked finger: waiting at the start, moving, paused, or lifted. All parts of the library use this
-// detector.
+// Phase of a tracked finger: waiting at the start, moving, paused, or lifted.
 //
 //   waiting --left--> moving --still--> paused --left--> moving
 //   any --lift()--> lifted --next position--> waiting, or paused after a motion
 //
-// sigma is the SD of the noise of a coordinate: known, or estimated while the finger rests (noise_learner.h). The
-// tests, with the numbers of PhaseTuning:
+// sigma is the SD of the noise of a coordinate: known, or estimated (noise_learner.h). The tests, with the numbers of
+// PhaseTuning:
 //
 //   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this limit in 1
 //            of 10^7 means. If the noise is estimated, sigma is at least 1 + 2 / n times the SD that n differences of
@@ -78,14 +77,15 @@ class PhaseDetector {
 
   enum class Outcome {
     ignored,  ///< an outlier during a rest
-    merged,   ///< the position was averaged with the last one; the phase is unchanged
+    merged,   ///< the position was averaged with the last one
     place,    ///< a new position
     set_down  ///< a new position, the first after a lift or at another rest position
   };
   /// Processes one position, not earlier than the last one. May set the phase to moving; after a lift, to a rest.
   Outcome process(double time_s, const Point& position);
   /// Tests, after process(), whether a moving finger has come to rest, and returns true if the phase became paused.
-  /// `expected_mm_s`: expected speed of the motion, if known; a speed like that of a resting finger prevents a pause.
+  /// `expected_mm_s`: expected speed of the motion, if known. If the expected motion is so slow that a rest cannot be
+  /// distinguished from it, no pause is found.
   bool find_pause(std::optional<double> expected_mm_s = {});
   /// Calls process() and, after a new position, find_pause(); with a time in nanoseconds.
   void observe(std::int64_t time_ns, const Point& position);
