@@ -64,7 +64,7 @@ TEST(Retargeter, AReachThatReplacesAnother_KeepsTheMovingPlate) {
     retargeter.begin_here(elsewhere);
     EXPECT_EQ(retargeter.summary().samples, 0);
     EXPECT_EQ(retargeter.summary().dropped_samples, 0);
-    // With a model whose plate is at the commanded orientation, the perceived direction differs.
+    // Under the controller for people, a plate that is already at the commanded orientation would be felt differently.
     const double felt_deg = retargeter.update({.time_ns = 100 * ms}).perceived_direction_deg;
     Retargeter there({.mode = mode, .plate = {.max_speed_deg_s = 100.0}});
     there.begin(elsewhere);

@@ -227,7 +227,7 @@ TEST_F(Component, TakesTheEstimatesOfAReach) {
   ASSERT_TRUE(component_.EndReach(summary));
   EXPECT_EQ(component_.Settings.PlateMaxSpeed, 123);
   EXPECT_EQ(component_.Settings.PlateRadius, 7.5);
-  // The two differ, because the setting is from a second pass of the filter over the motion, after the reach.
+  // The weights differ slightly, because the setting is from a second pass of the filter over the motion, after the reach.
   EXPECT_NEAR(component_.Settings.TactileWeight, summary.TactileWeight, 0.01);
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }

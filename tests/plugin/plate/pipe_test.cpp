@@ -2,7 +2,7 @@
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
-// These follow windows.h.
+// The headers below must follow windows.h.
 #include <array>
 #include <atomic>
 #include <chrono>

@@ -282,7 +282,7 @@ TEST(ExperimentSession, InvalidReaches) {
   EXPECT_EQ(run_simulated(never, all.path), "stopped");
 }
 
-// Only the design and the unblinded export have names of conditions; other files do not, in their names and contents.
+// Only the design and the unblinded export have names of conditions; other files have none in their names or contents.
 TEST(ExperimentSession, ConditionsAreLetters) {
   const Design design = small_design(2);
   const TemporaryFolder folder;

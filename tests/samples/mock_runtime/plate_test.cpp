@@ -129,7 +129,7 @@ TEST_F(MockPlate, ScriptedSlideEqualsAnInstructedReachAndRepeatsAfterItsRest) {
   EXPECT_NEAR(starts[1], 3.0 * 90.0, 3.0);
 }
 
-// The hash is the same for every compiler and build, so that a recording from one computer replays on another.
+// The hash is the same for every compiler and build: a script and a seed give the same positions on every computer.
 TEST_F(MockPlate, ReachesHaveTheSameHashOnEveryPlatform) {
   begin_on_plate(R"({"seed": 3, "servo": {"speed_deg_per_s": 400},
       "participants": [{}, {"illusion": "tanh", "steering": "heavy_arm"}, {"steering": "steps"}],

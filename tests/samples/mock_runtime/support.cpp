@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
-// The leak sanitizer calls this function. It ignores leaks of Debian's loader 1.0.20, and with them leaks of the
+// Suppressions of the leak sanitizer: ignores leaks of Debian's loader 1.0.20, and with them leaks of the
 // runtime in calls through the loader; the tests of MockNegotiation, which use no loader, still detect the latter.
 extern "C" __attribute__((visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:libopenxr_loader.so";

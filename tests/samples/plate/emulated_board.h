@@ -37,7 +37,8 @@ class EmulatedBoard {
   void run_for(std::chrono::nanoseconds time);
   void run_until(std::chrono::nanoseconds time);
 
-  /// Sends bytes to the board at the speed of the serial line, from now on. EmulatedLine calls it with the time.
+  /// Sends bytes to the board at the speed of the serial line, from now on. Ignores the time, which EmulatedLine
+  /// passes.
   void receive(std::string_view bytes, std::chrono::nanoseconds) { send(bytes); }
   void send(std::string_view bytes) { to_board_.append(bytes); }
   /// EmulatedLine adds no delays, because simavr simulates the speed of the serial line.

@@ -99,9 +99,9 @@ TEST(ReachFault, LostSessionsAndInstancesAreCreatedAgain) {
 }
 
 // The participant stays the same and repeats the lost reach identically. With a controller that learns nothing, the
-// only difference is the plate, which is at 0 in a new session: the paper's participant feels it, but steers only when
-// the first step ends. The rest at the end may be detected a few samples earlier or later, since the detector adapts to
-// the tracker's noise, and a resting finger trembles.
+// only difference is the plate, which is at 0 in a new session: the paper's participant feels the plate, but steers
+// only when the first step ends. The rest at the end may be detected a few samples earlier or later, since the detector
+// adapts to the tracker's noise, and a resting finger trembles.
 TEST(ReachFault, ALossChangesNoReach) {
   const std::string paper = R"("participants": [{"steering": "steps"}])";
   const std::vector<std::string> arguments = {desk, "--controller", "paper", "--seed", "5"};

@@ -6,7 +6,7 @@ device.installRuntime({ forceInstall: true });
 device.primaryInputMode = "hand";
 device.hands.left.connected = false;
 const hand = device.hands.right;
-device.quaternion.set(-0.34, 0, 0, 0.94);  // it looks down by 40 degrees
+device.quaternion.set(-0.34, 0, 0, 0.94);  // the headset looks down by 40 degrees
 hand.poseId = "point";
 hand.updateHandPose();
 
