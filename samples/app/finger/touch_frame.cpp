@@ -64,7 +64,7 @@ TouchFrame::TouchFrame(const std::string& text)
   for (const auto& [code, setting] : {std::pair{ABS_MT_POSITION_X, "width_mm"}, {ABS_MT_POSITION_Y, "height_mm"}}) {
     const input_absinfo* info = libevdev_get_abs_info(device_.get(), code);
     if (contacts_.empty() || info == nullptr || info->maximum <= info->minimum)
-      fail(path_, "is not a multitouch device. ls /dev/input/by-id lists the others");
+      fail(path_, "is not a multitouch device. ls /dev/input/by-id lists the other devices");
     double& size_mm = settings_[setting];
     if (size_mm == 0.0 && info->resolution > 0)
       size_mm = (static_cast<double>(info->maximum) - info->minimum) / info->resolution;

@@ -49,7 +49,7 @@ static bool send_orientation(Plate* plate) {
   return send(plate, body);
 }
 
-/* Returns 0 before the first reading, which is represented by a negative value. */
+/* Returns 0 for a negative value, which means that there was no reading yet. */
 static int32_t at_least_0(int32_t value) { return value < 0 ? 0 : value; }
 
 static bool send_info(Plate* plate) {
@@ -81,7 +81,7 @@ static bool send_test(Plate* plate, uint8_t number) {
     case 2:
       line_append_digits(line_append_text(words, "adc "), (uint32_t)at_least_0(plate->reading_256ths) / 256, 1);
       break;
-    case 3: /* supply in hundredths of a volt: the converter measures half of it, and 1023 is 5 V */
+    case 3: /* supply in hundredths of a volt: the converter measures half of the supply, and 1023 is 5 V */
       if (plate->settings.value[SETTING_SUPPLY] == 0)
         line_append_text(words, "supply unused");
       else

@@ -15,9 +15,8 @@ enum {
   SETTLE_PERIOD_MS = 160,
   FRAME_MS = 20,
   /* Largest angle by which the pulse may be ahead of the measured orientation: MIN_LEAD_MILLIDEG plus the speed times
-   * the sum of the setting `latency` and LEAD_MS (a pulse period, and the sensor's filter). After `FAST`:
-   * FAST_LEAD_MILLIDEG.
-   */
+   * the sum of the setting `latency` and LEAD_MS (a pulse period, and the sensor's filter), up to
+   * FAST_LEAD_MILLIDEG; after `FAST`: FAST_LEAD_MILLIDEG. */
   LEAD_MS = 30,
   MIN_LEAD_MILLIDEG = 2000,
   FAST_LEAD_MILLIDEG = 60000,

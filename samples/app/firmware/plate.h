@@ -30,7 +30,7 @@ typedef struct PlateInputs {
 } PlateInputs;
 
 typedef enum PlateState {
-  PLATE_RESTING,   /**< the plate holds its orientation; SET moves it */
+  PLATE_RESTING,   /**< the pulse, if there is one, does not move until SET or HOME */
   PLATE_FOLLOWING, /**< the plate turns to the target and holds it, while heartbeats arrive */
   PLATE_LATCHED    /**< the pulses have ended after an emergency, or a fault of servo or supply, until a HELLO */
 } PlateState;

@@ -49,7 +49,7 @@ bool settings_valid(const Settings* settings);
 
 /** Converts the settings to the bytes that EEPROM stores. */
 void settings_pack(const Settings* settings, uint8_t bytes[SETTINGS_BYTES]);
-/** Converts these bytes back. Returns false and leaves `settings` unchanged unless checksum and settings are valid. */
+/** Reads the bytes of settings_pack(). Returns false, and leaves `settings` unchanged, unless all of them are valid. */
 bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]);
 
 /** Returns the pulse for an orientation, in half microseconds, rounded and within the range of pulses. */

@@ -21,7 +21,7 @@ class Speech {
 
   /// Queues `text`. If more than five texts wait, the oldest are dropped.
   void say(const std::string& text);
-  /// Interrupts the current text and drops the queued ones.
+  /// Interrupts the current text and drops the queued texts.
   void interrupt();
   bool is_speaking();
   /// Waits until all texts are spoken, at most `limit`.

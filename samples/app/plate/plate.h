@@ -10,7 +10,7 @@
 namespace hrt::app {
 
 /// Orientations are in degrees from the mid-line; ridges repeat every 180 degrees. For use by one thread. No call
-/// blocks; every call throws Failure (ExitCode::plate) when the device has failed.
+/// blocks. Calls may throw Failure (ExitCode::plate) if the device has failed, or XrFailure if the runtime has.
 class Plate {
  public:
   virtual ~Plate() = default;

@@ -83,7 +83,7 @@ std::string FingerRecord::why_not_begun(const RunContext& context) const {
   const Seen& seen = of(hand);
   if (seen.tracked == 0) return not_tracked(context);
   std::string text = tracked_in_words(hand) + "; its index finger was last " + position_in_words(context, seen.last_m) +
-                     "; its smallest distance from the start was " + mm(seen.nearest_m) + ". ";
+                     "; the finger's smallest distance from the start was " + mm(seen.nearest_m) + ". ";
   if (context.touch != nullptr)
     return text +
            "Rest one fingertip on the start. If the finger was on the start, the position of the touch frame is wrong: "

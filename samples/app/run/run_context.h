@@ -20,7 +20,7 @@ using Point = std::array<double, 3>;
 /// The state after one frame. Positions in plate coordinates.
 struct Moment {
   XrTime time;
-  bool tracked;                      ///< false: `position_m` is that of the last tracked frame
+  bool tracked;                      ///< false: `position_m` is that of the last tracked frame, or the start
   std::array<double, 3> position_m;  ///< tracked position of the fingertip
   double bearing_deg;                ///< direction of the finger, seen from the start
   double felt_direction_deg;     ///< perceived direction: ground truth of the simulation, else the plugin's estimate

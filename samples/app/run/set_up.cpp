@@ -57,7 +57,7 @@ SetUp::~SetUp() {
   if (result_.left != 0) static_cast<void>(plugin_.hrt_setup_cancel(session_));
 }
 
-// Throws Failure for a dropped part, except a failed check, and slides that do not determine the user's parameters.
+// Throws Failure for a dropped part, but not for a failed check, or slides that do not determine the parameters.
 void SetUp::check_dropped() const {
   const std::uint32_t touched = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION;
   if ((result_.dropped & touched) != 0) throw Failure(ExitCode::registration, result_.reason);

@@ -26,8 +26,8 @@ Json parse_json(std::string_view text, const std::string& name);
 /// Throws Refusal with the place, as in "script.events[0].hand", and what is allowed there. A text must be one line of
 /// at most 2000 bytes, an integer at least 0. A member that the schema does not describe is refused.
 ///
-/// Keywords: type, enum, minimum, maximum, minItems, maxItems, items, properties, required, default, $ref to $defs,
-/// also with further keywords, and
+/// Keywords: type, enum, minimum, maximum, minItems, maxItems, items, properties, required, default, $ref to $defs
+/// (other keywords of the same schema take precedence), and
 /// - anyOf: two schemas, the second of which is an array of values of the first;
 /// - oneOf with discriminator.propertyName (OpenAPI), a member's name: among the schemas whose enum for this member has
 ///   its value, the first whose required members are present, or else the last.

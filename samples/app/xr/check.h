@@ -1,6 +1,6 @@
-// CHECK_XR wraps every OpenXR call. If the call fails, the error names the call and its source line. If the call
+// CHECK_XR and CALL_XR wrap every OpenXR call. If a call fails, CHECK_XR throws an error that names the call. If a call
 // blocks, a watchdog ends the process, as a blocked thread cannot be interrupted. A plate on a serial line then stops
-// by its own timeout, because it receives no more commands, and a recording keeps the rows that were written.
+// by its own timeout, and a recording keeps the rows that were written.
 #pragma once
 
 #include <openxr/openxr.h>

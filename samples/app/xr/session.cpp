@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto poll_period = 2ms;                // period of event polling while the session does not run
+constexpr auto poll_period = 2ms;                // period of event polling while there is no frame
 constexpr auto own_frame_period = 11'111'111ns;  // 90 Hz, for a runtime whose frames have no times
 constexpr int frames_of_a_second = 90;           // limit of invalid frames in a row that are skipped
 constexpr XrDuration max_step_ns = 5'000'000'000, max_refused_ns = 1'000'000'000;

@@ -59,11 +59,11 @@ class XrHeadlessSession {
   XrHeadlessSession(const XrHeadlessSession&) = delete;
   XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
 
-  /// Waits for the next frame and returns its time, which is later than that of the previous frame. Skips frames
-  /// without a time, and frames whose time steps by more than 5 s. Throws XrLost if the session must be created again,
-  /// also after a second of such steps; Failure (ExitCode::runtime_failed) if the runtime ended the session or a wait
-  /// exceeded its limit; Failure (ExitCode::registration) if the runtime moved the plate's space by an unknown amount;
-  /// Interrupted after a signal.
+  /// Waits for the next frame and returns its time, which is later than that of the previous frame. Skips a frame
+  /// without a time, and frames whose time steps by more than 5 s; if no frame has a time, makes frames at 90 Hz.
+  /// Throws XrLost if the session must be created again, also after a second of such steps; Failure
+  /// (ExitCode::runtime_failed) if the runtime ended the session or a wait exceeded its limit; Failure
+  /// (ExitCode::registration) if the runtime moved the plate's space by an unknown amount; Interrupted after a signal.
   XrTime next_frame();
 
   /// Space whose origin persists from run to run, if the runtime has one: STAGE, or else LOCAL.
