@@ -17,7 +17,7 @@ using namespace app;
 /// Loads the scene's targets into a session of the plugin, configured by the options.
 TargetSet load_targets(const Plugin& plugin, const Options& options);
 
-/// Returns the reaches to make, in order. Throws Failure (ExitCode::scene) if the scene has no such virtual target.
+/// Returns the reaches to make, in order. Throws Failure (ExitCode::scene) if the scene lacks a requested target.
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options);
 
 /// Assumed pose of an unregistered plate in a space of the runtime.

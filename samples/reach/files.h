@@ -15,7 +15,7 @@ void load_profile(const Plugin& plugin, hrt_session session, const std::filesyst
 /// Writes the session's profile and replaces the file atomically. Throws Failure (ExitCode::output).
 void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
-/// Opens the file in the constructor, so that a wrong name is reported before the first reach. Every function throws
+/// Opens the file in the constructor, so that a wrong name is reported before the first reach. Functions throw
 /// Failure (ExitCode::output).
 class RecordingFile {
  public:

@@ -91,7 +91,7 @@ class KeyHandler {
   int recentrings_ = 0;
 };
 
-// One run: its reaches, or its calibration. A lost session or instance is created again.
+// One run: reaches, a calibration or a measurement of the tracker. A lost session or instance is created again.
 class Run {
  public:
   explicit Run(const Options& options)
@@ -125,7 +125,7 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  // Runs to the end. The files contain all finished reaches, also after a failure.
+  // Runs to the end. The recording has all finished reaches, also after a failure.
   ExitCode run() {
     ExitCode code = ExitCode::success;
     try {
@@ -137,7 +137,7 @@ class Run {
     } catch (const std::exception& error) {
       status_.clear();
       keep_recording_as_it_is();
-      prompt_.speak(error.what());  // main() prints it
+      prompt_.speak(error.what());  // run_from() prints the text
       prompt_.finish();
       throw;
     }

@@ -123,13 +123,13 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
 }
 
 void Table::print_legend(std::ostream& out) const {
-  out << R"(final: bearing of the end of the reach, seen from the start
+  out << R"(final: bearing of the end of the reach, seen from the start; --controller paper: last direction of motion
 peak: largest difference between perceived and virtual direction while the finger moves
 miss: bearing of the end minus that of the real target; distance of the end from the real target along the plate
 touch: tactile weight w_T of the user; assumed: estimate of the controller
 max gap: largest feasible gap of this user; lost: frames without a tracked finger
 bound: percentage of controller steps with the plate at a limit
-reached: the reach ended inside the radius of the real target
+reached: the reach ended inside the radius of the real target; without a radius, within 1.5 deg of its bearing
 flag: warning of the controller; gap infeasible: the plate cannot sustain this gap for this user
 )";
 }

@@ -46,7 +46,7 @@ struct Found {
   std::string description;
 };
 
-// Tries all kinds of devices at a serial device, for at most 8 s, and returns the first that answers.
+// Tries all kinds of devices at a serial device, and returns the first that answers.
 std::optional<Found> find_at(const std::string& path, const Environment& env) {
   std::vector<std::string> names;
   if (path.find(':') != std::string::npos) {

@@ -66,8 +66,7 @@ double read_scale(Device& device, const Dialogue& dialogue, double orientation_d
   const auto read_deg = ask_number(
       device, dialogue, "Which angle does the scale show at the notch? Left, towards +, is positive.", -90, 90);
   if (!read_deg)
-    throw PlateFailure(Fault::device,
-                       "cannot be commissioned without this angle. Commission it again and enter the angle");
+    throw PlateFailure(Fault::device, "cannot be commissioned without this angle. Start again and enter the angle");
   return *read_deg;
 }
 
@@ -97,7 +96,7 @@ SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue
   if (std::abs(span_us) < 500.0 || std::abs(span_us) > 2500.0)
     throw PlateFailure(
         Fault::device,
-        format("turned by %g degrees, but servos turn by about 60. Commission it again and read the scale carefully",
+        format("turned by %g degrees, but servos turn by about 60. Start again and read the scale carefully",
                turn * 60.0));
   turn_and_wait(device, 0.0);
   board.change_setting("span", span_us);  // at orientation 0 this does not move the servo
@@ -148,7 +147,7 @@ void with_board(const Opener& open, Action action) {
   board.save_settings();
 }
 
-// Sets up a hobby servo. Opens the plate again after each change of its limits: the driver reads them when it opens it.
+// Sets up a hobby servo. Opens the plate again after each change of its limits, which the driver reads at that time.
 void set_up_servo(const Opener& open, const Dialogue& dialogue) {
   SensorLine sensor{};
   with_board(open, [&](Device& device, BoardSettings& board) {

@@ -32,7 +32,7 @@ std::chrono::milliseconds limit_of_turn(const Device& device, double orientation
   return settle_limit + std::chrono::milliseconds(std::llround(turn_s * 1000.0));
 }
 
-// Range of the sweep. A plate without stops has the same ridges after half a turn.
+// Range of the sweep: that of the plate, at most one turn.
 std::pair<double, double> sweep_range_deg(const DeviceLimits& limits) {
   return {std::max(-180.0, limits.min_deg), std::min(180.0, limits.max_deg)};
 }
@@ -163,7 +163,8 @@ double settle_at(Device& device, double orientation_deg) {
 
 Measurements measure(Device& device, const std::function<void(const std::string&)>& print) {
   if (!device.is_measured())
-    throw PlateFailure(Fault::device, "has no sensor, so that it cannot be measured. Use it only for demonstrations");
+    throw PlateFailure(Fault::device,
+                       "has no sensor, so that it cannot be measured. Use this plate only for demonstrations");
   Measurements found;
   found.device = device.description();
   found.limits = device.limits();
