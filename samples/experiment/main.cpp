@@ -184,8 +184,8 @@ namespace {
 
 int run_from(int argc, char** argv) {
   CLI::App app(
-      "Runs a study of haptic retargeting by touch, from its design to its data. It has been run with simulated\n"
-      "participants only.",
+      "Runs a study of haptic retargeting by touch, from its design to its data. The program has been run with\n"
+      "simulated participants only.",
       "hrt-experiment");
   app.require_subcommand(1);
   setenv("XR_LOADER_DEBUG", "none", 0);

@@ -8,8 +8,8 @@
 
 namespace hrt::experiment {
 
-/// Called before and after each write, sync, link and change of state, with the name of the step, so that tests can end
-/// the process there.
+/// Called with the name of a step of a write, sync, link or change of state. Tests end the process there; a session
+/// through OpenXR reads keys.
 using Step = std::function<void(const char*)>;
 
 /// File operations of a session. On failure they throw Refusal with the file and the system's reason.

@@ -69,8 +69,9 @@ std::string power_text(const Design& design, const std::string& power) {
     return "\n\n[Power: `samples/experiment/power study.json >power.txt`, then `hrt-experiment preregister study.json "
            "--power power.txt`.]\n\n";
   if (power.find(design.sha256) == std::string::npos)
-    throw Refusal("--power: this table was computed for another design: it does not contain the SHA-256 of this one, " +
-                  design.sha256 + "; run samples/experiment/power with this design again");
+    throw Refusal(
+        "--power: the table was computed for another design, as it does not contain the SHA-256 of this design, " +
+        design.sha256 + "; run samples/experiment/power with this design again");
   return "\n\nPower, by simulation:\n\n```\n" + power + "```\n\n";
 }
 

@@ -28,8 +28,8 @@ struct Schedule {
   std::vector<Block> blocks;
 };
 
-/// Returns orders in which each of `count` conditions precedes each other condition equally often (Williams 1949):
-/// `count` orders if `count` is even, twice as many if it is odd.
+/// Returns orders in which each of `count` conditions directly precedes each other condition equally often (Williams
+/// 1949): `count` orders if `count` is even, twice as many if it is odd.
 std::vector<std::vector<unsigned>> williams_orders(unsigned count);
 
 /// Returns the schedule of a participant, whose number is counted from 1.

@@ -160,9 +160,9 @@ void Live::check(app::RunContext& context, std::optional<Clock::time_point> regi
   else if ((report->flags & HRT_PLATE_REPORT_COMMISSIONED) == 0)
     add(false, "Plate: not commissioned (hrt-plate commission)");
   else if ((report->flags & HRT_PLATE_REPORT_DEVIATES) != 0)
-    add(false, "Plate: its rotation differs from its file; commission it again (hrt-plate commission)");
+    add(false, "Plate: the rotation differs from the plate file; commission the plate again (hrt-plate commission)");
   else
-    add(true, "Plate: commissioned, and its rotation agrees with its file");
+    add(true, "Plate: commissioned, and the rotation agrees with the plate file");
   if (context.simulation != nullptr)
     add(true, "Registration: simulated");
   else if (!registered)

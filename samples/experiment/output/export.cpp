@@ -128,7 +128,7 @@ const Table tables[] = {
       {"answer", "integer or text", "", "number between `low` and `high` of the design, or text"},
       {"utc", "time", "", "time of the last answer to the questionnaire"}}},
     {"events.csv",
-     "One row per event other than reaches and answers: starts, notes, stops, breaks, unblinding, ends",
+     "One row per event of the kinds that the column `event` lists",
      {{"number", "integer", "", "number of the event in the journal"},
       {"utc", "time", "", "time of the event"},
       {"monotonic_ns", "integer", "ns", "monotonic clock since the computer was started"},

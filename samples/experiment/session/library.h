@@ -1,4 +1,4 @@
-// A recorded session of the plugin for one reach or set-up.
+// A session of the plugin for one reach or set-up.
 #pragma once
 
 #include <filesystem>

@@ -284,7 +284,7 @@ class SessionRun {
                        });
         log(event, {{"number", done}, {"samples", std::move(samples)}});
       }
-      // Each call continues the fit; there is no display to delay here.
+      // Each call continues the fit.
       for (; step.instruction == HRT_STEP_FINISH; use(last)) {
         check(hrt_setup_finish(session.handle(), &result));
         if (result.left == 0) return result;
@@ -407,7 +407,7 @@ class SessionRun {
     log("reach", std::move(reach));
   }
 
-  // Writes NAME.json for each recording: study, participant, attempt, library version, hashes of the files in use.
+  // Writes NAME.json for an attempt: study, participant, attempt, library version, hashes of the files in use.
   void describe(const std::string& stem, json about) const {
     about["study"] = design_.title;
     about["study_sha256"] = design_.sha256;

@@ -35,7 +35,7 @@ struct State {
 
   void apply(const Event& event);
   Task next() const;
-  /// Feasible gap of this participant, from the set-up; infinite if unknown.
+  /// Largest feasible gap of this participant, from the set-up; infinite if unknown.
   double max_gap_deg() const;
   /// Returns the time since the last event. After a restart of the computer, this is a difference of the wall clock,
   /// which may be negative.

@@ -399,7 +399,7 @@ void XrSubject::turn_to_zero() {
   const std::optional<double> last_deg = plate_->orientation_deg(time);
   throw app::Failure(app::ExitCode::plate,
                      format("the plate did not turn to 0 degrees within 3 s (last reported orientation: %.1f degrees); "
-                            "check its power supply and that it turns freely, then run again",
+                            "check the power supply, and that the plate turns freely, then run again",
                             last_deg.value_or(0.0)));
 }
 
