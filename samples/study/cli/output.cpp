@@ -83,23 +83,21 @@ void Progress::update(std::uint64_t done, std::uint64_t total) {
 }
 
 std::string read_input(const std::string& argument, const std::string& path, std::size_t max_bytes) {
-  const auto refuse = [&](const std::string& why) {
-    return UsageError(not_allowed(argument, path, "a file that can be read (" + why + ")"));
-  };
+  const auto refuse = [&](const std::string& allowed) { return UsageError(not_allowed(argument, path, allowed)); };
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw refuse("it is a folder");
-  if (named_files()[std::filesystem::weakly_canonical(path, ignored)]) throw refuse("another option writes this file");
+  if (std::filesystem::is_directory(path, ignored)) throw refuse("a file, not a folder");
+  if (named_files()[std::filesystem::weakly_canonical(path, ignored)]) throw refuse("a file that no option writes");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw refuse(std::generic_category().message(errno));
+  if (!file) throw refuse("a file that can be read (" + std::generic_category().message(errno) + ")");
   std::string text;
   std::vector<char> block(1 << 16);
   do {
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > max_bytes) throw refuse(fmt::format("it is larger than {} MiB", max_bytes >> 20));
+    if (text.size() > max_bytes) throw refuse(fmt::format("a file of at most {} MiB", max_bytes >> 20));
   } while (file);
-  if (file.bad()) throw refuse("reading failed");
+  if (file.bad()) throw refuse("a file that can be read (reading failed)");
   return text;
 }
 

@@ -152,8 +152,7 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   double bias_deg = person.bias_deg - person.own_bias_deg;
   double habit_deg = person.habit_deg;
   if (person.steering == Steering::place) {
-    // Such people aim past the target's position until they are near: at the fraction s of the path, the goal is bias
-    // (1 + log(1 - s)).
+    // At the fraction s of the path, the goal of people who steer to the target's position is bias (1 + log(1 - s)).
     habit_deg = -0.5 * bias_deg * logarithm(0.15);
     bias_deg *= 1.0 + logarithm(0.5);
   }

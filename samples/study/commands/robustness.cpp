@@ -100,7 +100,7 @@ Examples:
 --recorded simulates people with the paths and speeds of your own recorded reaches. Each .csv file of the
 folder has the reaches of one person to one target, in the columns reach, time_s, right_mm and away_mm:
 the fingertip from rest to rest, at 40 Hz or more, in any fixed coordinate system. Each simulated reach
-uses one of these reaches, scaled to --durations and rotated to the target. The response to touch and the
+uses one of the recorded reaches, scaled to --durations and rotated to the target. The response to touch and the
 scatter of the ends (0.9 deg) are simulated as in the families.
 
 --person simulates a person whom you define: JSON, {"tactile_weight": 0.18, "illusion": "sine"}. --people

@@ -99,7 +99,7 @@ the last step. Numbers have full precision. A trial has the same random numbers 
 
 --trace simulates a reach of a person under the plugin's default controller instead: --family, --duration,
 --reach, --trial (number of the person), --seed, --real and --virtual select the reach. Files in the folder:
-trace.csv, the states of the controller's filter with their SDs at each sample; trace.svg, a figure of these;
+trace.csv, the states of the controller's filter with their SDs at each sample; trace.svg, a figure of the states;
 reach.svg, an animation of the reach from above.
 
 Examples:

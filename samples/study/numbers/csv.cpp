@@ -59,7 +59,7 @@ void CsvReader::take_header() {
   for (const std::string_view column : split(columns_, ',')) {
     const auto found = std::find(fields_.begin(), fields_.end(), column);
     if (found == fields_.end())
-      throw UsageError(where() + ", " + words_for(column) + ": it is missing; the line must be " + allowed);
+      throw UsageError(where() + ", " + words_for(column) + ": the column is missing; the line must be " + allowed);
     if (std::find(found + 1, fields_.end(), column) != fields_.end())
       throw wrong(words_for(column), column, allowed + ", each once");
     places_.emplace_back(column, found - fields_.begin());

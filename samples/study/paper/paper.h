@@ -40,7 +40,7 @@ inline constexpr double paper_impaired_touch_percent = 40;
 /// Percentage with a real target at 0, a virtual one at 12 degrees and a motor variance of 2 (section III-B, Fig. 7).
 inline constexpr double paper_wide_gap_percent = 60;
 
-/// Returns condition 1 of Table I with these values, which the controller knows.
+/// Returns a condition with these values, which the controller knows.
 inline Condition make_condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
                                 double virtual_direction_deg) {
   Condition condition{.real_direction_deg = real_direction_deg, .virtual_direction_deg = virtual_direction_deg};

@@ -112,7 +112,7 @@ std::vector<std::string> csv_files(const std::string& argument, const std::strin
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     if (entry->path().extension() == ".csv") files.push_back(entry->path().string());
   if (error) throw refuse(error.message());
-  if (files.empty()) throw refuse("it has no .csv file");
+  if (files.empty()) throw refuse("there is no .csv file");
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -180,7 +180,7 @@ std::string condition_words(const RobustnessStudy& study) {
       study.options.people, study.options.seed,
       has_families ? "Unless the description of a family states otherwise: reaches of 100 mm, a gap of 10°, w_T from "
                      "0.12 to 0.30, tracker noise of 1.2 mm at 90 Hz, a servo with 400°/s and a latency of 30 ms."
-                   : "The file of --person defines the person.");
+                   : "The options --person and --recorded define the people.");
 }
 
 std::string informed_of(const RobustnessStudy& study) {

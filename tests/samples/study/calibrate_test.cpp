@@ -83,7 +83,8 @@ TEST(StudyCalibrate, ErrorsNameLineAndColumn) {
   EXPECT_EQ(refused(""),
             "data.csv: there is no header; it must name trial,time_s,right_m,away_m,plate_orientation_deg");
   EXPECT_EQ(refused(slides_header), "data.csv: there is no row under the header");
-  EXPECT_TRUE(has(refused("trial,time_s,right_m,away_m\n"), "line 1, column plate_orientation_deg: it is missing"));
+  EXPECT_TRUE(
+      has(refused("trial,time_s,right_m,away_m\n"), "line 1, column plate_orientation_deg: the column is missing"));
   EXPECT_TRUE(has(refused("trial," + slides_header), "line 1, column trial: 'trial' is not allowed"));
   EXPECT_EQ(refused(slides_header + "1,0,0,0,0\n1,1,0,0\n"),
             "data.csv, line 3, columns: '4' is not allowed; it must be as many as the header has, 5");
