@@ -25,8 +25,8 @@ class Object {
   Object* parent() const { return parent_; }
   std::uint64_t id() const { return id_; }
 
-  /// XR_SUCCESS, or XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST after a loss. Every call with this object or one of
-  /// its descendants then returns that error.
+  /// XR_SUCCESS, or XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST after a loss. Calls with this object or one of its
+  /// descendants then return that error, except calls that destroy objects.
   XrResult lost = XR_SUCCESS;
 
  private:

@@ -32,7 +32,7 @@ struct Script {
   bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
   bool stage = true;                     ///< false: the runtime has no STAGE space
   bool hand_tracking = true;             ///< value in XrSystemHandTrackingPropertiesEXT
-  std::int64_t picture_interval = 0;     ///< interval between pictures in frames; 0: only frames that events select
+  std::int64_t picture_interval = 0;     ///< interval between pictures in frames; 0: not set
   bool has_picture_events = false;       ///< an event of the script takes a picture
   ExtensionSet withheld;                 ///< extensions that the script removes from the runtime
   WorldSettings world;

@@ -21,7 +21,7 @@ struct HandState {
   Eigen::Quaterniond orientation;  ///< of the wrist; zero if the rotation is lost
 };
 
-/// Pose of LOCAL, and of the seated user's head, when the session is created.
+/// Pose of LOCAL when the session is created: at the eyes of a seated user.
 Pose local_space_in_world();
 
 /// Origins of the reference spaces in the world. Recentring moves an origin, but neither the hands nor the plate.
