@@ -46,8 +46,7 @@ struct Property {
 extern const std::span<const Property> properties;
 
 /** Converts a struct to a Dictionary, which is empty if struct_size is 0. An interval NAME has the keys NAME,
- * NAME_lower,
- *  NAME_upper and NAME_known. */
+ *  NAME_lower, NAME_upper and NAME_known. */
 Record to_record(const hrt_command& of), to_record(const hrt_reach_summary& of), to_record(const hrt_gap& of),
     to_record(const hrt_setup_step& of), to_record(const hrt_setup_result& of), to_record(const hrt_conditions& of),
     to_record(const hrt_recording_status& of), to_record(const hrt_plate_report& of);

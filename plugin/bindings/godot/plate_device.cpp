@@ -3,7 +3,7 @@
 
 namespace hrt_godot {
 
-/** Returns the report of the device, or zeros without one. Allocates no memory. */
+/** Returns the report of the device, or zeros without a device. Allocates no memory. */
 hrt_plate_report PlateNode::read_device() const {
   hrt_plate_report report{};
   report.struct_size = sizeof report;

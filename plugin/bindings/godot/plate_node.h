@@ -63,8 +63,7 @@ extern const std::span<const Method> methods;
 /** Maximum number of arguments that are read: one more than any method has, to detect too many. */
 inline constexpr size_t kArgumentsMax = 8;
 
-/** Bits of refused_: bits 1 to 99 are errors of the plugin, with the opposite sign; this bit is an error of the node.
- */
+/** Bits of refused_: bits 1 to 99 are negated errors of the plugin; this bit is an error of the node's pose. */
 inline constexpr size_t kPoseReason = 127;
 inline constexpr const char* kNotRigid =
     "the node is scaled, sheared or mirrored in the world; allowed: only translation and rotation. Set its scale to 1";

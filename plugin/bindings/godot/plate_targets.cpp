@@ -69,13 +69,10 @@ bool PlateNode::list_targets(uint32_t role, std::vector<hrt_target>& out_targets
 Error PlateNode::assign_targets(bool exclusive) {
   std::vector<hrt_target> real, felt;
   if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt)) return error();
-  // One more than needed, because the plugin reads the size of the first element.
-  std::vector<hrt_gap> assigned(felt.size() + 1, hrt_gap_init());
+  std::vector<hrt_gap> assigned(felt.size(), hrt_gap_init());
   if (ok(hrt_gap_assign(session_, felt.data(), felt.size(), real.data(), real.size(),
-                        exclusive ? HRT_ASSIGN_EXCLUSIVE : 0, felt.size(), assigned.data()))) {
-    assigned.pop_back();
+                        exclusive ? HRT_ASSIGN_EXCLUSIVE : 0, felt.size(), assigned.data())))
     assigned_ = std::move(assigned);
-  }
   return error();
 }
 
@@ -102,7 +99,7 @@ hrt_target PlateNode::find_target(std::string name) {
     hrt_target_config config = hrt_target_config_init();
     if (ok(hrt_target_get(session_, target, &config)) && name == config.name) return target;
   }
-  engine_.push_error(("find_target: no target has the name \"" + name + "\"; add it first").c_str());
+  engine_.push_error(("find_target: no target has the name \"" + name + "\"; add the target first").c_str());
   return {};
 }
 

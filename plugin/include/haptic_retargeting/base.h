@@ -141,9 +141,9 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_OUT_OF_RANGE (-4)
 /** The call is not allowed in the present state, for example an update while no reach is in progress. */
 #define HRT_ERROR_WRONG_STATE (-5)
-/** Another thread is in a call on this session. */
+/** Another thread is in a call on this session, person, scene or plate. */
 #define HRT_ERROR_BUSY (-6)
-/** The sample is older than the previous sample. */
+/** The time is earlier than that of the previous sample or call. */
 #define HRT_ERROR_TIME_REVERSED (-7)
 /** An allocation failed. */
 #define HRT_ERROR_OUT_OF_MEMORY (-8)

@@ -107,7 +107,7 @@ typedef uint32_t hrt_plate_fault;
 #define HRT_PLATE_FAULT_LIMITS 6u    /**< the device reports an angle beyond its limits, or rejected a command */
 #define HRT_PLATE_FAULT_STUCK 7u     /**< the plate does not move although it was commanded */
 #define HRT_PLATE_FAULT_RESTARTED 8u /**< the device restarted, or announced itself again */
-#define HRT_PLATE_FAULT_EMERGENCY 9u /**< the emergency stop is open */
+#define HRT_PLATE_FAULT_EMERGENCY 9u /**< the emergency stop is pressed, or its wire is broken */
 #define HRT_PLATE_FAULT_DEVICE 10u   /**< the device reports a fault, such as voltage, temperature or overload */
 #define HRT_PLATE_FAULT_PROTOCOL 11u /**< the device sends messages that the protocol does not allow */
 #define HRT_PLATE_FAULT_INTERNAL 12u /**< memory is exhausted, or this library has a defect */
@@ -123,7 +123,7 @@ typedef uint32_t hrt_plate_report_flags;
  *  emergency stop since the orientation was last known. */
 #define HRT_PLATE_REPORT_UNHOMED 32u
 #define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< the plate has reached no command since opening: keep fingers off */
-#define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are from the plate's file */
+#define HRT_PLATE_REPORT_COMMISSIONED 128u /**< speed, acceleration and latency are from the plate's file */
 /** The plate differs from its file: it is slower than 80 % of the file's speed, it has rested for a second further from
  *  its command than the file's error, or it follows commands more than 40 ms later than the file's latency. Commission
  *  the plate again. */
@@ -215,8 +215,8 @@ HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
  *  @threadsafety [any-thread] */
 HRT_PLATE_API const char* hrt_plate_last_error(void) HRT_NOEXCEPT;
 
-/** Copies speed, acceleration, latency and stops of a READY plate into a configuration. Stops that are less than 180
- *  degrees apart are copied as 0, which means that the plate turns freely.
+/** Copies speed, acceleration, latency and stops of a READY plate into a configuration. A configuration cannot contain
+ *  stops that are less than 180 degrees apart: both are then set to 0, as for a plate that turns freely.
  *
  *  @threadsafety [any-thread] */
 static inline void hrt_session_config_from_plate(hrt_session_config* config, const hrt_plate_report* report) {

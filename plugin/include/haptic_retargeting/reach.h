@@ -121,8 +121,9 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the last command is repeated */
 /** The solver stopped before it found the optimum; the command is within its limits. */
 #define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
-/** A defect in this library: a value was not a finite number. The last command is repeated, and the value is 0. The log
- *  reports the defect once for each session, at the calls listed under REGISTRATION. */
+/** A defect in this library: a value was not a finite number. The value is replaced: a plate orientation by that of
+ *  the last command, any other value by 0. The log reports the defect once for each session, at the calls listed under
+ *  REGISTRATION. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older than registration.max_age_ns, less accurate than registration.max_sd_deg, or
  *  missing although one of these limits is set. Set up again (setup.h). The log reports it at the next call of

@@ -16,7 +16,6 @@
 
 namespace hrt::plate {
 
-/// Limits of a device, as the device reports them or as they were observed.
 struct DeviceLimits {
   double min_deg;                    ///< lower stop; both stops are 0 if the device turns freely
   double max_deg;                    ///< upper stop

@@ -8,8 +8,8 @@
 
 namespace hrt::plate {
 
-/// Serial line to a device. Only wait() blocks. All functions throw PlateFailure if the line has failed. All calls are
-/// made on one thread.
+/// Serial line to a device. Only wait() and the destructor (up to 0.1 s) block. All functions throw PlateFailure if the
+/// line has failed. All calls are made on one thread.
 class Line {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -24,7 +24,7 @@ class Line {
 
   /// Appends the bytes that were received since the last call, at most some kilobytes.
   virtual void receive(std::string& bytes) = 0;
-  /// Copies `bytes`, and sends as many of them as the line accepts now. flush() sends the rest.
+  /// Copies `bytes`, and sends as many of them as the line accepts now. flush() does the same for the unsent bytes.
   virtual void send(std::string_view bytes) = 0;
   virtual void flush() = 0;
   virtual bool has_unsent() const = 0;

@@ -13,7 +13,7 @@ struct PlateFile {
   std::vector<std::string> settings;  ///< settings that the device had when it was measured
   double speed_deg_s = 0.0;
   double acceleration_deg_s2 = 0.0;
-  double latency_ms = 0.0;  ///< time from a command to the motion, without that on the serial line
+  double latency_ms = 0.0;  ///< time from a command to the motion, without the time on the serial line
   double error_deg = 0.0;   ///< largest difference from the command at rest that is consistent with the measurements
 };
 

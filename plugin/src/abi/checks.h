@@ -40,7 +40,7 @@ hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
   for (std::uint32_t i = sizeof(Struct); i < size; ++i) {
     if (bytes[i] != 0)
       return fail(HRT_ERROR_STRUCT_SIZE, name, ": byte ", i, " is not 0, but this library knows only ", sizeof(Struct),
-                  " bytes; set the following bytes to 0, or update the library");
+                  " bytes; set all further bytes to 0, or update the library");
   }
   std::memcpy(known, given, sizeof(Struct));
   known->struct_size = sizeof(Struct);

@@ -24,7 +24,7 @@ struct Field {
   Number low = 0, high = 0;  ///< range of a number, or of each element of an array; of flags, `high` has all known bits
   bool zero = false;         ///< 0 is allowed in addition to the range
   bool (*in_profile)(const S&) = nullptr;
-  bool optional = false;  ///< true if the field may be missing in a profile
+  bool optional = false;  ///< a profile without this field sets it to its default
 
   T& of(S& values) const { return *reinterpret_cast<T*>(reinterpret_cast<char*>(&values) + offset); }
   const T& of(const S& values) const { return of(const_cast<S&>(values)); }

@@ -218,8 +218,7 @@ void RecordedSession::log_findings(std::uint64_t handle) {
   if (!had_fault_ || logged_fault_) return;
   Text<240> text;
   text << "session " << handle
-       << ": a value of a command or summary was not finite; the plate did not turn, and the reach changed no "
-          "estimates. This is a defect of the library: report it";
+       << ": a value of a command or summary was not a finite number; this is a defect of the library: report it";
   write_log(HRT_LOG_ERROR, text.c_str(), log_);
   logged_fault_ = true;
 }

@@ -87,8 +87,8 @@ hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length, 
       auto scene = std::make_unique<hrt::Scene>(bytes ? hrt::load_scene(file, path) : hrt::load_scene(path_of(path)));
       for (const hrt::SceneTarget& target : scene->targets) {
         if (target.name.size() >= HRT_NAME_SIZE)
-          return fail(HRT_ERROR_BAD_FORMAT, "target name ", hrt::in_quotes(target.name), " has ", target.name.size(),
-                      " bytes; allowed: up to ", HRT_NAME_SIZE - 1);
+          return fail(HRT_ERROR_BAD_FORMAT, Shown{path}, ": the target name ", hrt::in_quotes(target.name), " has ",
+                      target.name.size(), " bytes; allowed: up to ", HRT_NAME_SIZE - 1);
       }
       log_far_targets(*scene, path);
       const std::uint64_t handle = scenes.insert(std::move(scene));

@@ -16,7 +16,7 @@ namespace {
 
 using ConfigFields = Fields<hrt_session_config>;
 
-// The core squares the noise; the square of a smaller value would lose digits, or be 0.
+// The core squares the noise: the square of a tiny value would be 0.
 constexpr double min_tracker_noise_mm = 1e-6;
 
 static_assert(HRT_PERSON_TRAITS == PersonState::traits && HRT_PERSON_LOG_WANDER == PersonState::log_wander &&

@@ -43,7 +43,7 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
       break;
     case Kind::far_away:
       text << "The finger is " << rounded(observed.first / mm_per_m)
-           << " m from the plate: positions must be in metres. ";
+           << " m from the requested position: positions must be in metres. ";
       break;
     case Kind::plate:
       text << "The plate reports " << rounded(observed.first) << " degrees, but " << rounded(observed.second)

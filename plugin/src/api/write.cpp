@@ -55,7 +55,7 @@ std::uint32_t flags_of(const Outcome& outcome, bool Outcome::* OutcomeFlag::* me
   return flags;
 }
 
-// Replaces numbers that a defect has made infinite or NaN by 0. Returns false if there was one.
+// Replaces numbers that a defect has made infinite or NaN by 0. Returns false if there was such a number.
 template <class Struct>
 bool make_finite(Struct* values) {
   bool finite = true;

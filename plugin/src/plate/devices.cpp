@@ -58,7 +58,7 @@ void DeviceName::check_options(std::initializer_list<std::string_view> known) co
   for (auto option = options.begin(); option != options.end(); ++option) {
     const std::string& word = option->first;
     if (std::find(known.begin(), known.end(), word) == known.end())
-      refuse(kind + ": has no option \"" + word + "\"; allowed: " + list_of(known));
+      refuse("devices of kind " + kind + " have no option \"" + word + "\"; allowed: " + list_of(known));
     if (std::any_of(options.begin(), option, [&](const auto& other) { return other.first == word; }))
       refuse("option " + word + " is given twice; remove one of the two");
   }

@@ -12,7 +12,7 @@
 using namespace hrt::plugin;
 using hrt::plate::PlateDriver;
 
-// Sizes of version 1, which must never change.
+// Layout of the first version of the structs, which must never change.
 static_assert(sizeof(hrt_plate_options) == 16);
 static_assert(sizeof(hrt_plate_report) == 480);
 static_assert(offsetof(hrt_plate_report, description) == 96);
@@ -39,8 +39,9 @@ std::string path_of(std::string_view device) {
 
 hrt_result check_process(const PlateDriver& driver) {
   if (!driver.is_inherited()) return HRT_OK;
-  return fail(HRT_ERROR_WRONG_STATE,
-              "the plate was opened by the parent of this process, before the fork; close it here and open it again");
+  return fail(
+      HRT_ERROR_WRONG_STATE,
+      "the plate was opened by the parent of this process, before the fork; close the plate here and open it again");
 }
 
 hrt_result check_ready(const PlateDriver& driver) {
@@ -55,8 +56,8 @@ hrt_result check_ready(const PlateDriver& driver) {
 hrt_result check_homed(const PlateDriver& driver) {
   if (driver.homes() || (driver.report().flags & HRT_PLATE_REPORT_UNHOMED) == 0) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE,
-              "the plate orientation is unknown (not homed); open it with hrt_plate_options::homing "
-              "HRT_PLATE_HOMING_SLOW, and keep fingers off while it is homed");
+              "the plate orientation is unknown (not homed); open the plate with hrt_plate_options::homing "
+              "HRT_PLATE_HOMING_SLOW, and keep fingers off while the plate is homed");
 }
 
 }  // namespace

@@ -121,11 +121,13 @@ void PlateDriver::run() noexcept {
   } catch (const PlateFailure& failure) {
     fail(failure.fault(), failure.what());
   } catch (const std::bad_alloc&) {
-    fail(Fault::internal, "cannot be operated: memory is exhausted. Free memory, and open it again");
+    fail(Fault::internal, "cannot be operated: memory is exhausted. Free memory, and open the plate again");
   } catch (const std::exception& error) {
-    fail(Fault::internal, error.what());
+    plugin::Text<200> text;
+    text << "cannot be operated: " << error.what();
+    fail(Fault::internal, text.c_str());
   } catch (...) {
-    fail(Fault::internal, "cannot be operated: an unknown exception occurred. Open it again");
+    fail(Fault::internal, "cannot be operated: an unknown exception occurred. Open the plate again");
   }
 }
 
@@ -177,7 +179,8 @@ void PlateDriver::check_file(Device& device) const {
   const std::vector<std::string> settings = settings_of(device.details());
   for (const std::string& line : file_->settings)
     if (std::find(settings.begin(), settings.end(), line) == settings.end())
-      throw PlateFailure(Fault::no_answer, "does not have \"" + line + "\", which its file lists. Commission it again");
+      throw PlateFailure(Fault::no_answer,
+                         "does not have \"" + line + "\", which its file lists. Commission the plate again");
 }
 
 void PlateDriver::publish(const Device& device) {

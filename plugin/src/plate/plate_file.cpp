@@ -94,8 +94,8 @@ PlateFile read_plate_file(const std::string& path) {
         !is_within(file.latency_ms, 0.0, 1000.0) || !is_within(file.error_deg, 0.0, 360.0))
       refuse(path, "has a number that is out of range; commission the plate again");
     return file;
-  } catch (const nlohmann::json::exception& wrong) {
-    refuse(path, std::string("lacks a member or has one of a wrong type; commission the plate again: ") + wrong.what());
+  } catch (const nlohmann::json::exception&) {
+    refuse(path, "lacks a member or has a member of a wrong type; commission the plate again");
   }
 }
 

@@ -19,15 +19,15 @@ constexpr auto silence_limit = 500ms;
 constexpr int probes = 11;  // heartbeats that measure the round trip
 constexpr auto probe_limit = 100ms;
 
-// The failures of a plate that has stopped, in the order of StopReason.
+// The failures of a plate that has stopped, in the order of StopReason from `limit` on.
 constexpr auto first_failure = static_cast<std::size_t>(StopReason::limit);
 constexpr std::pair<Fault, const char*> stop_failures[] = {
-    {Fault::limits, "has refused an angle beyond its limits. Open it again, so that its limits are read again"},
+    {Fault::limits, "has refused an angle beyond its limits. Open the plate again, to read its present limits"},
     {Fault::device, "reports that it is defective: its settings could not be stored. Run hrt-plate show"},
     {Fault::emergency, "was stopped by its emergency stop. Release the emergency stop, and open the plate again"},
     {Fault::stuck, "reports that its servo is stuck. Switch the supply off and remove the obstacle"},
     {Fault::device, "reports that its sensor turns against its servo. Exchange the settings adc_least and adc_most"},
-    {Fault::restarted, "has lost its orientation. Open it again, and home it"},
+    {Fault::restarted, "has lost its orientation. Open the plate again, and home it"},
     {Fault::device,
      "has less than 4 V at its servo's supply. Check adapter, fuse, emergency stop and the wire to pin A1"}};
 static_assert(std::size(stop_failures) == static_cast<std::size_t>(StopReason::supply) - first_failure + 1);
@@ -146,7 +146,8 @@ void PlateLink::ask(const std::string& body, const std::function<bool(const Plat
     send_body(body);
     while (!is_answered_) {
       if (now() > give_up)
-        throw PlateFailure(Fault::protocol, "does not answer " + verb + ". Install the firmware of this version");
+        throw PlateFailure(Fault::protocol,
+                           "does not answer " + verb + ". Install the firmware that belongs to this driver");
       wait(10ms);
     }
   } catch (...) {
@@ -186,7 +187,7 @@ void PlateLink::handle_greeting(const PlateGreeting& greeting) {
     watch_.emplace(greeting, received_at_);
   } else if (expected_greetings_ <= 0) {
     throw PlateFailure(Fault::restarted,
-                       "has sent another greeting: it was reset, or another plate answers. Open it again");
+                       "has sent another greeting: it was reset, or another plate answers. Open the plate again");
   }
   --expected_greetings_;
 }

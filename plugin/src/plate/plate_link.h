@@ -14,13 +14,13 @@
 namespace hrt::plate {
 
 /// Plate with the line protocol. The speed of limits() is the reported speed, or the observed speed if that is lower;
-/// the latency is the reported latency plus half of the measured round trip. Only the constructor, wait() and functions
-/// that call ask() wait. When the plate fails, a function stops it if it is still connected, and throws PlateFailure.
-/// All calls are made on one thread.
+/// the latency is the reported latency plus half of the measured round trip. The constructor, the destructor (up to
+/// 0.1 s), wait() and functions that call ask() wait. When the plate fails, a function stops the plate, if it is still
+/// connected, and throws PlateFailure. All calls are made on one thread.
 class PlateLink : public Device, public BoardSettings {
  public:
   /// Waits up to five seconds for the answer to HELLO, because boards restart when their serial line is opened.
-  /// Measures the round trip. Moves nothing. With Start::passive, an open emergency stop or a missing supply is not a
+  /// Measures the round trip. Moves nothing. With Start::passive, a pressed emergency stop or a missing supply is not a
   /// failure.
   explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
   ~PlateLink() override;  ///< stops the plate if it is still connected

@@ -52,7 +52,7 @@ void PlateLink::begin_measurement() {
 }
 
 std::chrono::nanoseconds PlateLink::sensor_filter() const {
-  // The firmware adds an eighth of the difference every millisecond: 1 ms / ln(8/7).
+  // The firmware adds an eighth of the difference every millisecond: the time constant is 1 ms / ln(8/7).
   return greeting_->is_measured ? 7489us : 0us;
 }
 
@@ -109,7 +109,7 @@ double PlateLink::pulse_setting(const std::string& name) {
   const double width_us = setting(name);
   if (std::abs(width_us) < min_pulse_us || std::abs(width_us) > max_pulse_us)
     throw PlateFailure(Fault::protocol, "has the setting " + name + " " + shown(width_us) +
-                                            " us; allowed: 500 to 2500 or -2500 to -500. Commission it again");
+                                            " us; allowed: 500 to 2500 or -2500 to -500. Commission the plate again");
   return width_us;
 }
 

@@ -17,7 +17,7 @@ constexpr auto report_limit = 500ms;
 constexpr double limit_slack_deg = 3.0;  // tolerance of a sensor
 constexpr double moving_deg = 10.0;      // a plate that is farther from its command has to move
 constexpr auto stuck_limit = 1000ms;
-constexpr double moved_deg = 1.0;  // a plate that moves less in stuck_limit is stuck; slow plates: travel in 0.25 s
+constexpr double moved_deg = 1.0;  // least motion in stuck_limit; below 4 degrees a second: the travel in 0.25 s
 constexpr auto max_pause = 250ms;  // motion during a longer pause of the host is not observed
 // A speed is measured over a part of a motion that has at least min_run_deg and min_motion, or lasts max_motion.
 constexpr double min_run_deg = 20.0;
@@ -72,10 +72,10 @@ void PlateWatch::note_report(Time time, std::optional<double> known_deg) {
 
 void PlateWatch::check(Time now) const {
   if (now - reported_ <= report_limit) return;
-  throw PlateFailure(Fault::no_report,
-                     has_reported_
-                         ? "has not reported its orientation for half a second; check its cable, and open it again"
-                         : "never reports its orientation; check its firmware");
+  throw PlateFailure(
+      Fault::no_report,
+      has_reported_ ? "has not reported its orientation for half a second; check its cable, and open the plate again"
+                    : "never reports its orientation; check its firmware");
 }
 
 void PlateWatch::measure_speed(const Position& now) {
@@ -97,7 +97,8 @@ void PlateWatch::expect_motion(const Position& now) {
   if (!moved_ || std::abs(now.orientation_deg - moved_->orientation_deg) >= min_deg) moved_ = now;
   if (now.time - moved_->time > stuck_limit)
     throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) + " deg; it must turn to " +
-                                         degrees(*command_deg_) + " deg. Remove the obstacle, and open it again");
+                                         degrees(*command_deg_) +
+                                         " deg. Remove the obstacle, and open the plate again");
 }
 
 void RoundTrips::sent(Time time, std::uint16_t sequence) {

@@ -53,7 +53,7 @@ class RoundTrips {
   using Time = PlateWatch::Time;
 
   void sent(Time time, std::uint16_t sequence);
-  /// Notes an echo. Returns false if this host has not sent the number, or if a later one was already echoed.
+  /// Notes an echo. Returns false if this host has not sent the number, or if a later number was already echoed.
   bool echoed(Time time, std::uint16_t sequence);
   /// Median; nullopt before the first echo.
   std::optional<std::chrono::nanoseconds> median() const { return median_; }

@@ -35,13 +35,12 @@ speed_t speed_of(int baud) {
       return B1000000;
 #endif
     default:
-      throw PlateFailure(
-          Fault::line, "cannot run at " + std::to_string(baud) +
-                           " baud on this system; set the servo to 57600 or 115200 baud, and give that as option baud");
+      throw PlateFailure(Fault::line, "cannot run at " + std::to_string(baud) +
+                                          " baud on this system; set the servo and the option baud to 57600 or 115200");
   }
 }
 
-// Descriptors that the child of a fork closes. Otherwise it would keep their locks after its parent has ended.
+// Descriptors that the child of a fork closes. Otherwise the child would keep their locks after its parent has ended.
 std::array<std::atomic<int>, 64> open_lines;  // descriptor plus 1; 0: free
 
 void replace(int before, int after) {
@@ -86,7 +85,7 @@ class SerialLine : public Line {
       const ssize_t count = read(line_, some.data(), some.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && must_wait()) return;
-      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged; connect it, and open it again");
+      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged; connect and open the plate again");
       bytes.append(some.data(), static_cast<std::size_t>(count));
     }
   }
@@ -102,7 +101,7 @@ class SerialLine : public Line {
       const ssize_t count = write(line_, unsent_.data(), unsent_.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && must_wait()) return;
-      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged; connect it, and open it again");
+      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged; connect and open the plate again");
       unsent_.erase(0, static_cast<std::size_t>(count));
     }
   }
@@ -118,7 +117,7 @@ class SerialLine : public Line {
   void set_up(speed_t speed) {
     if (tcgetattr(line_, &before_) != 0)
       throw PlateFailure(Fault::line, "is not a serial line; name a serial device, such as /dev/ttyACM0");
-    // TIOCEXCL does not exclude root or an earlier program. flock() excludes both if they call it.
+    // TIOCEXCL does not exclude root or an earlier program. flock() excludes both if they also call flock().
     if (flock(line_, LOCK_EX | LOCK_NB) != 0 || ioctl(line_, TIOCEXCL) != 0)
       throw PlateFailure(Fault::line, "is in use by another program. Close that program");
     termios settings = before_;
@@ -127,7 +126,7 @@ class SerialLine : public Line {
     settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
     if (cfsetspeed(&settings, speed) != 0 || tcsetattr(line_, TCSANOW, &settings) != 0)
       throw PlateFailure(Fault::line, "does not accept its baud rate with 8 data bits and no parity: " + reason() +
-                                          ". Check that it is the plate's serial device");
+                                          ". Check that the device is that of the plate");
     tcflush(line_, TCIOFLUSH);
   }
 

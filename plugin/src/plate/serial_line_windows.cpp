@@ -52,7 +52,7 @@ class Transfer {
     }
     if (GetLastError() == ERROR_IO_INCOMPLETE) return -1;
     running_ = false;
-    throw PlateFailure(Fault::unplugged, "is unplugged; connect it, and open it again");
+    throw PlateFailure(Fault::unplugged, "is unplugged; connect and open the plate again");
   }
   /// Ends the transfer, so that the buffer may be reused.
   void cancel(HANDLE line) {
@@ -69,7 +69,7 @@ class Transfer {
     running_ = true;
     if (done || GetLastError() == ERROR_IO_PENDING) return;
     running_ = false;
-    throw PlateFailure(Fault::unplugged, "is unplugged; connect it, and open it again");
+    throw PlateFailure(Fault::unplugged, "is unplugged; connect and open the plate again");
   }
 
   OVERLAPPED state_{};
@@ -164,7 +164,7 @@ class SerialLine : public Line {
     if (!SetCommState(line_, &settings) || !SetCommTimeouts(line_, &timeouts))
       throw PlateFailure(Fault::line, "does not accept " + std::to_string(baud) +
                                           " baud with 8 data bits and no parity: " + reason() +
-                                          ". Check that it is the plate's serial device");
+                                          ". Check that the device is that of the plate");
     PurgeComm(line_, PURGE_RXCLEAR | PURGE_TXCLEAR);
   }
 

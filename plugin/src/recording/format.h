@@ -29,7 +29,7 @@ struct ConfigSet {
   hrt_session_config config;
 };
 
-/// A target was added, set or removed. Targets are identified by Targets::number(), which is the same in every run.
+/// A target was added, set or removed. Targets are identified by Targets::number().
 struct TargetChanged {
   enum class Change : std::uint8_t { added, set, removed };
   Change change;

@@ -110,7 +110,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
     return true;
   }
   bool number_integer(number_integer_t value) override {
-    // The parser calls this for numbers with a sign: 0 was written as "-0".
+    // The parser calls this function for integers with a minus sign: a value of 0 was written as "-0".
     return number(value == 0 ? -0.0 : static_cast<double>(value), true, value);
   }
   bool number_unsigned(number_unsigned_t value) override {
@@ -130,7 +130,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool boolean(bool) override { return refuse("true or false"); }
   bool binary(binary_t&) override { return refuse("binary data"); }
   bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception&) override {
-    set_error("the text is not valid JSON at byte ", byte, "; save it again and do not edit it");
+    set_error("the text is not valid JSON at byte ", byte, "; save the text again and do not edit it");
     return false;
   }
 
@@ -138,7 +138,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   // Sets the error for a value that a JsonField cannot hold. Returns false.
   bool refuse(const char* kind) {
     if (fields.empty())
-      set_error("the text is not a JSON object; save it again and do not edit it");
+      set_error("the text is not a JSON object; save the text again and do not edit it");
     else
       set_error("\"", Shown{fields.back().key}, "\" is or contains ", kind,
                 "; allowed: a number, a string or an array of numbers");
@@ -232,7 +232,7 @@ hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
     if (key == field.key) result = read(field, value);
   });
   if (result) return *result;
-  return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what, "; remove it");
+  return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what, "; remove this field");
 }
 
 bool is_in_profile(std::string_view key) {

@@ -14,7 +14,7 @@ namespace hrt::plugin {
 using JsonText = Text<8192>;
 
 /// Write and read all fields of a configuration, a target or the configuration of a set-up in one line. Reading sets
-/// missing fields to their defaults, of a target to 0, and fails on unknown fields. Values are not checked.
+/// missing fields to their defaults (those of a target to 0), and fails on unknown fields. Values are not checked.
 template <class Struct>
 void write_json(const Struct& values, JsonText& out);
 template <class Struct>

@@ -31,7 +31,8 @@ class Recorder {
   /// Adds a record, or counts it as lost if the ring is full. Real-time.
   void push(const Record& record) noexcept;
 
-  /// True in a forked child of the recording process: push() drops records, other functions must not be called.
+  /// True in a forked child of the recording process: push() drops records, the destructor writes nothing to the file,
+  /// and other functions must not be called.
   bool belongs_to_parent_process() const { return forks_ != forks(); }
 
   /// Ends the recording as the destructor does, and returns the final state.
@@ -43,7 +44,7 @@ class Recorder {
  private:
   struct Entry {
     Record record;
-    std::uint64_t lost_before;  // records lost between the last entry and this one
+    std::uint64_t lost_before;  // records lost between the previous entry and this one
   };
   static constexpr std::size_t capacity = 8192;  // a power of two; 80 s at 100 Hz
 

@@ -21,8 +21,8 @@ constexpr double max_target_radii = 2.0;
 constexpr double min_checked_fraction = 0.5;  // fraction of the path from which on the bearing is checked
 constexpr double max_off_course_deg = 90.0;
 constexpr double ended_fraction = 0.85;
-// Without steering, the finger ends near the virtual target. With a gap of min_gap_deg or more, an end that is further
-// than the other two limits beyond the virtual target cannot be due to a bias.
+// Without steering, the finger ends near the virtual target. With a gap of min_gap_deg or more, an end beyond the
+// virtual target by more than min_turned_deg and more than min_turned_fraction of the gap cannot be due to a bias.
 constexpr double min_gap_deg = 5.0, min_turned_deg = 4.0, min_turned_fraction = 0.75;
 
 double from_centre_mm(const PlatePoint& place) { return distance_mm({}, place); }
@@ -55,7 +55,7 @@ void Plausibility::observe(const FingerSample& sample) {
     const std::uint64_t passed_ns = elapsed_ns(last_->time_ns, sample.time_ns);
     const double speed_mm_s = moved_mm / (1e-9 * std::max(1.0, static_cast<double>(passed_ns)));
     fast_positions_ = speed_mm_s > max_speed_mm_s ? fast_positions_ + 1 : 0;
-    // No tracker has a shorter sample period, so the unit of time is wrong rather than that of length.
+    // No tracker has a sample period below min_sample_ns: the unit of time is wrong, rather than the unit of length.
     const bool is_time = passed_ns < min_sample_ns;
     if (fast_positions_ >= max_in_a_row)
       find(is_time ? Kind::time_too_slow : Kind::too_fast, is_time ? fast_positions_ : 1e-3 * speed_mm_s,
@@ -118,7 +118,7 @@ void write_implausible(const Implausible& found, Text<320>& text) {
       break;
     case Kind::turns_with_plate:
       text << "the finger ends " << found.first << " degrees beyond the virtual target, on the side away from the real "
-           << "one: check that positive plate orientations are counter-clockwise, and that no axis is mirrored";
+           << "target: check that positive plate orientations are counter-clockwise, and that no axis is mirrored";
       break;
   }
 }

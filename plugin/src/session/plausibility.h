@@ -61,7 +61,7 @@ class Plausibility {
   int wrong_positions_ = 0;               // consecutive positions that are evidence of wrong_way
   int turned_positions_ = 0;              // consecutive positions that are evidence of turns_with_plate
   std::optional<std::int64_t> first_ns_;  // beginning of the present window of 1 ms
-  int samples_ = 0;                       // samples in this window
+  int samples_ = 0;                       // samples in the present window
 };
 
 }  // namespace hrt::plugin

@@ -163,9 +163,9 @@ hrt_result Session::check_contact_due() const {
   const auto* reaching = std::get_if<Reaching>(&state_);
   const auto* idle = std::get_if<Idle>(&state_);
   if (!reaching && !(idle && idle->last))
-    return fail(
-        HRT_ERROR_WRONG_STATE,
-        "no reach is in progress, and none has ended since the configuration was last set; begin a reach first");
+    return fail(HRT_ERROR_WRONG_STATE,
+                "no reach is in progress, and none has ended since the last cancel, set-up or change of the "
+                "configuration; begin a reach first");
   if (reaching ? reaching->contact.has_value() : idle->last->was_touched)
     return fail(HRT_ERROR_WRONG_STATE, "this reach already has a contact; report another one in the next reach");
   if (!model_.registration.made)

@@ -72,7 +72,8 @@ class Reach:
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
         """Processes an array of SAMPLE and returns an array of COMMAND, which is `out` if given. After an error, `out` has
-        the commands of the samples before. Arrays are not copied, except if samples have NaN, which makes them dropouts."""
+        the commands of the samples before the failed one. Arrays are not copied, except if samples have NaN, which makes
+        them dropouts."""
         expect_rows(samples, "samples", SAMPLE)
         if out is None:
             out = commands(len(samples))

@@ -53,7 +53,7 @@ Packet Bus::transact(const Packet& request) {
     if (error != StatusError::crc) throw PlateFailure(Fault::protocol, describe(request, error));
     count_refusal();
   }
-  throw PlateFailure(Fault::silent, "does not answer; check its cable and supply, and open it again");
+  throw PlateFailure(Fault::silent, "does not answer; check its cable and supply, and open the plate again");
 }
 
 std::int64_t Bus::read(Entry entry) { return number_at(transact(read_request(entry)).parameters, 0, entry.size); }

@@ -69,7 +69,8 @@ class Bus {
 
   /// Sends a request once. Returns nullopt if no answer arrives. The caller handles an error in the answer.
   std::optional<Packet> try_once(const Packet& request);
-  /// Repeats a request until an undamaged answer arrives. Throws PlateFailure without one, or if it reports an error.
+  /// Repeats a request until an undamaged answer arrives. Throws PlateFailure if ten tries get no such answer,
+  /// or if the answer reports an error.
   Packet transact(const Packet& request);
   std::int64_t read(Entry entry);
   void write(Entry entry, std::int64_t value) { transact(write_request(entry, value)); }
@@ -93,7 +94,7 @@ class Bus {
   static std::string describe(const Packet& request, StatusError error);
 
  private:
-  // Longest time from a request to its answer. The longest packet, of 48 bytes, takes 9 ms at 57600 baud.
+  // Longest time from a request to its answer. The longest packet, of 59 bytes, takes 10 ms at 57600 baud.
   static constexpr auto answer_limit = std::chrono::milliseconds(60);
   void discard_late_answer();
   void abandon_request();

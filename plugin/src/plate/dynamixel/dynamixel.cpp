@@ -26,7 +26,7 @@ constexpr std::int64_t resting_units = 1;
 constexpr auto rest_time = 100ms;   // a plate that has not moved for this time is at rest
 constexpr double rest_deg = 1.0;    // largest distance from the goal at rest
 constexpr double still_deg = 0.5;   // largest motion of a plate at rest: noise of its sensor
-constexpr int polls_per_check = 8;  // every eighth poll reads the torque, which is at a distant address
+constexpr int polls_per_check = 8;  // every eighth poll reads torque_enable, which is at a distant address
 
 struct Settings {
   std::uint8_t id;
@@ -253,8 +253,8 @@ class Servo : public Device {
     }
   }
 
-  // Returns the request of the next poll: the entries from the watchdog to the voltage, in every eighth poll the
-  // torque, and after begin_measurement() only the position.
+  // Returns the request of the next poll: the entries from the watchdog to the voltage, or in every eighth poll
+  // torque_enable instead, or after begin_measurement() only the position.
   Packet poll_request() {
     if (poll_period_ == 0ms) return bus_.read_request(present_position);
     if (++polls_ % polls_per_check == 0) return bus_.read_request(torque_enable);
@@ -275,7 +275,8 @@ class Servo : public Device {
     const std::int64_t watchdog = value(bus_watchdog);
     if (watchdog == 0) throw PlateFailure(Fault::restarted, restarted_text);
     if (!has_torque_)
-      throw PlateFailure(Fault::device, "has no torque: another program or the servo switched it off. Open it again");
+      throw PlateFailure(Fault::device,
+                         "has no torque: another program or the servo switched the torque off. Open the plate again");
     handle_position(value(present_position));
     check_supply(value(present_voltage));
     if (watchdog == watchdog_expired) {
@@ -389,7 +390,7 @@ class Servo : public Device {
   enum class Next { poll, turn, stop } next_ = Next::poll;
   bool is_fast_ = false;     // the servo has the profile of a motion, not that of rest
   double rested_deg_ = 0.0;  // position from which the plate has not moved
-  Line::Time rested_since_;  // time since which it has not moved
+  Line::Time rested_since_;  // time since which the plate has not moved
   bool has_torque_command_ = false;
   std::chrono::milliseconds poll_period_{20};
   Line::Time reported_;
