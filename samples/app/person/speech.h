@@ -16,7 +16,7 @@ namespace hrt::app {
 /// more than 30 s is ended.
 class Speech {
  public:
-  /// `command`: program and arguments, separated by spaces. Throws Failure (ExitCode::usage) if it is not a program.
+  /// `command`: program and arguments, separated by spaces. Throws Failure (ExitCode::usage) if the program is missing.
   explicit Speech(const std::string& command);
 
   /// Queues `text`. If more than five texts wait, the oldest are dropped.

@@ -37,7 +37,7 @@ struct Options {
   PlateChoice plate;
   std::string finger;  ///< device of a touch frame (see TouchFrame); empty: hand tracking
   double time_limit_s = 30.0;
-  std::chrono::milliseconds runtime_limit{10'000};  ///< limit of every call into the runtime and wait for it
+  std::chrono::milliseconds runtime_limit{10'000};  ///< limit of a call into, or a wait for, the runtime
   bool for_people = true;                           ///< false: the paper's controller
   std::optional<double> tactile_weight;             ///< unset: 0.15 if !for_people, else the plugin's default
   double motor_variance_deg2 = 0.5;

@@ -88,7 +88,7 @@ class XrHeadlessSession {
   /// if the runtime refuses the time.
   Fingertip locate(Hand hand, XrTime time);
 
-  /// Asks the runtime to end the session, and waits until it has.
+  /// Asks the runtime to end the session, and waits until the session has ended.
   void end();
 
   XrSession handle() const { return session_; }

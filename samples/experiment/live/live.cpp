@@ -169,7 +169,7 @@ void Live::check(app::RunContext& context, std::optional<Clock::time_point> regi
     add(false, "Registration: the plate is not registered");
   else
     add(Clock::now() - *registered < fresh,
-        format("Registration: checked by a touch %lld min ago",
+        format("Registration: made or checked %lld min ago",
                static_cast<long long>((Clock::now() - *registered) / std::chrono::minutes(1))));
   const double noise_mm = facts.value("noise_mm", 0.0);
   add(noise_mm > 0.0 && noise_mm <= max_noise_mm, noise_mm > 0.0 ? format("Tracker: noise of %.2f mm", noise_mm)

@@ -36,7 +36,7 @@ class Live {
   nlohmann::json facts;
   /// Publishes a copy of `facts` to the open pages without blocking.
   void show() { shown_.store(std::make_shared<const nlohmann::json>(facts)); }
-  /// Call in every frame. `registered`: time of the last check of the plate's pose by a touch.
+  /// Call in every frame. `registered`: time at which the plate's pose was last set or checked.
   void frame(app::RunContext& context, XrTime time, std::optional<Clock::time_point> registered);
   /// Call in every frame of a reach.
   void moment(const app::RunContext& context, const app::TargetPair& pair, const app::Moment& moment, bool is_first);

@@ -87,7 +87,7 @@ class XrSubject : public Subject {
   app::RunContext context_;
   std::vector<app::Mark> marks_;
   std::optional<app::RegisteredPlate> placed_;
-  std::optional<Live::Clock::time_point> registered_;  // time of the last check by a touch
+  std::optional<Live::Clock::time_point> registered_;  // time at which the pose was last set or checked
   Key pressed_ = Key::none;                            // last key that key() has not returned yet
   std::optional<char> typed_;                          // last key that answered a request
   std::string expected_keys_;                          // keys that answer the present request

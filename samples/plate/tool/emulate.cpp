@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Presses or releases the emergency stop, which cuts the supply of the servo. The board of a hobby servo detects it.
+// Presses or releases the emergency stop, which cuts the servo's supply. A hobby servo's board detects the press.
 void press(HobbyPlate& plate, bool pressed) {
   plate.press_emergency_stop(pressed);
   plate.servo.supply = pressed ? 0.0 : 1.0;
