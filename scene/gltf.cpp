@@ -62,7 +62,7 @@ void prepare(std::string& json, const std::string& file) {
       case ':':
         if (keys.empty() || is_skipped) continue;
         if (!keys.back().insert(string).second)
-          refuse(file, "its JSON has the key {} twice in one object, at byte {}; remove one of the two",
+          refuse(file, "the JSON has the key {} twice in one object, at byte {}; remove one of the two",
                  in_quotes(string), i);
         if (keys.size() > 1) continue;
         section = string;
@@ -72,7 +72,7 @@ void prepare(std::string& json, const std::string& file) {
       case '{':
       case '[':
         if (keys.size() == gltf_limits::json_depth)
-          refuse(file, "its JSON is nested too deeply; allowed: up to {} levels", gltf_limits::json_depth);
+          refuse(file, "the JSON is nested too deeply; allowed: up to {} levels", gltf_limits::json_depth);
         if (keys.size() == 2 && section == "nodes" && ++nodes > gltf_limits::nodes)
           refuse(file, "the file has too many nodes; allowed: up to {}", gltf_limits::nodes);
         keys.emplace_back();
@@ -91,7 +91,7 @@ void prepare(std::string& json, const std::string& file) {
         continue;
     }
     if (!is_skipped && ++values > gltf_limits::json_values)
-      refuse(file, "its JSON has too many values; allowed: up to {}", gltf_limits::json_values);
+      refuse(file, "the JSON has too many values; allowed: up to {}", gltf_limits::json_values);
   }
 }
 
@@ -125,7 +125,7 @@ JsonExtent find_json(std::string_view header, std::uint64_t file_bytes, const st
     extent.offset = glb_header_bytes;
   }
   if (json_bytes > gltf_limits::json_bytes)
-    refuse(file, "its JSON is too large; allowed: up to {} bytes", gltf_limits::json_bytes);
+    refuse(file, "the JSON is too large; allowed: up to {} bytes", gltf_limits::json_bytes);
   extent.size = static_cast<std::size_t>(json_bytes);
   return extent;
 }

@@ -211,7 +211,7 @@ class SceneReader {
     const Vec3 back = world.z * (1.0 / length(world.z));
     if (!(std::abs(dot(up, back)) < max_shear))
       refuse(where(),
-             "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular; remove the "
+             "the transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular; remove the "
              "shear");
     const Vec3 sideways = cross(up, back);
     plate_frame_.x = sideways * (1.0 / length(sideways));
@@ -297,7 +297,8 @@ Scene load_scene(const std::filesystem::path& path) {
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) refuse(file, "the file does not exist; check its path");
   // Reading from a device or a pipe may never end.
-  if (!std::filesystem::is_regular_file(status)) refuse(file, "it is not a regular file; name a .gltf or .glb file");
+  if (!std::filesystem::is_regular_file(status))
+    refuse(file, "the path is not a regular file; name a .gltf or .glb file");
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   if (error || !stream) refuse(file, "the file cannot be read; check its permissions");

@@ -21,7 +21,7 @@ namespace hrt {
 struct ScenePlate {
   Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
   double radius_m;
-  std::optional<double> max_speed_deg_s;  ///< maximum speed of its servo, if the file has it
+  std::optional<double> max_speed_deg_s;  ///< maximum speed of the plate's servo, if the file has it
   std::string node_path;                  ///< names from the root, joined with '/'
 };
 
@@ -34,7 +34,7 @@ struct SceneTarget {
   TargetKind kind;
   std::string name;                      ///< unique among the targets
   Vec3 world_position_m;                 ///< origin of the node
-  Vec3 position_m;                       ///< the same in plate coordinates; y is the height above the plate
+  Vec3 position_m;                       ///< origin of the node in plate coordinates; y is the height above the plate
   std::optional<double> radius_m;        ///< radius of the object, if the file has it
   std::optional<std::size_t> served_by;  ///< index in Scene::targets of the assigned real target; set if virtual
   std::string node_path;

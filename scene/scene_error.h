@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Error of a file that is not a usable scene: one line that names the file, the node and the property.
+/// Error of a file that is not a usable scene: one line that names the file and, for a mistake in a node, the node.
 class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

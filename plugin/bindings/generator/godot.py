@@ -22,9 +22,9 @@ _ACRONYMS = {"MPC"}
 # (hrt_setup_begin: begin_setup).
 _CALLS = {
     "session_create": "HapticRetargeting", "session_set": "HapticRetargeting", "session_get": "HapticRetargeting",
-    "session_new_person": "new_person", "target_add": "add_real_target", "target_set": "move_target_to", "target_get": "find_target",
-    "target_list": "find_target", "target_assign": "assign_targets", "gap_query": "get_gap", "scene_register": "load_scene",
-    "scene_load": "load_scene", "setup_update": "update", "profile_set_conditions": "set_conditions",
+    "profile_reset": "new_person", "target_add": "add_real_target", "target_set": "move_target_to", "target_get": "find_target",
+    "target_list": "find_target", "gap_assign": "assign_targets", "gap_query": "get_gap", "scene_register": "load_scene",
+    "scene_load": "load_scene", "setup_update": "update", "setup_finish": "update", "profile_set_conditions": "set_conditions",
     "profile_get_conditions": "get_conditions", "recording_get_status": "get_recording_status",
     "person_create": "begin_simulated_finger", "person_begin": "begin_simulated_finger", "person_move": "update_simulated_finger",
     "plate_open": "open_device", "plate_set": "turn_device", "plate_stop": "stop_device", "plate_get": "get_device_report",

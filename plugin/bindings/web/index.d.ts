@@ -128,7 +128,7 @@ export interface Session {
   beginSetup(what?: number, config?: Input<hrt_setup_config>): void;
   /** Reads `sample` once a frame. Show `text` and `place_m` of the result, and send `plate_orientation_deg` to the plate. */
   updateSetup(): Output<hrt_setup_step>;
-  /** Continues the fit of a part for less than 1 ms and applies a complete fit. Call it in each frame whose step is
+  /** Continues the fit of a part, as hrt_setup_finish() does, and applies a complete fit. Call it in each frame whose step is
    *  HRT_STEP_FINISH. The set-up is over when `left` is 0. */
   finishSetup(): Output<hrt_setup_result>;
   /** Cancels the set-up. Results of finished parts remain. */

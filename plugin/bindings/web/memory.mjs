@@ -192,7 +192,7 @@ export class Host {
         clock_time_get: (id, precision, at) => this.#time(at),
         environ_sizes_get: (count, size) => this.#zero(count, size),
         environ_get: () => 0,
-        proc_exit: (code) => { throw new Error(`the module ended with exit code ${code}; load it again`); },
+        proc_exit: (code) => { throw new Error(`the module ended with exit code ${code}; load the module again`); },
       },
     };
   }

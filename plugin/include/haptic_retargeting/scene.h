@@ -80,8 +80,8 @@ typedef struct hrt_scene_target {
  *  @param bytes      Content of the file, not used after the call. Null: the file is read.
  *  @param length     Bytes of the content.
  *  @param out_scene  Handle of the scene.
- *  @return SYSTEM if the file cannot be read; BAD_FORMAT naming the file, the node and the property; LIMIT_REACHED for
- *          more than HRT_SCENES_MAX scenes; OUT_OF_MEMORY.
+ *  @return SYSTEM if the file cannot be read; BAD_FORMAT naming the file and, for a mistake in a node, the node;
+ *          LIMIT_REACHED for more than HRT_SCENES_MAX scenes; OUT_OF_MEMORY.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
                                                 hrt_scene* out_scene) HRT_NOEXCEPT;

@@ -127,7 +127,8 @@ def _read(lines: Iterable[str]) -> Recording:
             elif not line.startswith("#"):
                 _take(_row(header, line), config, reaches)
         except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
-            raise RecordingError(f"line {number}: {error}") from error
+            reason = error if isinstance(error, (ValueError, TypeError)) else "the line is malformed; record again"
+            raise RecordingError(f"line {number}: {reason}") from error
     if not header:
         raise RecordingError(f"line {number}: the line of column names is missing")
     return Recording([rows.record() for rows in reaches], complete, targets)

@@ -63,7 +63,7 @@ namespace Hrt
     public partial struct SessionConfig
     {
         /// <summary>Copies speed, acceleration, latency and stops of a ready plate. Stops that are less than 180 degrees
-        /// apart are copied as 0: the plate then turns freely.</summary>
+        /// apart are copied as 0: the session then assumes that the plate turns freely.</summary>
         public void TakePlate(PlateReport report)
         {
             bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;

@@ -160,8 +160,8 @@ public:
 
 	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
 	 *  commission` writes. Some seconds later, the device is ready: from then on, it receives each command, and each update and
-	 *  BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed, latency and stops are copied to Settings once,
-	 *  between reaches. A failure is logged. Returns false if the name or the file is not valid. */
+	 *  BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed, acceleration, latency and stops are copied to Settings
+	 *  once, between reaches. A failure is logged. Returns false if the name or the file is not valid. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool OpenPlate(const FString& Device);
 
@@ -191,7 +191,7 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool StopRecording();
 
-	/** For C++: processes a sample of the C interface in plate coordinates and returns the command. */
+	/** For C++: processes a sample of the C interface. */
 	bool UpdateSample(const hrt_sample& Sample);
 	const hrt_command& GetRawCommand() const { return Command; }
 	/** For C++: returns the session for calls of the C headers, with the value 0 on failure. After a call that changes the
