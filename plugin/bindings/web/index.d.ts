@@ -23,8 +23,8 @@ type Frame<Struct> = {
 /** Identifier of a target within its session. */
 export type TargetId = number;
 
-/** Error of a call of the library. The message names the call, the field, its value and the allowed values. Arguments of
- *  the wrong type cause a TypeError or a RangeError instead. */
+/** Error of a call of the library. The message names the call, what is wrong and what is allowed. Arguments of the wrong
+ *  type cause a TypeError or a RangeError instead. */
 export class HapticRetargetingError extends Error {
   /** Result code, one of HRT_ERROR_*. */
   readonly code: number;

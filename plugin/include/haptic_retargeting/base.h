@@ -17,8 +17,8 @@
  *
  * Calls
  *  - Calls return hrt_result, except those that return a text or the version. HRT_OK is 0; every error is negative.
- *    On an error, the session and the outputs are unchanged, and hrt_last_error() names the call, the field, its
- *    value and what is allowed.
+ *    On an error, the session and the outputs are unchanged, and hrt_last_error() names the call, what is wrong and
+ *    what is allowed.
  *  - No call throws, aborts or terminates the process, including when memory is exhausted. Exception: hrt_scene_load()
  *    may terminate the process if memory is exhausted.
  *  - Every call may return NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE, BUSY or INTERNAL. The comment of a call lists

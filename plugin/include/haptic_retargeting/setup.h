@@ -147,7 +147,7 @@ typedef uint32_t hrt_setup_problem;
 /** @enumeration HRT_OBSERVED Likely mistake of the application. It is reported if no instruction is completed for 20 s;
  *  TIME and WRONG_WAY are reported earlier. hrt_setup_step::text has the numbers. */
 typedef uint32_t hrt_setup_observed;
-#define HRT_OBSERVED_NONE UINT32_C(0)      /**< an instruction was completed in the last 20 s */
+#define HRT_OBSERVED_NONE UINT32_C(0)      /**< no mistake was detected */
 #define HRT_OBSERVED_NO_FINGER UINT32_C(1) /**< every sample is a dropout: the tracker does not see the finger */
 #define HRT_OBSERVED_LIFTED UINT32_C(2)    /**< the finger is above the plate in every sample */
 #define HRT_OBSERVED_TIME UINT32_C(3)      /**< time_ns advances too slowly to be in nanoseconds */

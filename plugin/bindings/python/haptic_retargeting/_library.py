@@ -18,7 +18,7 @@ _S = TypeVar("_S", bound=Struct)
 
 
 class Error(RuntimeError):
-    """Raised if a call of the library fails. The text names the call, the field, its value and the allowed values."""
+    """Raised if a call of the library fails. The text names the call, what is wrong and what is allowed."""
 
     def __init__(self, code: int, text: str) -> None:
         super().__init__(text)

@@ -2,8 +2,8 @@ using System;
 
 namespace Hrt
 {
-    /// <summary>Thrown when the library refuses a call. <see cref="Exception.Message"/> is the library's text, with the
-    /// call, the field, its value and the allowed values.</summary>
+    /// <summary>Thrown when the library refuses a call. <see cref="Exception.Message"/> is the library's text, which
+    /// names the call, what is wrong and what is allowed.</summary>
     public sealed class HapticRetargetingException : Exception
     {
         public Result Result { get; }
