@@ -30,7 +30,6 @@ void set_error(const Parts&... parts) {
   thread_error.text.make_printable();
 }
 
-/// As set_error(); returns `code`.
 template <class... Parts>
 hrt_result fail(hrt_result code, const Parts&... parts) {
   set_error(parts...);

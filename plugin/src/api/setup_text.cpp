@@ -24,7 +24,6 @@ constexpr const char* problem_texts[] = {  // indexed by SetupProblem
     "The measurements are not sufficient. Please continue. "};
 static_assert(std::size(problem_texts) == static_cast<std::size_t>(SetupProblem::undetermined) + 1);
 
-// Rounds a number in a sentence to one decimal.
 double rounded(double value) { return std::round(10.0 * value) / 10.0; }
 
 void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {

@@ -39,7 +39,6 @@ class PlateLink : public Device, public BoardSettings {
   std::optional<std::chrono::nanoseconds> round_trip() const override { return round_trips_.median(); }
   std::uint64_t refusals() const override { return refusals_; }
 
-  /// Waits up to `limit` for the plate's next bytes, processes them, and sends a heartbeat if it is due.
   void wait(std::chrono::milliseconds limit) override;
   void turn_to(double orientation_deg) override;
   void stop() override;
@@ -50,7 +49,6 @@ class PlateLink : public Device, public BoardSettings {
   void save_zero() override { save_settings(); }
   void begin_measurement() override;
   double report_step_deg() const override { return 0.01; }
-  /// Time constant of the filter that the firmware applies to its readings.
   std::chrono::nanoseconds sensor_filter() const override;
 
   BoardSettings* board_settings() override { return this; }

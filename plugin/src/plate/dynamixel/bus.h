@@ -69,8 +69,7 @@ class Bus {
 
   /// Sends a request once. Returns nullopt if no answer arrives. The caller handles an error in the answer.
   std::optional<Packet> try_once(const Packet& request);
-  /// Repeats a request until an undamaged answer arrives. Throws PlateFailure if ten tries get no such answer,
-  /// or if the answer reports an error.
+  /// Sends a request up to ten times. Throws PlateFailure without an undamaged answer, or if the answer has an error.
   Packet transact(const Packet& request);
   std::int64_t read(Entry entry);
   void write(Entry entry, std::int64_t value) { transact(write_request(entry, value)); }
