@@ -54,8 +54,7 @@ class HandleTable {
   }
 
  private:
-  // Bits of a slot's state: `busy` while a call uses the object, `live` while the slot has an object; then the
-  // generation.
+  // Bits of a slot's state: `busy` during a call, `live` while the slot has an object; all higher bits: generation.
   static constexpr std::uint64_t busy = 1;
   static constexpr std::uint64_t live = 2;
   static constexpr int generation_shift = 2;

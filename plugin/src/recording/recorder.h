@@ -31,7 +31,7 @@ class Recorder {
   /// Adds a record, or counts it as lost if the ring is full. Real-time.
   void push(const Record& record) noexcept;
 
-  /// True in a forked child of the recording process: push() drops records, and only the destructor may be called.
+  /// True in a forked child: push() drops records, and of the other functions only the destructor may be called.
   bool belongs_to_parent_process() const { return forks_ != forks(); }
 
   /// Ends the recording as the destructor does, and returns the final state.
