@@ -1,6 +1,6 @@
 // Bundles the page into a folder that any static server can serve. HRT_PAGE_URL is the address of the page there, which ends in
 // a slash; the preview picture of links to the page needs it.
-//   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm FOLDER_OF_THE_PAGE
+//   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE FOLDER_OF_THE_PAGE
 import { createHash } from "node:crypto";
 import { appendFile, cp, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { basename, dirname, join, resolve } from "node:path";
@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { brotliCompressSync } from "node:zlib";
 import { build } from "esbuild";
 
-const [, , packageFolder, personModule, pageFolder] = process.argv;
+const [, , packageFolder, pageFolder] = process.argv;
 const here = dirname(fileURLToPath(import.meta.url)), modules = join(here, "node_modules"), hands = join(modules, "@webxr-input-profiles/assets");
 
 // From a server, the page loads page.js for the first picture, and further parts when they are needed. A file: address cannot
@@ -21,7 +21,7 @@ const shared = {
   target: "es2022",
   platform: "browser",
   legalComments: "none",  // they are in licences.txt
-  alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"), "person.wasm": resolve(personModule),
+  alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"),
            "marks.csv": join(here, "../plate/model/marks.csv"),
            "generic-hand": join(hands, "dist/profiles/generic-hand") },
   nodePaths: [modules],  // three.js, for the package
@@ -40,7 +40,7 @@ await cp(join(here, "reveal.gif"), join(pageFolder, "reveal.gif"));
 // The page's policy allows it by its hash.
 const page = Object.entries(outputs).find(([name]) => basename(name) === "page.js")[1];
 const parts = ["page.js", ...page.imports.filter(({ kind }) => kind === "import-statement").map(({ path }) => basename(path)),
-               "haptic_retargeting.wasm", "person.wasm"].map((name) => `"${name}"`);
+               "haptic_retargeting.wasm"].map((name) => `"${name}"`);
 const start = (await readFile(join(here, "src/start.js"), "utf8")).replace("/* parts */", parts.join(", "));
 const html = (await readFile(join(here, "src/index.html"), "utf8")).replace(' src="start.js">', `>${start}`)
   .replace("script-src 'self'", `script-src 'self' 'sha256-${createHash("sha256").update(start).digest("base64")}'`)

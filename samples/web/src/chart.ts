@@ -1,21 +1,20 @@
 // The strip chart of one reach: plate orientation; the finger's true and perceived direction; the controller's estimate of the
-// tactile weight with its 95 % interval. The cursor reads values, a drag zooms. It is part of "For researchers".
+// tactile weight with its 95 % interval. The cursor reads values, a drag zooms. A table has the same values, for visitors who do
+// not see the chart.
 import uPlot from "uplot";
-import { type Colours, readColours } from "./theme";
-import { type Trace, tracePeriod_ms } from "./trace";
+import type { Course } from "./geometry";
+import type { Step, Trace } from "./guided_reach";
+import { addRow, type Colours, element, readColours, sideways } from "./page";
 
-/** Values that are constant within a reach. */
-export interface ChartGoals {
-  readonly real_deg: number;
-  readonly virtual_deg: number;
-  /** True tactile weight of the person; NaN: not drawn. */
-  readonly weight: number;
-}
+const rowPeriod_ms = 200;
+
+/** Values that are constant within a reach: its targets, and the true tactile weight of the person; NaN: not drawn. */
+type Goals = Pick<Course, "real_deg" | "virtual_deg"> & { readonly weight: number };
 
 interface Line {
   readonly label: string;
   readonly colour: keyof Colours;
-  readonly value: (at: Trace[number], goals: ChartGoals) => number;
+  readonly value: (at: Step, goals: Goals) => number;
   readonly dash?: number[];
   readonly width?: number;
 }
@@ -65,6 +64,7 @@ export class Chart {
   #trace: Trace | null = null;
   #length = -1;
   #goals = "";
+  readonly #fold = element("trace-fold", HTMLDetailsElement);
 
   constructor(place: HTMLElement) {
     const axis = {
@@ -115,6 +115,7 @@ export class Chart {
     const fit = () => {
       for (const plot of this.#plots) plot.setSize({ width: place.clientWidth, height: plot.height });
     };
+    this.#fold.addEventListener("toggle", () => this.#list(this.#trace ?? []));
     new ResizeObserver(() => requestAnimationFrame(fit)).observe(place);
   }
 
@@ -123,13 +124,28 @@ export class Chart {
     for (const plot of this.#plots) plot.redraw(false);
   }
 
-  draw(trace: Trace, goals: ChartGoals): void {
-    const said = Object.values(goals).join();
+  draw(trace: Trace, { real_deg, virtual_deg }: Course, weight: number): void {
+    const goals = { real_deg, virtual_deg, weight },
+      said = Object.values(goals).join();
     if (trace === this.#trace && trace.length === this.#length && said === this.#goals) return;
     [this.#trace, this.#length, this.#goals] = [trace, trace.length, said];
-    const times = trace.map((_, i) => (i * tracePeriod_ms) / 1000),
+    const times = trace.map(({ time_ms }) => time_ms / 1000),
       drawn = (value: number) => (Number.isNaN(value) ? null : value);
     for (const [i, plot] of this.#plots.entries())
       plot.setData([times, ...strips[i]!.lines.map(({ value }) => trace.map((at) => drawn(value(at, goals))))]);
+    if (this.#fold.open) this.#list(trace);
+  }
+
+  #list(trace: Trace): void {
+    const body = element("trace-rows", HTMLTableSectionElement);
+    body.replaceChildren();
+    let next_ms = 0;
+    for (const { time_ms, plate_deg, finger_deg, felt_deg, weight, weight_sd } of trace) {
+      if (time_ms < next_ms) continue;
+      next_ms = time_ms + rowPeriod_ms;
+      const estimate = Number.isNaN(weight) ? "–" : `${weight.toFixed(2)} ± ${(1.96 * weight_sd).toFixed(2)}`,
+        angles = [sideways(plate_deg), sideways(finger_deg, 1), sideways(felt_deg, 1)];
+      addRow(body, [`${(time_ms / 1000).toFixed(1)} s`, ...angles, estimate]);
+    }
   }
 }

@@ -1,24 +1,22 @@
 // The picture of the desk with its labels: in three dimensions, or from above in a browser without WebGL.
 import type { VisitorScene } from "./files/scene";
-import { ahead, type Course, type Place, type SlideEnd, start } from "./geometry";
-import { element, say } from "./page";
+import { ahead, type Course, type Place, pageCourse, type SlideEnd, start } from "./geometry";
+import { type Colours, element, say } from "./page";
 import { dot, paths, plate, targets } from "./plan";
-import { type LabelName, Stage } from "./stage/stage";
-import type { Colours } from "./theme";
-import { maxTrace } from "./trace";
+import { type Shown, Stage } from "./stage/stage";
 
-const labelNames: readonly LabelName[] = ["finger", "felt", "real", "glass"];
 const maxLabels = 30; // more labels would overlap
+const headHeight_m = 0.034; // top of a target
 const margin_px = 4,
   minGap_px = 14;
 const turn_rad = 0.15;
 
 interface Label {
   readonly element: HTMLElement;
-  /** Writes the point on the canvas that the label names. */
-  readonly at: (stage: Stage, out: { x: number; y: number }) => void;
-  /** Side of the point on which the label is: right (1), left (-1) or above (0). */
+  /** Side of the named object on which the label is: right (1), left (-1) or above (0). */
   readonly side: number;
+  place: Readonly<Place>;
+  readonly height_m: number;
 }
 
 export class Desk {
@@ -29,25 +27,21 @@ export class Desk {
   /** Null if the browser has no WebGL: the picture from above is drawn instead. */
   readonly stage: Stage | null;
   readonly #flat = element("no-view", SVGSVGElement);
-  /** Path that the picture from above shows. */
-  #path: { finger: Place; felt: Place }[] = [];
   /** Called when the browser has restored WebGL and the picture must be drawn again. */
   onRestored: () => void = () => {};
-  readonly #named = Object.fromEntries(
-    labelNames.map((name) => [name, element(`label-${name}`, HTMLSpanElement)]),
-  ) as Record<LabelName, HTMLElement>;
-  readonly #own: readonly Label[] = labelNames.map((name) => ({
-    element: this.#named[name],
-    at: (stage, out) => stage.toCanvas(name, out),
-    side: name === "felt" || name === "glass" ? -1 : 1,
-  }));
+  readonly #named = {
+    finger: label("finger", 1, 0.006),
+    felt: label("felt", -1, 0.006),
+    real: label("real", 1),
+    glass: label("glass", -1),
+  };
+  readonly #own: readonly Label[] = Object.values(this.#named);
   #labels = [...this.#own];
   readonly #caption = element("caption", HTMLParagraphElement);
-  #glass: Place = { ...start };
-  #course: Course = { start, real_deg: 0, real_m: 0, virtual_deg: 0, virtual_m: 0 };
-  readonly #at = { x: 0, y: 0 };
+  #course: Course = pageCourse(0);
   /** State that was drawn last, so that an unchanged picture is not drawn again. Empty: the next draw() must draw. */
   #drawn = "";
+  #trace: unknown = null;
   #revealed = 1;
   #slowFrames = 0; // in a row
 
@@ -71,10 +65,11 @@ export class Desk {
   setColours(colours: Colours): void {
     this.#change((stage) => stage.setColours(colours));
   }
-  setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
-    this.#glass = ahead(start, virtual_deg, distance_m);
-    this.#course = { start, real_deg, real_m: distance_m, virtual_deg, virtual_m: distance_m };
-    this.#change((stage) => stage.setTargets(real_deg, virtual_deg, distance_m));
+  setTargets(course: Course): void {
+    this.#course = course;
+    this.#named.real.place = ahead(start, course.real_deg, course.real_m);
+    this.#named.glass.place = ahead(start, course.virtual_deg, course.virtual_m);
+    this.#change((stage) => stage.setTargets(course));
   }
   /** Shows the view from the visitor's seat; `turns`: a drag rotates it. */
   setView(turns: boolean): void {
@@ -103,10 +98,6 @@ export class Desk {
     this.#drawn = "";
     this.frame.dataset.hand = "yes";
   }
-  clearPaths(): void {
-    this.#path = [];
-    this.#change((stage) => stage.clearPaths());
-  }
   resize(): void {
     this.#change((stage) => stage.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio));
     this.#placeGrip();
@@ -123,29 +114,29 @@ export class Desk {
     if (fraction === this.#revealed) return;
     this.#revealed = fraction;
     this.#change((stage) => stage.reveal(fraction));
-    this.#named.finger.hidden = fraction === 0;
-    this.#named.real.hidden = fraction === 0 || this.#labels.length > this.#own.length;
+    this.#named.finger.element.hidden = fraction === 0;
+    this.#named.real.element.hidden = fraction === 0 || this.#labels.length > this.#own.length;
   }
 
   /** Names the hand in its label. `own`: the hand is the visitor's. */
   nameLabels(own: boolean): void {
-    say(this.#named.finger, own ? "your hand" : "hand");
+    say(this.#named.finger.element, own ? "your hand" : "hand");
     this.#drawn = "";
   }
 
   /** Shows plate and targets of a visitor's scene; null: the page's own. */
   setScene(scene: VisitorScene | null): void {
     this.#change((stage) => stage.setScene(scene));
-    for (const name of ["real", "glass"] as const) this.#named[name].hidden = scene !== null;
+    for (const name of ["real", "glass"] as const) this.#named[name].element.hidden = scene !== null;
     for (const { element: label } of this.#labels.slice(this.#own.length)) label.remove();
     this.#labels = [...this.#own];
     const fromLeft = [...(scene?.targets ?? [])].sort((a, b) => a.drawn.right_m - b.drawn.right_m);
     for (const target of fromLeft.slice(0, maxLabels)) {
-      const label = document.createElement("span");
-      label.className = `label ${target.real ? "real" : "felt"}`;
-      label.textContent = target.name;
-      element("labels", HTMLDivElement).append(label);
-      this.#labels.push({ element: label, at: (stage, out) => stage.targetToCanvas(target.drawn, out), side: 0 });
+      const span = document.createElement("span");
+      span.className = `label ${target.real ? "real" : "felt"}`;
+      span.textContent = target.name;
+      element("labels", HTMLDivElement).append(span);
+      this.#labels.push({ element: span, side: 0, place: target.drawn, height_m: headHeight_m });
     }
   }
 
@@ -155,29 +146,26 @@ export class Desk {
     say(this.#caption, words);
   }
 
-  /** Extends the drawn paths to a true and a perceived position of the hand. */
-  extendPaths(finger: Readonly<Place>, felt: Readonly<Place>): void {
-    if (!this.stage && this.#path.length < maxTrace) this.#path.push({ finger: { ...finger }, felt: { ...felt } });
-    this.stage?.truePath.extend(finger.right_m, finger.away_m);
-    this.stage?.feltPath.extend(felt.right_m, felt.away_m);
-  }
-
-  draw(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
+  draw(shown: Shown, scale = 1): void {
     const stage = this.stage,
-      state = [plate_deg, finger.right_m, finger.away_m, felt.right_m, felt.away_m].join();
-    if (state === this.#drawn) return;
-    this.#drawn = state;
+      { plate_deg, finger, felt, trace } = shown,
+      state = [plate_deg, finger.right_m, finger.away_m, felt.right_m, felt.away_m, trace.length].join();
+    if (state === this.#drawn && trace === this.#trace) return;
+    [this.#drawn, this.#trace] = [state, trace];
     this.frame.dataset.plateDeg = plate_deg.toFixed(1);
-    if (!stage) return this.#drawFlat(plate_deg, finger, felt);
-    stage.place(plate_deg, finger, felt);
+    if (!stage) return this.#drawFlat(shown);
+    stage.place(shown, scale);
     stage.draw();
+    const scaled = ({ right_m, away_m }: Place) => ({ right_m: scale * right_m, away_m: scale * away_m });
+    this.#named.finger.place = scaled(finger);
+    this.#named.felt.place = scaled(felt);
     this.#drawLabels(stage);
   }
 
-  #drawFlat(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
+  #drawFlat({ plate_deg, finger, felt, trace }: Shown): void {
     const all = this.#revealed > 0,
-      shown = paths(this.#path, all) + dot("felt", felt) + (all ? dot("real", finger) : "");
-    this.#flat.innerHTML = plate(plate_deg) + targets(this.#course, true, all) + shown;
+      hand = paths(trace, all) + dot("felt", felt) + (all ? dot("real", finger) : "");
+    this.#flat.innerHTML = plate(plate_deg) + targets(this.#course, true, all) + hand;
   }
 
   /** Places each label beside or above the object that it names, within the picture. Labels above objects form a row. */
@@ -186,14 +174,14 @@ export class Desk {
       gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth),
       away = this.#course.virtual_deg < this.#course.real_deg ? -1 : 1; // the labels of a mirrored course are mirrored
     let free_px = 0; // right end of the last label in the row
-    for (const { element: label, at, side } of this.#labels) {
+    for (const { element: label, place, height_m, side } of this.#labels) {
       if (label.hidden) continue;
-      at(stage, this.#at);
-      const { offsetWidth: width, offsetHeight: height } = label;
-      let x = this.#at.x - width / 2 + away * side * (width / 2 + gap_px);
+      const at = stage.toCanvas(place, height_m),
+        { offsetWidth: width, offsetHeight: height } = label;
+      let x = at.x - width / 2 + away * side * (width / 2 + gap_px);
       if (side === 0) x = Math.max(x, free_px);
       if (side === 0) free_px = x + width + margin_px;
-      const y = this.#at.y - height / 2 - (side === 0 ? height : 0);
+      const y = at.y - height / 2 - (side === 0 ? height : 0);
       const within = (value: number, most: number) => Math.min(Math.max(value, margin_px), most - margin_px).toFixed(1);
       label.style.transform = `translate(${within(x, clientWidth - width)}px, ${within(y, clientHeight - height)}px)`;
     }
@@ -202,15 +190,12 @@ export class Desk {
   /** Writes the distances at the end of a slide, and the positions of ring, glass and dot in the picture, for tests. */
   write(result: SlideEnd | null, dot: Readonly<Place>): void {
     const { dataset } = this.frame;
-    for (const [name, place] of Object.entries({ start, glass: this.#glass, dot })) {
-      this.stage?.targetToCanvas(place, this.#at, 0);
-      const text = `${this.#at.x.toFixed(1)} ${this.#at.y.toFixed(1)}`;
-      if (dataset[name] !== text) dataset[name] = text;
+    for (const [name, place] of Object.entries({ start, glass: this.#named.glass.place, dot })) {
+      const at = this.stage?.toCanvas(place, 0);
+      if (at) dataset[name] = `${at.x.toFixed(1)} ${at.y.toFixed(1)}`;
     }
-    for (const name of ["toCylinder_mm", "toGlass_mm", "feltToGlass_mm"] as const) {
-      if (result) dataset[name.replace("_mm", "Mm")] = String(result[name]);
-      else delete dataset[name.replace("_mm", "Mm")];
-    }
+    if (result) dataset.result = JSON.stringify(result);
+    else delete dataset.result;
   }
 
   /** Applies a change that is not an argument of draw(), and requests a redraw. */
@@ -219,13 +204,15 @@ export class Desk {
     this.#drawn = "";
   }
 
-  /** Writes the position on the plate under a pointer. Returns false if the pointer is above the horizon. */
-  placeOf(event: PointerEvent, out: Place): boolean {
-    const box = (this.stage ? this.canvas : this.#flat).getBoundingClientRect();
-    if (this.stage) return this.stage.toPlate(event.clientX - box.left, event.clientY - box.top, out);
-    const scale = 0.16 / Math.min(box.width, box.height); // size of the viewBox, in metres
-    out.right_m = (event.clientX - box.left - box.width / 2) * scale;
-    out.away_m = (box.top + box.height / 2 - event.clientY) * scale;
-    return true;
+  /** Returns the position on the plate under a pointer; null if the pointer is above the horizon. */
+  placeOf({ clientX, clientY }: PointerEvent): Place | null {
+    const { left, top, width, height } = (this.stage ? this.canvas : this.#flat).getBoundingClientRect();
+    if (this.stage) return this.stage.toPlate(clientX - left, clientY - top);
+    const scale = 0.16 / Math.min(width, height); // size of the viewBox, in metres
+    return { right_m: (clientX - left - width / 2) * scale, away_m: (top + height / 2 - clientY) * scale };
   }
+}
+
+function label(name: string, side: number, height_m = headHeight_m): Label {
+  return { element: element(`label-${name}`, HTMLSpanElement), side, place: start, height_m };
 }

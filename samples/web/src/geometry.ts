@@ -24,6 +24,11 @@ export interface Course {
   readonly virtual_m: number;
 }
 
+/** Returns the page's targets: the cylinder half of the gap to the right of the mid-line, the glass half of it to the left. */
+export function pageCourse(gap_deg: number): Course {
+  return { start, real_deg: -gap_deg / 2, real_m: distance_m, virtual_deg: gap_deg / 2, virtual_m: distance_m };
+}
+
 export const degree = Math.PI / 180;
 
 /** Returns the position at this distance and direction from `from`. */
@@ -47,11 +52,6 @@ export function length_m(from: Readonly<Place>, to: Readonly<Place>): number {
   return Math.hypot(to.right_m - from.right_m, to.away_m - from.away_m);
 }
 
-/** Returns the direction of `place` minus the direction of the real target, both seen from the start. */
-export function bearingError_deg(place: Readonly<Place>, course: Course): number {
-  return bearing_deg(course.start, place) - course.real_deg;
-}
-
 function realPlace(course: Course): Place {
   return ahead(course.start, course.real_deg, course.real_m);
 }
@@ -73,4 +73,14 @@ export function slideEnd(finger: Readonly<Place>, felt: Readonly<Place>, course:
     toGlass_mm: 1000 * length_m(finger, glass),
     feltToGlass_mm: 1000 * length_m(felt, glass),
   };
+}
+
+/** Direction that touch alone would report: the ridges' normal on the side to which the fingertip moves. */
+export function normal_deg(plate_deg: number, finger_deg: number): number {
+  return plate_deg - 180 * Math.round((plate_deg - finger_deg) / 180);
+}
+
+/** Perceived direction of a motion: the mean of true direction and direction by touch alone, weighted by the tactile weight. */
+export function feltDirection_deg(tactile_weight: number, plate_deg: number, finger_deg: number): number {
+  return finger_deg + tactile_weight * (normal_deg(plate_deg, finger_deg) - finger_deg);
 }

@@ -1,30 +1,24 @@
-// Loads plugin and simulation, connects settings, modes, picture and chart, and draws frames while something moves.
+// Loads the plugin, connects settings, modes, picture and chart, and draws frames while something moves.
 import { load } from "haptic-retargeting";
 import pluginModule from "haptic-retargeting/haptic_retargeting.wasm";
 import { HapticPlate } from "haptic-retargeting/three";
 import type { Chart } from "./chart";
-import { motionBound_deg, pageCourse } from "./controller";
 import { Desk } from "./desk";
 import { showFigures } from "./figures";
+import { FilePanel } from "./files/file_panel";
 import type { RecordedReach } from "./files/recording";
-import { TakeAway } from "./files/takeaway";
-import { distance_m, start } from "./geometry";
+import { pageCourse, start } from "./geometry";
+import { motionBound_deg } from "./guided_reach";
 import { Compare } from "./modes/compare";
 import { SceneMode } from "./modes/scene_mode";
 import { SlideMode } from "./modes/slide_mode";
 import { WatchMode } from "./modes/watch_mode";
-import { check, chosen, element, messageOf, part, radios, report, say } from "./page";
-import { Panel } from "./panel";
-import { createWorld } from "./person";
+import { check, chosen, element, messageOf, part, radios, readColours, report, say } from "./page";
 import { PlatePanel } from "./plate/plate_panel";
-import { Results } from "./results";
-import { defaultSettings, fromLink, type Mode, modes, onSlider, toLink } from "./settings";
+import { type Mode, modes, SettingsForm } from "./settings";
 import { SimulatedReach } from "./simulated_reach";
 import { Sounds } from "./sounds";
-import { readColours } from "./theme";
-import { TraceTable } from "./trace";
 import { VisitorReach } from "./visitor_reach";
-import { Voice } from "./voice";
 import type { HeadsetMode } from "./wear/headset_mode";
 import type { HeadsetReach } from "./wear/headset_reach";
 
@@ -32,40 +26,46 @@ import type { HeadsetReach } from "./wear/headset_reach";
 const maxFrame_ms = 1000;
 
 async function main(): Promise<void> {
-  // The modules are compiled while they are downloaded. The first picture does not need them.
-  const loading = Promise.all([load(pluginModule), createWorld(), createWorld(), createWorld(), createWorld()]);
+  // The module is compiled while it is downloaded. The first picture does not need it.
+  const loading = load(pluginModule);
   const desk = new Desk(),
     still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const form = new SettingsForm(() => {
+    const { settings } = form;
+    recorded = null;
+    watching.apply(settings);
+    sliding.apply(settings);
+    wearing?.apply(settings);
+    showSettings();
+    address();
+  });
   desk.nameLabels(true);
   desk.reveal(0);
   desk.setColours(readColours());
-  desk.setTargets(0, pageCourse(defaultSettings()).virtual_deg, distance_m);
+  desk.setTargets({ ...pageCourse(form.settings.gap_deg), real_deg: 0 });
   desk.resize();
   desk.setView(false);
-  desk.draw(0, start, start);
-  const [library, watchWorld, handWorld, sceneWorld, figureWorld] = await loading;
-  const linked = fromLink(location.hash.slice(1));
+  desk.draw({ plate_deg: 0, finger: start, felt: start, trace: [] });
+  const library = await loading;
+  const linked = form.fromLink(location.hash.slice(1)),
+    { settings } = form;
   showProblems(linked.problems);
-  const watch = new SimulatedReach(library, watchWorld, linked.settings);
-  const hand = new VisitorReach(library, handWorld, linked.settings),
-    unguided = new VisitorReach(library, handWorld, { ...linked.settings, controller: "off" });
+  const watch = new SimulatedReach(library, settings);
+  const hand = new VisitorReach(library, settings),
+    unguided = new VisitorReach(library, { ...settings, controller: "off" });
   const compare = new Compare(),
-    voice = new Voice(),
     sounds = new Sounds(still),
-    plate = new PlatePanel(),
-    results = new Results();
-  const table = new TraceTable();
-  const watching = new WatchMode(watch, watchWorld, desk, results, linked.settings, voice, still);
-  const sliding = new SlideMode(hand, unguided, handWorld, desk, compare, voice, sounds, linked.settings, still);
-  const viewing = new SceneMode(library, sceneWorld, linked.settings, showMode);
+    plate = new PlatePanel();
+  const watching = new WatchMode(watch, desk, still);
+  const sliding = new SlideMode(hand, unguided, desk, compare, sounds, settings, still);
+  const viewing = new SceneMode(library, settings, showMode);
   let mode: Mode = "hand",
     recorded: RecordedReach | null = null;
   // Parts that are loaded when they are needed.
   let chart: Chart | null = null,
     wearing: HeadsetMode | null = null;
 
-  const goals = { real_deg: 0, virtual_deg: 0, weight: NaN };
-  const takeAway = new TakeAway(
+  const files = new FilePanel(
     library,
     () => reaches().recording,
     () => (mode === "scene" ? viewing.watch : watch).profile,
@@ -83,27 +83,17 @@ async function main(): Promise<void> {
     },
   );
 
-  const panel = new Panel(linked.settings, () => {
-    const { settings } = panel;
-    recorded = null;
-    watching.apply(settings);
-    sliding.apply(settings);
-    wearing?.apply(settings);
-    showSettings();
-    address();
-  });
-
   function address(): void {
-    history.replaceState(null, "", `#${toLink(panel.settings, mode)}`);
+    history.replaceState(null, "", `#${form.toLink(mode)}`);
+  }
+
+  function shownCourse() {
+    return (mode === "scene" && viewing.course) || pageCourse(form.settings.gap_deg);
   }
 
   function showSettings(): void {
-    const { settings } = panel,
-      course = (mode === "scene" && viewing.course) || pageCourse(settings);
-    const { real_deg, virtual_deg } = recorded?.course ?? course;
-    Object.assign(goals, { real_deg, virtual_deg, weight: recorded ? NaN : settings.tactile_weight });
-    desk.setTargets(course.real_deg, course.virtual_deg, course.real_m);
-    panel.showMaxGap(watchWorld.max_gap_deg(motionBound_deg));
+    desk.setTargets(shownCourse());
+    form.showMaxGap(motionBound_deg * form.settings.tactile_weight);
   }
 
   function showMode(): void {
@@ -126,24 +116,23 @@ async function main(): Promise<void> {
     desk.setScene(mode === "scene" ? viewing.scene : null);
     desk.nameLabels(sliding.active);
     desk.reveal(1);
-    if (mode === "scene") watching.play(viewing.watch, sceneWorld, viewing.scene?.scale ?? 1);
-    else watching.play(watch, watchWorld, 1);
+    if (mode === "scene") watching.play(viewing.watch, viewing.scene?.scale ?? 1);
+    else watching.play(watch, 1);
     desk.resize();
     showSettings();
     if (mode === "wear" && !wearing) void bringHeadset();
     if (mode === "hand") sliding.restart();
     else if (mode === "watch") watching.resume();
-    else if (mode === "scene") watching.apply(panel.settings);
+    else if (mode === "scene") watching.apply(form.settings);
   }
 
   async function bringHeadset(): Promise<void> {
-    const loading = Promise.all([createWorld(), import("./wear/headset_reach"), import("./wear/headset_mode")]),
+    const loading = Promise.all([import("./wear/headset_reach"), import("./wear/headset_mode")]),
       parts = await part("The part for headsets", loading);
     if (wearing || !parts) return;
-    const [world, { HeadsetReach }, { HeadsetMode }] = parts,
-      { settings } = panel,
-      wear = new HeadsetReach(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
-    wearing = new HeadsetMode(wear, world, desk, voice);
+    const [{ HeadsetReach }, { HeadsetMode }] = parts,
+      wear = new HeadsetReach(library, desk.stage?.plate ?? new HapticPlate(), form.settings);
+    wearing = new HeadsetMode(wear, desk);
     wearing.onFrame = follow;
     wearing.onLeft = () => {
       desk.setView(mode !== "hand");
@@ -179,7 +168,7 @@ async function main(): Promise<void> {
       each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
   }
 
-  plate.onReady = ({ speed_deg_s }) => panel.change({ plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
+  plate.onReady = (speed_deg_s) => form.setPlateSpeed(speed_deg_s);
 
   /** Requests frames for a short time after input or the loading of a part, and as long as something moves. */
   let before_ms = NaN,
@@ -202,10 +191,9 @@ async function main(): Promise<void> {
       const shown = { watch: watching, hand: sliding, wear: wearing, scene: watching }[mode];
       shown?.frame(Math.min(elapsed_ms, maxFrame_ms));
     }
-    const trace = recorded?.samples ?? reaches().trace;
-    chart?.draw(trace, goals);
-    table.show(trace);
-    takeAway.allow(reaches().recording !== "");
+    const weight = recorded ? NaN : form.settings.tactile_weight;
+    chart?.draw(recorded?.samples ?? reaches().trace, recorded?.course ?? shownCourse(), weight);
+    files.allow(reaches().recording !== "");
     const moving = mode === "hand" ? sliding.busy : mode !== "wear" && watching.playing;
     if (moving || awake_ms > 0 || plate.connected) requestAnimationFrame(frame);
     else before_ms = NaN;
@@ -236,19 +224,13 @@ async function main(): Promise<void> {
     if (!sliding.active && desk.turn(event.key)) event.preventDefault();
   });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", colour);
-  window.addEventListener("hashchange", () => {
-    const { settings, mode: wanted, problems } = fromLink(location.hash.slice(1));
-    showProblems(problems);
-    choose(wanted);
-    panel.change(settings);
-    wake();
-  });
+  window.addEventListener("hashchange", () => location.reload());
   colour();
   choose(linked.mode);
   element("main", HTMLElement).inert = false;
   document.documentElement.dataset.ready = "yes";
   desk.onRestored = wake;
-  if (!document.body.classList.contains("researchers")) showFigures(library, figureWorld);
+  if (!document.body.classList.contains("researchers")) showFigures(library);
   else void bringChart();
   wake();
   await part("The hand", desk.bringHand());

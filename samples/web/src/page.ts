@@ -57,3 +57,15 @@ export async function part<Type>(name: string, loading: Promise<Type>): Promise<
     return null;
   }
 }
+
+const surfaces = ["panel", "line", "stage", "desk", "plate", "ridges", "hand"] as const,
+  inks = ["text", "muted", "real", "felt", "chart", "weight"] as const,
+  names = [...surfaces, ...inks];
+
+/** Colours of the style sheet, which defines them for light and dark pages. */
+export type Colours = Readonly<Record<(typeof names)[number], string>>;
+
+export function readColours(): Colours {
+  const style = getComputedStyle(document.documentElement);
+  return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()])) as Colours;
+}

@@ -1,6 +1,15 @@
 // Draws the plate from above, as the content of an SVG picture in millimetres: for replayed slides, for the figures, and for the
 // desk in a browser without WebGL.
-import { ahead, type Course, cylinderRadius_m, type Place, radius_m, ridgeSpacing_m, start } from "./geometry";
+import {
+  ahead,
+  type Course,
+  cylinderRadius_m,
+  normal_deg,
+  type Place,
+  radius_m,
+  ridgeSpacing_m,
+  start,
+} from "./geometry";
 
 export type Kind = "real" | "felt" | "touch";
 
@@ -58,11 +67,6 @@ export function targets({ real_deg, real_m, virtual_deg, virtual_m }: Course, na
     dot("felt", glass, 6) +
     (named ? word("felt", beside(glass, -side), "glass", anchor(-side)) : "")
   );
-}
-
-/** Direction that touch alone would report: the ridges' normal on the side to which the fingertip moves. */
-export function normal_deg(plate_deg: number, finger_deg: number): number {
-  return plate_deg - 180 * Math.round((plate_deg - finger_deg) / 180);
 }
 
 /** Draws three arrows from one point: true direction, direction by touch alone, and perceived direction between them. */

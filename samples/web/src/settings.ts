@@ -1,90 +1,120 @@
-// Settings of the page: ranges, defaults, and the link that contains them.
+// Settings of the page: a form, whose elements in index.html define ranges and defaults, and the link that contains them.
+import { element, say } from "./page";
 
-export const controllerNames = ["off", "paper", "ours"] as const;
-export type ControllerName = (typeof controllerNames)[number];
+export type ControllerName = "off" | "paper" | "ours";
 
 /** Modes of the page: "Try it", "Watch", "Wear it" and "Your scene". The last one needs a file, so a link cannot choose it. */
 export const modes = ["hand", "watch", "wear", "scene"] as const;
 export type Mode = (typeof modes)[number];
 const linkedModes = modes.slice(0, 3);
 
-export const sliders = {
-  /** Tactile weight: the fraction of touch in the perceived direction. The controller does not know it. */
-  tactile_weight: { min: 0.05, max: 0.4, step: 0.01, start: 0.17 },
-  /** Angle between the real and the virtual target, seen from the start. */
-  gap_deg: { min: 0, max: 20, step: 0.5, start: 10 },
-  /** White noise of the tracker, as the SD of each coordinate. */
-  noise_mm: { min: 0, max: 3, step: 0.1, start: 1.2 },
-  /** Duration of a reach; the controller does not know it. */
-  pace_s: { min: 0.6, max: 4, step: 0.1, start: 1.5 },
-  /** Maximum speed of the plate's servo. */
-  plate_deg_s: { min: 50, max: 800, step: 10, start: 400 },
-};
-export type SliderName = keyof typeof sliders;
-export const sliderNames = Object.keys(sliders) as SliderName[];
-const maxPerson = 9999;
-
-export interface Settings extends Record<SliderName, number> {
+export interface Settings {
   controller: ControllerName;
+  /** Angle between the real and the virtual target, seen from the start. */
+  gap_deg: number;
+  /** Tactile weight: the fraction of touch in the perceived direction. The controller does not know it. */
+  tactile_weight: number;
+  /** Duration of a reach; the controller does not know it. */
+  pace_s: number;
+  /** White noise of the tracker, as the SD of each coordinate. */
+  noise_mm: number;
+  /** Maximum speed of the plate's servo. */
+  plate_deg_s: number;
   /** Seed of the person: correction gain, delay of touch and start direction. */
   person: number;
 }
 
-export function defaultSettings(): Settings {
-  const starts = Object.fromEntries(sliderNames.map((name) => [name, sliders[name].start]));
-  return { ...starts, controller: "ours", person: 1 } as Settings;
-}
+export class SettingsForm {
+  readonly #form = element("settings", HTMLFormElement);
+  readonly #defaults: FormData;
 
-/** Rounds to the nearest value of the slider. */
-export function onSlider(name: SliderName, value: number): number {
-  const { min, max, step } = sliders[name];
-  const steps = Math.round((Math.min(max, Math.max(min, value)) - min) / step);
-  return Number((min + steps * step).toFixed(3));
-}
-
-/** Returns the part of a link after #: the mode, and the settings that differ from their defaults. */
-export function toLink(settings: Readonly<Settings>, mode: Mode): string {
-  const defaults = defaultSettings(),
-    parts = new URLSearchParams();
-  if (mode !== "hand" && linkedModes.includes(mode)) parts.set("mode", mode);
-  for (const name of [...sliderNames, "controller", "person"] as const) {
-    if (settings[name] !== defaults[name]) parts.set(name, String(settings[name]));
+  /** `changed` is called after each change by the visitor. */
+  constructor(private readonly changed: () => void) {
+    this.#form.reset(); // browsers restore values when a page is reloaded
+    this.#defaults = new FormData(this.#form);
+    this.#form.addEventListener("submit", (event) => event.preventDefault());
+    this.#form.addEventListener("input", ({ target }) => {
+      if (!(target instanceof HTMLInputElement) || !target.validity.valid) return;
+      this.#show();
+      changed();
+    });
+    element("defaults", HTMLButtonElement).addEventListener("click", () => {
+      this.#form.reset();
+      this.#show();
+      changed();
+    });
+    this.#show();
   }
-  return parts.toString();
-}
 
-/** Reads settings and mode from the part of a link after #. `problems` describes the parts that were ignored. */
-export function fromLink(link: string): { settings: Settings; mode: Mode; problems: string[] } {
-  const settings = defaultSettings(),
-    problems: string[] = [];
-  let mode: Mode = "hand";
-  for (const [name, text] of new URLSearchParams(link.slice(0, 500))) {
-    const value = /^\d{1,6}(\.\d{1,6})?$/.test(text) ? Number(text) : NaN;
-    const refuse = (allowed: string) => problems.push(`${name} is "${text.slice(0, 20)}"; allowed: ${allowed}`);
-    if (isSlider(name)) {
-      const { min, max } = sliders[name];
-      if (value >= min && value <= max) settings[name] = onSlider(name, value);
-      else refuse(`${min} to ${max}`);
-    } else if (name === "mode") {
-      mode = linkedModes.find((each) => each === text) ?? mode;
-      if (mode !== text) refuse(linkedModes.join(", "));
-    } else if (name === "controller") {
-      settings.controller = controllerNames.find((each) => each === text) ?? settings.controller;
-      if (settings.controller !== text) refuse(controllerNames.join(", "));
-    } else if (name === "person") {
-      if (Number.isInteger(value) && value >= 1 && value <= maxPerson) settings.person = value;
-      else refuse(`1 to ${maxPerson}`);
-    } else {
-      problems.push(`"${name.slice(0, 20)}" is not a setting`);
+  get settings(): Settings {
+    const entries = [...new FormData(this.#form)].map(([name, text]) => [name, Number(text)]);
+    return { ...Object.fromEntries(entries), controller: new FormData(this.#form).get("controller") };
+  }
+
+  /** Sets the plate's speed to the value of its slider that is nearest. */
+  setPlateSpeed(speed_deg_s: number): void {
+    element("plate_deg_s", HTMLInputElement).value = String(speed_deg_s);
+    this.#show();
+    this.changed();
+  }
+
+  /** Shows the largest feasible gap for this person. */
+  showMaxGap(max_deg: number): void {
+    const far = this.settings.gap_deg >= max_deg,
+      holds = element("holds", HTMLParagraphElement),
+      text = `the hand of this person over gaps of up to ${max_deg.toFixed(1)}°`;
+    say(holds, far ? `Too far: a plate can lead ${text}, with any controller.` : `A plate can lead ${text}.`);
+    holds.classList.toggle("problem", far);
+  }
+
+  /** Returns the part of a link after #: the mode, and the settings that differ from their defaults. */
+  toLink(mode: Mode): string {
+    const link = new URLSearchParams(mode !== "hand" && linkedModes.includes(mode) ? { mode } : {});
+    for (const [name, value] of new FormData(this.#form))
+      if (value !== this.#defaults.get(name)) link.set(name, String(value));
+    return link.toString();
+  }
+
+  /** Reads settings and mode from the part of a link after #. `problems` describes the parts that were ignored. */
+  fromLink(link: string): { mode: Mode; problems: string[] } {
+    const problems: string[] = [];
+    let mode: Mode = "hand";
+    this.#form.reset();
+    for (const [name, text] of new URLSearchParams(link.slice(0, 500))) {
+      const chosen = linkedModes.find((each) => each === text),
+        allowed = name === "mode" ? (chosen ? "" : linkedModes.join(", ")) : this.#set(name, text);
+      if (name === "mode") mode = chosen ?? mode;
+      if (allowed === null) problems.push(`"${name.slice(0, 20)}" is not a setting`);
+      else if (allowed) problems.push(`${name} is "${text.slice(0, 20)}"; allowed: ${allowed}`);
+    }
+    this.#show();
+    return { mode, problems };
+  }
+
+  /** Sets a value and returns "". If the value is not allowed, sets the default and returns the allowed values; null: no such
+   *  setting exists. */
+  #set(name: string, text: string): string | null {
+    const control = this.#form.elements.namedItem(name);
+    if (control instanceof RadioNodeList) {
+      control.value = text;
+      return control.value === text ? "" : [...control].map((each) => (each as HTMLInputElement).value).join(", ");
+    }
+    if (!(control instanceof HTMLInputElement)) return null;
+    control.value = text; // a slider moves to its nearest value
+    const { min, max } = control,
+      number = /^\d{1,6}(\.\d{1,6})?$/.test(text) ? Number(text) : NaN;
+    if (number >= Number(min) && number <= Number(max) && control.validity.valid) return "";
+    control.value = control.defaultValue;
+    return `${min} to ${max}`;
+  }
+
+  #show(): void {
+    for (const output of this.#form.querySelectorAll("output")) {
+      const input = element(output.htmlFor.value, HTMLInputElement),
+        digits = input.step.split(".")[1]?.length ?? 0,
+        text = Number(input.value).toFixed(digits) + (output.dataset.unit ?? "");
+      say(output, text);
+      input.setAttribute("aria-valuetext", text);
     }
   }
-  return { settings, mode, problems };
-}
-
-export function nextPerson(person: number): number {
-  return (person % maxPerson) + 1;
-}
-
-function isSlider(name: string): name is SliderName {
-  return Object.hasOwn(sliders, name);
 }

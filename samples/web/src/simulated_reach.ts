@@ -1,20 +1,22 @@
-// Reaches of the simulated person, controlled by the real plugin: the plugin receives the tracked fingertip, the simulated plate
-// follows its commands, and the person feels the plate.
-import type { Library } from "haptic-retargeting";
-import { pageCourse } from "./controller";
-import { bearingError_deg, type Course, type SlideEnd, slideEnd } from "./geometry";
-import { GuidedReach } from "./guided_reach";
-import { places, type World } from "./person";
+// Reaches of the plugin's simulated person, controlled by the plugin: the person returns the tracked fingertip, and receives the
+// commands to the plate, whose servo is a part of the simulation.
+import type { Library, Person } from "haptic-retargeting";
+import { bearing_deg, type Course, length_m, type Place, pageCourse, type SlideEnd, slideEnd } from "./geometry";
+import { GuidedReach, plateLatency_ms, type Step, type Trace } from "./guided_reach";
 import type { ControllerName, Settings } from "./settings";
 
-const trackerRate_hz = 90;
+/** Period of the tracker. */
+const period_ms = 1000 / 90;
+/** Tracked rest after the motion. */
+const tail_ms = 300;
+/** The perceived-direction error is measured above this speed. */
+const minSpeed_m_s = 0.01;
 
 /** Result of a reach: the ground truth of the simulation and the controller's estimates. */
 export interface ReachResult extends SlideEnd {
   /** Number of the reach by this person with this controller, from 1. */
   readonly number: number;
   readonly controller: ControllerName;
-  readonly tactileWeight: number;
   readonly gap_deg: number;
   /** Direction of the end of the reach minus that of the cylinder, both seen from the start. */
   readonly bearingError_deg: number;
@@ -23,37 +25,37 @@ export interface ReachResult extends SlideEnd {
   readonly weight: number;
   readonly weightSd: number;
   readonly flags: number;
-  readonly motion_s: number;
-  readonly plateFastest_deg_s: number;
-  /** Largest distance of a tracked position from the true one. */
-  readonly trackerWorst_mm: number;
 }
 
 export class SimulatedReach extends GuidedReach {
   phase: "waiting" | "sliding" | "arrived" = "waiting";
   result: ReachResult | null = null;
-
   course: Course;
   number = 1;
+  #person: Person | null = null;
+  #personConfig = "";
+  /** Number of samples of the tracker, and time until which the reach is shown, which is not later than the last sample. */
   #samples = 0;
-  #startedAt_ms = -1;
-  #stoppedAt_ms = -1;
-  #lastPlate_deg = 0;
-  #plateFastest_deg_s = 0;
-  #trackerWorst_m = 0;
+  #shown_ms = 0;
+  #stoppedAt_ms = NaN;
+  #peakFeltError_deg = 0;
+  /** Orientation of the plate at the beginning, which the controller "off" keeps. */
+  #still_deg = 0;
 
   /** `courseOf` returns the targets for given settings. */
   constructor(
     library: Library,
-    world: World,
     settings: Readonly<Settings>,
-    private readonly courseOf: (settings: Readonly<Settings>) => Course = pageCourse,
+    private readonly courseOf: (settings: Readonly<Settings>) => Course = ({ gap_deg }) => pageCourse(gap_deg),
   ) {
-    super(library, world, settings, courseOf(settings));
+    super(library, settings, courseOf(settings));
     this.course = courseOf(settings);
     this.begin();
   }
 
+  get controller(): ControllerName {
+    return this.settings.controller;
+  }
   /** Profile of the person as JSON. */
   get profile(): string {
     return this.session.profile;
@@ -62,17 +64,16 @@ export class SimulatedReach extends GuidedReach {
   /** Begins a reach under these settings. Returns true if the person or the controller has changed, in which case the
    *  estimates of the person are discarded. */
   apply(settings: Readonly<Settings>): boolean {
-    const before = this.settings;
+    const before = this.settings,
+      unknown = (["person", "tactile_weight", "pace_s", "controller"] as const).some(
+        (name) => before[name] !== settings[name],
+      );
     this.settings = { ...settings };
     this.course = this.courseOf(settings);
     this.cancel();
-    const unknown =
-      before.person !== settings.person ||
-      before.tactile_weight !== settings.tactile_weight ||
-      before.pace_s !== settings.pace_s ||
-      before.controller !== settings.controller;
     if (unknown) {
       this.restartSession(this.course);
+      this.#personConfig = ""; // another person, or the same one from the first reach on
       this.number = 1;
       this.phase = "waiting";
     } else {
@@ -82,88 +83,116 @@ export class SimulatedReach extends GuidedReach {
     return unknown;
   }
 
-  /** Begins the next reach, and cancels a running one. If the hand has not moved in the latter, both have the same number. */
-  begin(): void {
-    const world = this.world;
+  /** Begins the next reach over a plate at `plate_deg`, and cancels a running one. If the hand has not moved in the latter, both
+   *  have the same number. */
+  begin(plate_deg = 0): void {
     if (this.phase !== "waiting") ++this.number;
-    this.prepare();
-    const { start, virtual_deg, virtual_m } = this.course;
-    world.begin_reach(this.number, start.right_m, start.away_m, virtual_deg, virtual_m, 0);
-    this.beginReach(0);
+    this.beginReach(plate_deg);
+    this.#choosePerson().begin(this.session, this.virtual);
     this.phase = "waiting";
     this.result = null;
-    this.#samples = 0;
-    this.#startedAt_ms = this.#stoppedAt_ms = -1;
-    this.#lastPlate_deg = world.plate_deg();
-    this.#plateFastest_deg_s = this.#trackerWorst_m = 0;
+    this.#samples = this.#shown_ms = this.#peakFeltError_deg = 0;
+    this.#stoppedAt_ms = NaN;
+    this.#still_deg = plate_deg;
+    this.#sample();
   }
 
-  /** Advances the reach by one millisecond, until it has ended. */
-  advance(): void {
-    if (this.phase === "arrived") return;
-    const world = this.world;
-    this.advanceWorld();
-    const now_ms = world.time_ms();
-    if (now_ms >= (this.#samples * 1000) / trackerRate_hz) this.#sample(now_ms);
-    this.#measure(now_ms);
-    const { finger, felt } = places(world);
-    this.record(this.directions(), finger, felt);
-    if (world.over()) this.#end();
+  /** Returns the person of the settings. The servo of a connected plate is not simulated. */
+  #choosePerson(): Person {
+    const { person: seed, tactile_weight, pace_s, noise_mm, plate_deg_s } = this.settings,
+      connected = !Number.isNaN(this.plateConnected_deg);
+    const config = {
+      tactile_weight,
+      duration_s: pace_s,
+      tracker_noise_m: Math.max(1e-9, noise_mm / 1000), // 0 would be the default
+      plate_max_speed_deg_s: connected ? 1e6 : plate_deg_s,
+      plate_latency_ns: connected ? 1 : 1e6 * plateLatency_ms,
+    };
+    const text = JSON.stringify([seed, config]);
+    if (this.#person && text === this.#personConfig) return this.#person;
+    this.#person?.destroy();
+    this.#personConfig = text;
+    this.#person = this.library.createPerson(seed, config);
+    return this.#person;
   }
 
-  /** True and perceived direction of the motion; NaN at rest. */
-  directions(): { finger_deg: number; felt_deg: number } {
-    const world = this.world;
-    if (world.moving() === 0) return { finger_deg: NaN, felt_deg: NaN };
-    return { finger_deg: world.finger_deg(), felt_deg: this.course.virtual_deg + world.felt_error_deg() };
+  /** Advances the reach, until it has ended. */
+  advance(milliseconds: number): void {
+    this.#shown_ms += milliseconds;
+    while (this.phase !== "arrived" && this.#time_ms < this.#shown_ms) this.#sample();
   }
 
-  #sample(now_ms: number): void {
-    const world = this.world;
+  finish(): void {
+    while (this.phase !== "arrived") this.advance(period_ms);
+  }
+
+  /** State at the time until which the reach is shown: interpolated between the last two samples of the tracker. */
+  get shown(): Step & { readonly trace: Trace } {
+    const { trace } = this,
+      after = trace.at(-1)!,
+      before = trace.at(-2) ?? after,
+      part = Math.min(1, 1 - (this.#time_ms - this.#shown_ms) / period_ms);
+    const mix = (from: Readonly<Place>, to: Readonly<Place>) => ({
+      right_m: from.right_m + part * (to.right_m - from.right_m),
+      away_m: from.away_m + part * (to.away_m - from.away_m),
+    });
+    const plate_deg = before.plate_deg + part * (after.plate_deg - before.plate_deg);
+    return { ...after, plate_deg, finger: mix(before.finger, after.finger), felt: mix(before.felt, after.felt), trace };
+  }
+
+  /** Time of the last sample. */
+  get #time_ms(): number {
+    return (this.#samples - 1) * period_ms;
+  }
+
+  /** Commands the servo, or shows the orientation of a connected plate to the person, and takes a sample of the tracker. */
+  #sample(): void {
+    const still = this.#samples === 0 || this.controller === "off",
+      command_deg = still ? this.#still_deg : this.command.plate_orientation_deg;
+    const plate_deg = Number.isNaN(this.plateConnected_deg) ? command_deg : this.plateConnected_deg;
     ++this.#samples;
-    world.look();
-    const right_m = world.seen_right_m(),
-      away_m = world.seen_away_m();
-    const off_m = Math.hypot(right_m - world.finger_right_m(), away_m - world.finger_away_m());
-    this.#trackerWorst_m = Math.max(this.#trackerWorst_m, off_m);
-    this.updateFinger(now_ms, right_m, away_m);
-  }
-
-  #measure(now_ms: number): void {
-    const world = this.world,
-      plate_deg = world.plate_deg();
-    this.#plateFastest_deg_s = Math.max(this.#plateFastest_deg_s, 1000 * Math.abs(plate_deg - this.#lastPlate_deg));
-    this.#lastPlate_deg = plate_deg;
-    if (world.moving()) {
-      if (this.#startedAt_ms < 0) this.#startedAt_ms = now_ms;
-      this.phase = "sliding";
-    } else if (this.#startedAt_ms >= 0 && this.#stoppedAt_ms < 0) {
-      this.#stoppedAt_ms = now_ms;
-    }
+    const person = this.#person!,
+      time_ms = this.#time_ms,
+      before = this.trace.at(-1)?.finger;
+    person.move(this.session.sample, 1e6 * time_ms, plate_deg);
+    this.session.update();
+    const { done, position_m, felt_position_m, plate_orientation_deg, felt_error_deg } = person.state;
+    const onPlate = ([x = 0, , z = 0]: readonly number[]): Place => ({ right_m: x, away_m: -z }),
+      finger = onPlate(position_m),
+      step_m = before ? length_m(before, finger) : 0,
+      moves = !done && before && step_m > 0;
+    if (moves) this.phase = "sliding";
+    if ((1000 * step_m) / period_ms > minSpeed_m_s)
+      this.#peakFeltError_deg = Math.max(this.#peakFeltError_deg, Math.abs(felt_error_deg));
+    this.record({
+      time_ms,
+      plate_deg: plate_orientation_deg,
+      finger_deg: moves ? bearing_deg(before, finger) : NaN,
+      felt_deg: moves ? this.course.virtual_deg + felt_error_deg : NaN,
+      finger,
+      felt: onPlate(felt_position_m),
+    });
+    if (done && Number.isNaN(this.#stoppedAt_ms)) this.#stoppedAt_ms = time_ms;
+    if (time_ms > this.#stoppedAt_ms + tail_ms) this.#end();
   }
 
   #end(): void {
-    const world = this.world,
-      settings = this.settings;
-    const { tactile_weight, tactile_weight_sd } = this.command;
-    const summary = this.session.endReach();
+    const { finger, felt } = this.trace.at(-1)!,
+      { course, number } = this,
+      { tactile_weight, tactile_weight_sd } = this.command;
+    const { flags } = this.session.endReach();
     this.recording = this.cancel();
-    const { finger, felt } = places(world);
     this.phase = "arrived";
     this.result = {
-      number: this.number,
-      controller: settings.controller,
-      tactileWeight: settings.tactile_weight,
-      gap_deg: this.course.virtual_deg - this.course.real_deg,
-      bearingError_deg: bearingError_deg(finger, this.course),
-      ...slideEnd(finger, felt, this.course),
-      peakFeltError_deg: world.peak_felt_error_deg(),
+      number,
+      controller: this.settings.controller,
+      gap_deg: course.virtual_deg - course.real_deg,
+      bearingError_deg: bearing_deg(course.start, finger) - course.real_deg,
+      ...slideEnd(finger, felt, course),
+      peakFeltError_deg: this.#peakFeltError_deg,
       weight: tactile_weight,
       weightSd: tactile_weight_sd,
-      flags: summary.flags,
-      motion_s: (this.#stoppedAt_ms - this.#startedAt_ms) / 1000,
-      plateFastest_deg_s: this.#plateFastest_deg_s,
-      trackerWorst_mm: 1000 * this.#trackerWorst_m,
+      flags,
     };
   }
 }

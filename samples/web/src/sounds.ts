@@ -2,7 +2,6 @@
 // finger, and a contact at the end. For visitors who steer by keys, tones indicate on which side of the dot the glass lies.
 import { element, say } from "./page";
 
-const key = "haptic-retargeting-ticks";
 const loud_m_s = 0.2,
   /** Shortest vibration that motors can produce. */
   minShake_ms = 20,
@@ -15,15 +14,13 @@ export class Sounds {
   #noise: AudioBuffer | null = null;
   #guided_s = -Infinity;
 
-  /** `still`: sound is off until the visitor turns it on. The choice is stored if the browser allows it. */
+  /** `still`: sound is off until the visitor turns it on. */
   constructor(still: boolean) {
-    const kept = storage()?.getItem(key) ?? null;
-    this.#on = kept === null ? !still : kept === "on";
+    this.#on = !still;
     this.#show();
     this.#button.addEventListener("click", () => {
       this.#on = !this.#on;
       this.#show();
-      storage()?.setItem(key, this.#on ? "on" : "off");
       this.#wake();
       this.ridge(loud_m_s);
     });
@@ -102,14 +99,5 @@ export class Sounds {
   #show(): void {
     this.#button.setAttribute("aria-pressed", String(this.#on));
     say(this.#button, this.#on ? "Sound: on" : "Sound: off");
-  }
-}
-
-/** Returns the browser's storage; null if it does not allow one. */
-function storage(): Storage | null {
-  try {
-    return localStorage;
-  } catch {
-    return null;
   }
 }

@@ -1,24 +1,22 @@
-// The visitor's hand on a plate that the real plugin turns. The pointer is the true fingertip; its perceived position follows
-// from its motion, the ridges and the tactile weight of the settings. The visitor sees and steers the perceived position only.
-import type { Library } from "haptic-retargeting";
-import { pageCourse } from "./controller";
-import { Felt } from "./felt";
+// The visitor's hand on a plate that the plugin turns. The pointer is the true fingertip; the visitor sees and steers the
+// perceived one only.
+import { HRT_SAMPLE_PLATE_POSITION, type Library } from "haptic-retargeting";
 import {
   bearing_deg,
   degree,
   distance_m,
   length_m,
   type Place,
+  pageCourse,
   ridgeSpacing_m,
   type SlideEnd,
   slideEnd,
   start,
   virtualPlace,
 } from "./geometry";
-import { GuidedReach } from "./guided_reach";
-import type { World } from "./person";
+import { maxTrace } from "./guided_reach";
 import type { Settings } from "./settings";
-import { maxTrace, tracePeriod_ms } from "./trace";
+import { VisitorHand } from "./visitor_hand";
 
 /** A shorter slide does not count: it begins again. */
 export const minReach_m = 0.03;
@@ -30,28 +28,25 @@ const step_ms = 10;
 const settle_ms = 700,
   maxRest_ms = 1000;
 
-export class VisitorReach extends GuidedReach {
+export class VisitorReach extends VisitorHand {
   /** Phase of the slide, which is "sliding" from the first motion to the end. */
   phase: "waiting" | "sliding" | "arrived" = "waiting";
   /** `gap_deg`: angle between the perceived and the true end, seen from the start. */
   result: (SlideEnd & { readonly gap_deg: number }) | null = null;
   /** Number of ridges that have passed under the fingertip, by its own motion or the plate's. */
   ridges = 0;
-
-  /** Position of the fingertip, and the position to which it moves next. */
-  readonly finger: Place = { ...start };
+  /** Position to which the fingertip moves next. */
   readonly wanted: Place = { ...start };
-  readonly felt = new Felt(this.world);
   #rested_ms = 0;
   #ridge = 0;
 
-  constructor(library: Library, world: World, settings: Readonly<Settings>) {
-    super(library, world, settings, pageCourse(settings));
-    this.begin(settings.gap_deg);
+  constructor(library: Library, settings: Readonly<Settings>) {
+    super(library, settings);
+    this.begin();
   }
 
-  get gap_deg(): number {
-    return this.settings.gap_deg;
+  get course() {
+    return pageCourse(this.settings.gap_deg);
   }
   /** True if nothing changes until the wanted position does, or a connected plate turns. */
   get resting(): boolean {
@@ -61,19 +56,16 @@ export class VisitorReach extends GuidedReach {
   /** Begins a slide with these settings and a new session of the plugin. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
-    this.restartSession(pageCourse(settings));
-    this.begin(settings.gap_deg);
+    this.restartSession(this.course);
+    this.begin();
   }
 
   /** Begins the next slide, with this gap. The controller keeps its estimates of this hand. */
-  begin(gap_deg = this.gap_deg): void {
+  begin(gap_deg = this.settings.gap_deg): void {
     this.settings.gap_deg = gap_deg;
-    this.prepare();
-    this.setTargets(pageCourse(this.settings));
-    this.world.begin_hand(0);
+    this.rest();
+    this.setTargets(this.course);
     this.beginReach(0);
-    this.felt.begin(start);
-    Object.assign(this.finger, start);
     Object.assign(this.wanted, start);
     this.#ridge = this.#ridgeUnder();
     this.#rested_ms = 0;
@@ -93,43 +85,42 @@ export class VisitorReach extends GuidedReach {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;
       if (moved) this.#rested_ms = 0;
-      if (!moved && this.resting) return this.#rest();
+      if (!moved && this.resting) return this.showConnectedPlate();
       this.#step(Math.min(step_ms, left_ms), Math.min(1, step_ms / left_ms));
     }
   }
 
-  #rest(): void {
-    if (!Number.isNaN(this.plateConnected_deg)) this.world.set_plate(this.plateConnected_deg);
-  }
-
   /** `fraction`: part of the way to the wanted position. */
   #step(milliseconds: number, fraction: number): void {
-    const { finger, wanted, world } = this;
-    for (let i = 1; i <= milliseconds; ++i) {
-      this.advanceWorld();
-      if (this.phase === "sliding") this.record(this.felt, finger, this.felt.place);
-    }
+    const { finger, wanted, session } = this,
+      { sample } = session;
     this.#rested_ms += milliseconds;
-    const right_m = fraction * (wanted.right_m - finger.right_m),
-      away_m = fraction * (wanted.away_m - finger.away_m);
-    this.felt.move(right_m, away_m, milliseconds);
-    finger.right_m += right_m;
-    finger.away_m += away_m;
+    this.advancePlate(milliseconds);
+    this.moveFinger(
+      {
+        right_m: finger.right_m + fraction * (wanted.right_m - finger.right_m),
+        away_m: finger.away_m + fraction * (wanted.away_m - finger.away_m),
+      },
+      milliseconds,
+    );
     if (length_m(start, finger) > 0.002) this.phase = "sliding";
+    if (this.phase === "sliding") this.recordHand();
     const ridge = this.#ridgeUnder();
     this.ridges += Math.abs(ridge - this.#ridge);
     this.#ridge = ridge;
-    this.updateFinger(world.time_ms(), finger.right_m, finger.away_m);
-    const glass = virtualPlace(pageCourse(this.settings)),
-      { place } = this.felt;
-    const reached = length_m(place, glass) < near_m || length_m(start, place) > distance_m;
+    sample.flags = HRT_SAMPLE_PLATE_POSITION;
+    sample.time_ns = 1e6 * this.time_ms;
+    sample.finger_position_m.set([finger.right_m, 0, -finger.away_m]);
+    session.update();
+    this.turnPlate();
+    const reached = length_m(this.felt, virtualPlace(this.course)) < near_m || length_m(start, this.felt) > distance_m;
     if (reached) this.#arrive(true);
-    else if (world.time_ms() > maxTrace * tracePeriod_ms) this.end();
+    else if (this.time_ms > maxTrace * step_ms) this.end();
   }
 
   /** Number of the ridge nearest to the fingertip. */
   #ridgeUnder(): number {
-    const angle = this.world.plate_deg() * degree,
+    const angle = this.plate_deg * degree,
       { right_m, away_m } = this.finger;
     return Math.round((away_m * Math.cos(angle) - right_m * Math.sin(angle)) / ridgeSpacing_m);
   }
@@ -146,8 +137,8 @@ export class VisitorReach extends GuidedReach {
     this.recording = this.cancel();
     this.phase = "arrived";
     this.result = {
-      ...slideEnd(this.finger, this.felt.place, pageCourse(this.settings)),
-      gap_deg: Math.abs(bearing_deg(start, this.felt.place) - bearing_deg(start, this.finger)),
+      ...slideEnd(this.finger, this.felt, this.course),
+      gap_deg: Math.abs(bearing_deg(start, this.felt) - bearing_deg(start, this.finger)),
     };
   }
 }

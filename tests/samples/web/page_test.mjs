@@ -6,18 +6,24 @@ import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { place, steer } from "./visitor.mjs";
-import { accessible, arrived, desk, desktop, drawn, drop, ended, frames, launch, newest, pageFolder, phase, phone, recorded, refuses, require, saved,
+import { accessible, arrived, choose, desk, desktop, drawn, drop, ended, frames, launch, newest, pageFolder, phase, phone, recorded, require, saved,
          shoot, stopTime, tablet, text, visit } from "./browser.mjs";
 
 const { PNG } = require("pngjs");
 
-test("a reach ends at the cylinder and is perceived to end at the glass", () => visit(async (page) => {
+test("a reach ends at the cylinder and is perceived to end at the glass, and is shown as a chart and a table", () => visit(async (page) => {
   const result = await newest(page);
   assert.equal(result.controller, "ours");
-  assert.ok(arrived(result), `bearing error ${result.bearingErrorDeg}`);
-  assert.ok(result.feltToGlassMm < 8 && result.toCylinderMm < 8);
+  assert.ok(arrived(result), `bearing error ${result.bearingError_deg}`);
+  assert.ok(result.feltToGlass_mm < 8 && result.toCylinder_mm < 8);
   await drawn(page);
   assert.match(await text(page, "#caption"), /^Arrived\. The hand is \d+\.\d mm from the cylinder/);
+  // Three strips, each with the values under the cursor; the last one shows the estimated weight.
+  assert.equal(await page.locator("#chart .uplot").count(), 3);
+  await page.locator("#chart .u-over").last().hover();  // at its centre
+  await page.locator("#chart .u-legend", { hasText: /perceived:?\s*-?\d+\.\d°/ }).waitFor();
+  assert.match(await page.locator("#chart .u-legend").last().innerText(), /estimate:?\s*0\.[12]\d/);
+  assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+\d+° (left|right)\s+\d+\.\d° (left|right)/);
 }));
 
 test("a reach misses without the plate, and with the paper's controller for another person", () => visit(async (page) => {
@@ -27,35 +33,32 @@ test("a reach misses without the plate, and with the paper's controller for anot
   assert.deepEqual([paper.controller, arrived(paper)], ["paper", false]);
   await page.keyboard.press("ArrowLeft");
   const off = await newest(page);
-  assert.deepEqual([off.controller, arrived(off), off.plateFastestDegS], ["off", false, 0]);
-  assert.ok(off.bearingErrorDeg > 8, "towards the glass");
+  assert.deepEqual([off.controller, arrived(off)], ["off", false]);
+  assert.ok(off.bearingError_deg > 8, "towards the glass");
   await drawn(page);
   assert.match(await text(page, "#caption"), /^The hand is 2\d\.\d mm from the cylinder/);
   assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+straight ahead/, "the table is this reach's");
   await shoot(page, "watch_still_plate");
 }, { link: "researchers.html#mode=watch&tactile_weight=0.3" }));
 
-test("each slider moves by keyboard, and the next reach shows it", () => visit(async (page) => {
-  const set = async (slider, key) => {
-    await page.locator(`#${slider}`).focus();
-    await page.keyboard.press(key);
-    return newest(page);
-  };
-  const ends = { gap_deg: ["0.0°", "20.0°"], tactile_weight: ["0.05", "0.40"], pace_s: ["0.6 s", "4.0 s"],
-                 noise_mm: ["0.0 mm", "3.0 mm"], plate_deg_s: ["50 °/s", "800 °/s"] };
-  const shown = { gap_deg: (r) => [r.gapDeg, [0, 20]], tactile_weight: (r) => [r.tactileWeight, [0.05, 0.4]],
-                  pace_s: (r) => [r.motionS, [0.6, 4]], noise_mm: (r) => [Math.min(5, r.trackerWorstMm), [0, 5]],
-                  plate_deg_s: (r) => [r.plateFastestDegS, [50, 800]] };
-  for (const [slider, texts] of Object.entries(ends)) {
+test("each setting moves by keyboard, and starts another reach", () => visit(async (page) => {
+  for (const [slider, ...texts] of [["gap_deg", "0.0°", "20.0°"], ["tactile_weight", "0.05", "0.40"], ["pace_s", "0.6 s", "4.0 s"],
+                                    ["noise_mm", "0.0 mm", "3.0 mm"], ["plate_deg_s", "50 °/s", "800 °/s"]]) {
     for (const [i, key] of ["Home", "End"].entries()) {
-      const [value, expected] = shown[slider](await set(slider, key));
-      assert.ok(Math.abs(value - expected[i]) <= 0.01 + 0.002 * expected[i], `${slider} at ${key}: ${value}`);
+      const before = await newest(page);
+      await page.locator(`#${slider}`).press(key);
+      assert.notDeepEqual(await newest(page), before);
       assert.equal(await text(page, `output[for=${slider}]`), texts[i]);
-      assert.match(await page.locator(`#${slider}`).getAttribute("aria-valuetext"), /^[\d.]+ (percent touch|degrees|millimetres|seconds|degrees a second)$/);
+      assert.equal(await page.locator(`#${slider}`).getAttribute("aria-valuetext"), texts[i]);
     }
-    await page.click("#reset");
   }
-  assert.equal(new URL(page.url()).hash, "#mode=watch");
+  const link = () => page.evaluate(() => location.hash);
+  for (const person of ["12", "0", ""]) {  // the last two are not allowed, and ignored
+    await page.fill("input[name=person]", person);
+    assert.equal(await link(), "#mode=watch&gap_deg=20&tactile_weight=0.4&pace_s=4&noise_mm=3&plate_deg_s=800&person=12");
+  }
+  await page.click("#defaults");
+  assert.equal(await link(), "#mode=watch");
 }));
 
 test("a gap that is not feasible is reported", () => visit(async (page) => {
@@ -65,16 +68,6 @@ test("a gap that is not feasible is reported", () => visit(async (page) => {
   assert.match(await page.locator("#results tbody tr").first().innerText(), /no plate orientation sustains the gap/);
   await shoot(page, "watch_too_far");
 }, { link: "researchers.html#mode=watch&tactile_weight=0.08&gap_deg=15" }));
-
-test("the chart is also shown as a table", () => visit(async (page) => {
-  assert.ok(await page.locator("#trace tbody tr").count() >= 10);
-  // Three strips, each with the values under the cursor; the last one shows the estimated weight.
-  assert.equal(await page.locator("#chart .uplot").count(), 3);
-  await page.locator("#chart .u-over").last().hover();  // at its centre
-  await page.locator("#chart .u-legend", { hasText: /perceived:?\s*-?\d+\.\d°/ }).waitFor();
-  assert.match(await page.locator("#chart .u-legend").last().innerText(), /estimate:?\s*0\.[12]\d/);
-  assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+\d+° (left|right)\s+\d+\.\d° (left|right)/);
-}));
 
 test("each of the six figures follows a drag and keys, and describes its state", () => visit(async (page) => {
   for (let i = 1; i <= 6; ++i) {
@@ -142,8 +135,8 @@ test("the hand is hidden during the slide, then shown at the cylinder under the 
   await shoot(page, "hand_sliding");
   await page.locator("#stage").press("Escape");
   const cursor = await steer(page);
-  const { toCylinderMm, toGlassMm, feltToGlassMm } = await ended(page);
-  assert.ok(toCylinderMm < 8 && toGlassMm > 12 && feltToGlassMm < 4, `${toCylinderMm} mm from the cylinder, ${toGlassMm} from the glass`);
+  const { toCylinder_mm, toGlass_mm, feltToGlass_mm } = await ended(page);
+  assert.ok(toCylinder_mm < 8 && toGlass_mm > 12 && feltToGlass_mm < 4, `${toCylinder_mm} mm from the cylinder, ${toGlass_mm} from the glass`);
   assert.match(await text(page, "#caption"), /^You steered the dot to the glass\. Your hand is here, (1|2)\d mm from the dot and \d mm from the cylinder\.$/);
   assert.equal(await text(page, "#spoken"), await text(page, "#caption"));
   const glass = await place(page, "glass");
@@ -166,7 +159,7 @@ test("the hand is hidden during the slide, then shown at the cylinder under the 
   await page.mouse.click(...glass);
   await page.mouse.click(20, 300);
   await frames(page, 33);
-  assert.equal((await ended(page)).toCylinderMm, toCylinderMm);
+  assert.equal((await ended(page)).toCylinder_mm, toCylinder_mm);
 }, own));
 
 test("six answers estimate the visitor's threshold, with a note on its meaning", () => visit(async (page) => {
@@ -176,6 +169,7 @@ test("six answers estimate the visitor's threshold, with a note on its meaning",
     assert.equal(await page.locator("#after").isVisible(), false, "the buttons are hidden until the question is answered");
     if (i === 2) await shoot(page, "hand_question");
     gaps.push((await place(page, "glass"))[0]);
+    if (i === 6) assert.match(await text(page, "#learnt"), /^The computer learnt from your slides: the ridges contribute (1\d|2\d) % to the direction of the dot \(95 % interval: \d+ to \d+ %\)\.$/);
     await page.click(i % 2 ? "#noticed-no" : "#noticed-yes");
     if (i < 6) assert.match(await text(page, "#limit"), new RegExp(`^Answer ${i} of 6\\.`));
     await frames(page, 20);
@@ -185,8 +179,6 @@ test("six answers estimate the visitor's threshold, with a note on its meaning",
   assert.ok(new Set(gaps.map(Math.round)).size > 1, `the gap varies: ${gaps}`);
   const [, limit, lower, upper] = /^Your limit after 6 answers: if your hand is led (\d+) mm aside, .* the limit is (\d+) to (\d+) mm with 95 % .* It is not the limit of your touch/.exec(await text(page, "#limit")).map(Number);
   assert.ok(lower < limit && limit < upper, `${lower} ${limit} ${upper}`);
-  await steer(page);
-  assert.match(await text(page, "#learnt"), /^The computer learnt from your slides: the ridges contribute (1\d|2\d) % to the direction of the dot \(95 % interval: \d+ to \d+ %\)\.$/);
   await shoot(page, "hand_limit");
 }, own));
 
@@ -208,7 +200,7 @@ test("a thumb on the disc drags the dot, also outside the window; a short drag r
   await steer(page, { grip: [80, -20], until: 0.9 });
   assert.equal(await phase(page), "waiting");
   await steer(page, { grip: [60, -20] });
-  assert.ok((await ended(page)).toCylinderMm < 8);
+  assert.ok((await ended(page)).toCylinder_mm < 8);
   await page.click("#noticed-yes");
   await frames(page, 20);
   await page.click("#restart");
@@ -224,7 +216,7 @@ test("a thumb on the disc drags the dot, also outside the window; a short drag r
   await page.mouse.up();
 }, { ...own, viewport: phone }));
 
-test("ridges and guiding tones are audible, louder when fast, and one stored switch turns them off", () => visit(async (page) => {
+test("ridges and guiding tones are audible, louder when fast, and one switch turns them off", () => visit(async (page) => {
   const heard = () => page.evaluate(() => globalThis.heard.splice(0));
   const slide = async () => {
     await page.locator("#stage").focus();
@@ -241,8 +233,6 @@ test("ridges and guiding tones are audible, louder when fast, and one stored swi
   assert.ok((await page.evaluate(() => globalThis.shaken)).every((ms) => ms >= 20));
   await page.click("#ticks");
   assert.deepEqual(await slide(), []);
-  await page.reload();
-  await page.waitForSelector("html[data-ready=yes]");
   assert.equal(await text(page, "#ticks"), "Sound: off");
 }, { ...own, script: `(${() => {
   globalThis.heard = [];
@@ -281,8 +271,6 @@ test("the first screen has a title, a mark and two controls; a thumb scrolls bes
     assert.ok(boxes[0][1] <= boxes[1][0]);
     const disc = await page.locator("#grip").boundingBox();
     assert.ok(viewport !== phone || disc.width > 0.9 * viewport.width, `the plate is ${disc.width} pixels wide`);
-    await accessible(page);
-    await shoot(page, `first_${viewport.width}`, { fullPage: false });
   }, { link: "", viewport });
 });
 
@@ -305,7 +293,7 @@ test("a restored WebGL context draws again", () => visit(async (page) => {
 
 test("a part that cannot be loaded is reported, with a button to retry", () => visit(async (page) => {
   await page.route("**/part_*", (route) => route.abort());
-  await page.locator("label:has(input[value=wear])").click();
+  await choose(page, "wear");
   await page.locator("#problem-text", { hasText: /^The part for headsets could not be loaded: / }).waitFor();
   await page.unroute("**/part_*");
   await page.click("#retry");
@@ -348,12 +336,8 @@ test("recording and profile are saved, and the recording replays", () => visit(a
   await shoot(page, "replay");
 }));
 
-test("a recording of another host replays, and a bad one is refused with the plugin's error", () => visit(async (page) => {
+test("a recording of another host replays, and an altered one is reported", () => visit(async (page) => {
   const reach = await readFile(recorded, "utf8");
-  for (const [content, words] of [["", /^x\.csv: .*does not begin/], ["call,result\n<script>", /does not begin/],
-                                  [reach.replace(/version \d+/, "version 999"), /^x\.csv: .+/]]) {
-    await refuses(page, "x.csv", content, words);
-  }
   const lines = reach.split("\n"), rows = lines.filter((line) => /^(begin|update|end),/.test(line)).length;
   const altered = lines.map((line) => line.startsWith("update,")).lastIndexOf(true), cells = lines[altered].split(",");
   cells[lines.find((line) => line.startsWith("call,")).split(",").indexOf("plate_orientation_deg")] = "12.5";
@@ -377,39 +361,36 @@ test("a dropped scene is shown with its feasible gaps", () => visit(async (page)
   assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["hand", "felt here", "pawn", "bottle", "cylinder", "goblet"]);
   // Reaches lead to the targets of the file: the bottle at 6 degrees, the goblet at 8 degrees on the other side.
   const bottle = await newest(page);
-  assert.ok(Math.abs(bottle.gapDeg - 6) < 1e-6 && arrived(bottle) && bottle.feltToGlassMm < 8, JSON.stringify(bottle));
+  assert.ok(Math.abs(bottle.gap_deg - 6) < 1e-6 && arrived(bottle) && bottle.feltToGlass_mm < 8, JSON.stringify(bottle));
   await page.selectOption("#scene-pair", { label: "goblet; the hand ends at cylinder" });
   const goblet = await newest(page);
-  assert.ok(Math.abs(goblet.gapDeg + 8) < 1e-6 && arrived(goblet), JSON.stringify(goblet));
+  assert.ok(Math.abs(goblet.gap_deg + 8) < 1e-6 && arrived(goblet), JSON.stringify(goblet));
   await drawn(page);
   await accessible(page);
   await shoot(page, "scene");
-  await page.locator("label:has(input[value=watch])").click();
+  await choose(page, "watch");
   assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["cylinder", "glass", "hand", "felt here"]);
 }));
 
-test("a bad scene is refused with the loader's error", () => visit(async (page) => {
-  const scene = await readFile(desk, "utf8");
-  for (const [content, words] of [["", /^bad\.gltf: /], ["{", /^bad\.gltf: /], ["{}", /^bad\.gltf: /],
-                                  [scene.replace('"radius_m": 0.075', '"radius_m": -1'), /^bad\.gltf: .*Plate.*radius_m/],
-                                  [scene.replace('"role": "real"', '"role": "<img src=x>"'), /^bad\.gltf: .*role/]]) {
-    await refuses(page, "bad.gltf", content, words);
-  }
-}));
+/** Drops a file, which must be refused with this message, and must not be shown. */
+async function refuses(page, name, content, words) {
+  await drop(page, name, content);
+  await page.locator("#refused:not([hidden])").waitFor();
+  assert.match(await text(page, "#refused"), words);
+  assert.deepEqual([await page.locator("#scene-mode").isVisible(), await text(page, "#replayed")], [false, ""]);
+  await page.evaluate(() => { document.getElementById("refused").hidden = true; });
+}
 
-test("spoken instructions are off by default", () => visit(async (page) => {
-  const spoken = () => page.evaluate(() => globalThis.spoken.splice(0));
-  await page.click("#again");
-  assert.deepEqual(await spoken(), []);
-  await page.check("#speak");
-  await page.click("#again");
-  const said = await spoken();
-  assert.equal(said[0], "Spoken instructions are on.");
-  assert.match(said[1], /^Arrived\. The hand is/);
-  await page.uncheck("#speak");
-  await page.click("#again");
-  assert.deepEqual(await spoken(), []);
-}, { script: "globalThis.spoken = []; speechSynthesis.speak = (words) => spoken.push(words.text)" }));
+test("a bad file is refused with the plugin's error", () => visit(async (page) => {
+  const reach = await readFile(recorded, "utf8"), scene = await readFile(desk, "utf8");
+  for (const [name, content, words] of [
+    ["x.csv", "", /^x\.csv: .*does not begin/], ["x.csv", "call,result\n<script>", /does not begin/],
+    ["x.csv", reach.replace(/version \d+/, "version 999"), /^x\.csv: .+/],
+    ["bad.gltf", "", /^bad\.gltf: /], ["bad.gltf", "{", /^bad\.gltf: /], ["bad.gltf", "{}", /^bad\.gltf: /],
+    ["bad.gltf", scene.replace('"radius_m": 0.075', '"radius_m": -1'), /^bad\.gltf: .*Plate.*radius_m/],
+    ["bad.gltf", scene.replace('"role": "real"', '"role": "<img src=x>"'), /^bad\.gltf: .*role/],
+    ["picture.png", "\x89PNG", /^picture\.png: this page opens a recording \(\.csv\), or a scene/]]) await refuses(page, name, content, words);
+}));
 
 test("a scene whose meshes cannot be drawn is shown without them, and nothing is fetched", () => visit(async (page) => {
   const scene = JSON.parse(await readFile(desk, "utf8")), changed = (change) => {
@@ -417,11 +398,10 @@ test("a scene whose meshes cannot be drawn is shown without them, and nothing is
     change(copy);
     return JSON.stringify(copy);
   };
-  for (const [content, words] of [[changed(({ accessors }) => { accessors[0].count = 1e9; }), /more than 4000000 values/],
+  for (const [content, words] of [[changed(({ accessors }) => { accessors[0].count = 1e9; }), /Its meshes are not drawn: ./],
                                   [changed(({ meshes }) => { meshes[0].primitives[0].attributes.POSITION = 999; }), /Its meshes are not drawn: ./],
-                                  [changed(({ buffers }) => { buffers[0].uri = "data:application/octet-stream;base64,%%%"; }), /not drawn: .|^bad/],
                                   [changed(({ buffers }) => { buffers[0].uri = "https://127.0.0.1:9/desk.bin"; }), /lie in another file: drop it together|^bad/],
-                                  [changed(({ nodes }) => { while (nodes.length < 2000) nodes.push({ mesh: 6 }); }), /draw \d{7} vertices/]]) {
+                                  [changed(({ nodes, scenes }) => { while (nodes.length < 2000) scenes[0].nodes.push(nodes.push({ mesh: 6 }) - 1); }), /draw \d{7} vertices/]]) {
     await drop(page, "bad.gltf", content);
     // The page's policy forbids waitForFunction().
     await page.locator("#scene-about, #refused:not([hidden])").filter({ hasText: words }).first().waitFor();
@@ -429,12 +409,10 @@ test("a scene whose meshes cannot be drawn is shown without them, and nothing is
   }
 }));
 
-test("a scene opens with its separate buffer file, and a picture file is refused with the accepted types", () => visit(async (page) => {
+test("a scene opens with its separate buffer file", () => visit(async (page) => {
   const scene = JSON.parse(await readFile(desk, "utf8")), buffer = Buffer.from(scene.buffers[0].uri.split(",")[1], "base64");
   scene.buffers[0].uri = "the%20desk.bin";
   const open = (...files) => page.setInputFiles("#open-file", files.map(([name, content]) => ({ name, mimeType: "", buffer: Buffer.from(content) })));
-  await open(["picture.png", "\x89PNG"]);
-  await page.locator("#refused", { hasText: "picture.png: this page opens a recording (.csv), or a scene" }).waitFor();
   await open(["the desk.bin", buffer], ["desk.gltf", JSON.stringify(scene)]);
   await page.locator("#scene-about", { hasText: "desk.gltf: a plate of" }).waitFor();
   assert.equal(await text(page, "#scene-about"), "desk.gltf: a plate of 75 mm radius, 1 real and 3 virtual targets.", "with its meshes");
@@ -500,7 +478,7 @@ test("a flat picture is drawn without WebGL", async () => {
     await visit(async (page) => {
       assert.equal(await page.locator("#no-view").isVisible(), true);
       assert.equal(arrived(await newest(page)), true);
-      await page.locator("label:has(input[value=hand])").click();
+      await choose(page, "hand");
       await drawn(page);
       const { x, y, width, height } = await page.locator("#no-view").boundingBox(), scale = Math.min(width, height) / 160;
       await page.mouse.move(x + width / 2, y + height / 2 + 50 * scale);
@@ -514,8 +492,10 @@ test("a flat picture is drawn without WebGL", async () => {
   }
 });
 
+// Colours do not change the layout, so that each of them needs one width only.
 for (const [size, viewport] of Object.entries({ desktop, tablet, phone })) {
-  for (const look of [{ colorScheme: "light" }, { colorScheme: "dark" }, { colorScheme: "light", forcedColors: "active" }]) {
+  const looks = [{ colorScheme: "light" }, { colorScheme: "dark" }, { colorScheme: "light", forcedColors: "active" }];
+  for (const look of size === "desktop" ? looks : [looks[0]]) {
     const suffix = `${size}_${look.forcedColors ? "forced" : look.colorScheme}`;
     test(`accessible and within the window: ${suffix}`, () => visit(async (page) => {
       const check = async (name) => {
@@ -528,24 +508,23 @@ for (const [size, viewport] of Object.entries({ desktop, tablet, phone })) {
       await drop(page, "desk.gltf", await readFile(desk, "utf8"));
       await page.waitForSelector("#scene-mode:not([hidden])");
       for (const mode of ["watch", "hand", "wear", "scene"]) {
-        await page.locator(`label:has(input[value=${mode}])`).click();
+        await choose(page, mode);
         await page.waitForTimeout(300);
         await check(mode);
       }
       await page.addInitScript(stopTime);
       await page.goto(new URL("index.html", page.url()).href);
       await page.waitForSelector("html[data-ready=yes] #stage[data-hand=yes]");
-      await steer(page, { until: 0.4 });
-      await check("hand_sliding");
-      await page.locator("#stage").press("Escape");
+      await check("visitor");
+      if (look !== looks[0]) return;
       await steer(page);
-      assert.ok((await ended(page)).toCylinderMm < 8, "led to the cylinder");
+      assert.ok((await ended(page)).toCylinder_mm < 8, "led to the cylinder");
       await check("hand_question");
       await page.click("#noticed-no");
       await frames(page, 20);
       await page.click("#plate-off");
       await steer(page);
-      assert.ok((await ended(page)).toGlassMm < 5, "not led");
+      assert.ok((await ended(page)).toGlass_mm < 5, "not led");
       assert.match(await text(page, "#moment-text"), /^Plate on: .*Plate off: /);
       await check("hand_both");
     }, { viewport, ...look }));

@@ -1,13 +1,13 @@
 // The page turns a plate on a serial line, in headless Chromium with a test double of the line.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { accessible, frames, shoot, text, visit } from "./browser.mjs";
+import { accessible, choose, frames, shoot, text, visit } from "./browser.mjs";
 import { plateDouble, served } from "./plate_double.mjs";
 
 const small = { width: 700, height: 500 };  // Chromium renders in software
 
 test("a plate on a serial line follows commands and is drawn, and its stop is reported", () => visit(async (page) => {
-  await page.locator("label:has(input[value=hand])").click();
+  await choose(page, "hand");
   await frames(page, 50, 3);
   await page.click("#plate-serial");
   await served(page, 15);

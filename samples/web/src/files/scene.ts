@@ -1,8 +1,8 @@
 // Reads a scene that the visitor opens: plate and targets of a glTF file, by the plugin's loader, and the plate orientation
 // that sustains each gap, for several tactile weights.
 import * as hrt from "haptic-retargeting";
-import { motionBound_deg } from "../controller";
 import { bearing_deg, type Course, length_m, type Place, radius_m } from "../geometry";
+import { motionBound_deg } from "../guided_reach";
 import type { SceneMeshes } from "../stage/meshes";
 
 /** Tactile weights for which feasible gaps are computed: the columns of the table in index.html. */
@@ -22,7 +22,7 @@ export interface ScenePair {
   readonly gap_deg: number;
   /** Targets in plate coordinates of the file, in metres. */
   readonly course: Course;
-  /** Plate orientation that sustains the gap, for each of `weights`; NaN: no orientation can. */
+  /** Plate orientation that sustains the gap, for each of `weights`; NaN: no orientation does. */
   readonly plates_deg: readonly number[];
 }
 

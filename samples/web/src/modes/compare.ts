@@ -1,8 +1,8 @@
 // Replay of the visitor's slides with the plate on and off, side by side.
-import type { Course } from "../geometry";
+import { type Course, normal_deg } from "../geometry";
+import type { Trace } from "../guided_reach";
 import { element, say, sideways } from "../page";
-import { arrows, dot, normal_deg, paths, plate, targets } from "../plan";
-import type { Trace } from "../trace";
+import { arrows, dot, paths, plate, targets } from "../plan";
 
 interface Slide {
   readonly trace: Trace;

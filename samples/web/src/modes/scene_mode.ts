@@ -1,10 +1,9 @@
 // The mode "Your scene": plate and targets of a glTF file, the table of feasible gaps, and reaches of the simulated person
 // to its targets.
 import type { Library } from "haptic-retargeting";
-import { pageCourse } from "../controller";
 import type { VisitorScene } from "../files/scene";
+import { pageCourse } from "../geometry";
 import { addRow, element, say, sideways } from "../page";
-import type { World } from "../person";
 import type { Settings } from "../settings";
 import { SimulatedReach } from "../simulated_reach";
 
@@ -16,8 +15,8 @@ export class SceneMode {
   readonly #pair = element("scene-pair", HTMLSelectElement);
 
   /** `changed` is called when another pair is chosen. */
-  constructor(library: Library, world: World, settings: Readonly<Settings>, changed: () => void) {
-    this.watch = new SimulatedReach(library, world, settings, (now) => this.course ?? pageCourse(now));
+  constructor(library: Library, settings: Readonly<Settings>, changed: () => void) {
+    this.watch = new SimulatedReach(library, settings, ({ gap_deg }) => this.course ?? pageCourse(gap_deg));
     this.#pair.addEventListener("change", changed);
   }
 

@@ -1,33 +1,29 @@
 // The mode "Try it": pointer or keys move the true hand, which is hidden while it moves. The visitor steers the dot, which is the
 // perceived position of the fingertip, to the glass, and is then shown the true position.
-import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
-import { type Course, distance_m, length_m, type Place, start, virtualPlace } from "../geometry";
+import { distance_m, length_m, type Place, start, virtualPlace } from "../geometry";
 import { element, say } from "../page";
-import type { World } from "../person";
 import type { Settings } from "../settings";
 import type { Sounds } from "../sounds";
 import type { VisitorReach } from "../visitor_reach";
-import type { Voice } from "../voice";
 import type { Compare } from "./compare";
 import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
 const reveal_ms = 900;
-/** A mouse that is nearer to the start than grasp_m takes the fingertip along, which has joined the pointer after a path of fade_m. */
+/** A mouse that comes nearer to the start than grasp_m takes the fingertip along, which meets it after a path of fade_m. */
 const grasp_m = 0.008,
   fade_m = 0.03;
-/** Distance from the glass below which the dot has been steered to it. */
+/** Smallest distance between dot and glass at the end of a slide that missed the glass. */
 const missed_mm = 8;
 const steering = ["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"];
 
 export class SlideMode {
   /** True while this mode is shown. */
   active = false;
-  readonly #series: Series;
+  readonly #series = new Series();
   readonly #keys = new Set<string>();
-  readonly #pointer: Place = { right_m: 0, away_m: 0 };
-  readonly #grip: Place = { right_m: 0, away_m: 0 };
+  #grip: Place = start;
   /** Identifier of the pointer that moves the fingertip; -1: none. */
   #held = -1;
   /** True if a mouse took the fingertip along near the ring: the fingertip then approaches the pointer. */
@@ -41,16 +37,13 @@ export class SlideMode {
   constructor(
     private readonly guided: VisitorReach,
     private readonly unguided: VisitorReach,
-    private readonly world: World,
     private readonly desk: Desk,
     private readonly compare: Compare,
-    private readonly voice: Voice,
     private readonly sounds: Sounds,
     private settings: Readonly<Settings>,
     private readonly still: boolean,
   ) {
     const { frame, grip } = desk;
-    this.#series = new Series(world);
     grip.addEventListener("pointerdown", (event) => this.#press(event));
     window.addEventListener("pointermove", (event) => this.#move(event));
     for (const end of ["pointerup", "pointercancel"] as const)
@@ -60,7 +53,7 @@ export class SlideMode {
     frame.addEventListener("blur", () => this.#keys.clear());
     element("restart", HTMLButtonElement).addEventListener("click", () => this.#again(false));
     element("plate-off", HTMLButtonElement).addEventListener("click", () => this.#again(true));
-    this.#series.begin(settings.gap_deg);
+    this.#series.begin(settings);
   }
 
   get hand(): VisitorReach {
@@ -77,27 +70,18 @@ export class SlideMode {
     this.unguided.apply({ ...settings, controller: "off" });
     this.guided.apply(settings);
     this.#plateOff = false;
-    this.#series.begin(settings.gap_deg);
+    this.#series.begin(settings);
     this.compare.clear();
     this.restart();
   }
 
   /** Returns the hand to the ring. */
   restart(): void {
-    const { hand, desk } = this,
-      { gap_deg } = this.#series;
-    hand.begin(gap_deg);
+    this.hand.begin(this.#series.gap_deg);
     this.#series.skip();
     this.#letGo();
     this.#keys.clear();
-    if (!this.active) return; // another mode draws the picture
-    desk.clearPaths();
-    const { real_deg, virtual_deg, real_m } = this.#course();
-    desk.setTargets(real_deg, virtual_deg, real_m);
-  }
-
-  #course(): Course {
-    return pageCourse({ ...this.settings, gap_deg: this.hand.gap_deg });
+    if (this.active) this.desk.setTargets(this.hand.course);
   }
 
   frame(elapsed_ms: number): void {
@@ -108,17 +92,17 @@ export class SlideMode {
     const whole = Math.floor(this.#pending_ms);
     this.#pending_ms -= whole;
     hand.advance(whole);
-    if (phase === "sliding" && hand.ridges !== ridges) this.sounds.ridge(hand.felt.speed_m_s);
+    if (phase === "sliding" && hand.ridges !== ridges) this.sounds.ridge(hand.speed_m_s);
     if (this.#keys.size > 0 && hand.phase === "sliding") this.#guide();
     if (phase !== "arrived" && hand.phase === "arrived") this.#arrive();
     else if (hand.phase === "arrived") this.#shown_ms += elapsed_ms;
     this.#draw();
   }
 
-  /** Guides a visitor who steers by keys, by tones. */
+  /** Plays tones for a visitor who steers by keys. */
   #guide(): void {
-    const felt = this.hand.felt.place,
-      glass = virtualPlace(this.#course());
+    const { felt, course } = this.hand,
+      glass = virtualPlace(course);
     this.sounds.guide((glass.right_m - felt.right_m) / 0.015, length_m(felt, glass) / distance_m);
   }
 
@@ -132,17 +116,17 @@ export class SlideMode {
   #press(event: PointerEvent): void {
     if (!this.active || event.button !== 0 || this.hand.phase === "arrived") return;
     this.#pressed = true;
-    if (this.#held < 0 && this.desk.placeOf(event, this.#pointer)) this.#grasp(event);
+    const at = this.desk.placeOf(event);
+    if (this.#held < 0 && at) this.#grasp(event, at);
     this.desk.grip.setPointerCapture(event.pointerId); // also outside the window
   }
 
-  /** Lets the fingertip move by the same amount as the pointer from now on. */
-  #grasp({ pointerId, pointerType }: PointerEvent): void {
+  /** Lets the fingertip follow the pointer, at its present offset from the pointer. */
+  #grasp({ pointerId, pointerType }: PointerEvent, at: Place): void {
     const { finger } = this.hand;
     this.#held = pointerId;
-    this.#joins = pointerType === "mouse" && length_m(this.#pointer, finger) < grasp_m;
-    this.#grip.right_m = this.#pointer.right_m - finger.right_m;
-    this.#grip.away_m = this.#pointer.away_m - finger.away_m;
+    this.#joins = pointerType === "mouse" && length_m(at, finger) < grasp_m;
+    this.#grip = { right_m: at.right_m - finger.right_m, away_m: at.away_m - finger.away_m };
     document.documentElement.classList.add("steering");
   }
 
@@ -153,13 +137,14 @@ export class SlideMode {
   }
 
   #move(event: PointerEvent): void {
-    const { hand } = this;
-    if (!this.active || hand.phase === "arrived" || !this.desk.placeOf(event, this.#pointer)) return;
+    const { hand } = this,
+      at = this.desk.placeOf(event);
+    if (!this.active || hand.phase === "arrived" || !at) return;
     const free = this.#held < 0 && event.pointerType === "mouse";
-    if (free && length_m(this.#pointer, start) < grasp_m && event.target === this.desk.grip) this.#grasp(event);
+    if (free && length_m(at, start) < grasp_m && event.target === this.desk.grip) this.#grasp(event, at);
     if (event.pointerId !== this.#held) return;
     const kept = this.#joins ? Math.max(0, 1 - length_m(start, hand.finger) / fade_m) : 1;
-    hand.moveTo(this.#pointer.right_m - kept * this.#grip.right_m, this.#pointer.away_m - kept * this.#grip.away_m);
+    hand.moveTo(at.right_m - kept * this.#grip.right_m, at.away_m - kept * this.#grip.away_m);
   }
 
   #release(event: PointerEvent): void {
@@ -207,26 +192,24 @@ export class SlideMode {
     this.#letGo();
     this.#shown_ms = 0;
     if (!this.#plateOff && result && result.feltToGlass_mm < missed_mm) this.#series.ask(result.gap_deg);
-    this.compare.keep(this.#plateOff ? "off" : "on", hand.trace, this.#course());
+    this.compare.keep(this.#plateOff ? "off" : "on", hand.trace, hand.course);
     this.sounds.contact();
-    this.voice.say(this.#text());
+    say(element("spoken", HTMLParagraphElement), this.#text());
   }
 
   #draw(): void {
     const { hand, desk } = this,
       over = hand.phase === "arrived";
-    if (hand.phase !== "waiting") desk.extendPaths(hand.finger, hand.felt.place);
     desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
-    desk.draw(this.world.plate_deg(), hand.finger, hand.felt.place);
+    desk.draw(hand);
     desk.caption(hand.phase, this.#text());
     element("after", HTMLDivElement).hidden = !over || this.#series.asking;
     say(element("learnt", HTMLParagraphElement), over ? this.#learnt() : "");
-    desk.write(hand.result, hand.felt.place);
+    desk.write(hand.result, hand.felt);
   }
 
   #text(): string {
-    const { phase, result, finger } = this.hand,
-      felt = this.hand.felt.place;
+    const { phase, result, finger, felt } = this.hand;
     if (!result) {
       if (phase === "sliding") return "Steer the dot to the glass.";
       return this.#plateOff

@@ -1,32 +1,36 @@
-// The mode "Watch": plays reaches of the simulated person one after the other at the chosen speed, and describes them.
+// The mode "Watch": plays reaches of the simulated person one after the other at the chosen speed, describes them, and lists
+// their results in a table.
+import * as hrt from "haptic-retargeting";
 import type { Desk } from "../desk";
-import { element, say, sideways } from "../page";
-import { places, type World } from "../person";
-import { type Results, resultText } from "../results";
+import { addRow, element, say, sideways } from "../page";
 import type { Settings } from "../settings";
-import type { SimulatedReach } from "../simulated_reach";
-import type { Voice } from "../voice";
+import type { ReachResult, SimulatedReach } from "../simulated_reach";
 
 /** Time for which the end of a reach is shown. */
 const pause_ms = 2200;
 const step_ms = 100;
+const rowsKept = 10;
+const arrived_deg = 1.5;
+const controllerTexts = { off: "off", paper: "the paper's", ours: "ours" };
+const warnings: readonly (readonly [number, string])[] = [
+  [hrt.HRT_COMMAND_UNREACHABLE, "no plate orientation sustains the gap"],
+  [hrt.HRT_COMMAND_OFF_TARGET, "the hand will miss the target"],
+  [hrt.HRT_COMMAND_MISFIT, "the motion does not fit the model"],
+  [hrt.HRT_COMMAND_NOT_AT_START, "the hand is not at the start"],
+];
 
 export class WatchMode {
   playing = false;
   #scale = 1;
   readonly #play = element("play", HTMLButtonElement);
   readonly #speed = element("speed", HTMLSelectElement);
-  #pending_ms = 0;
+  readonly #rows = element("result-rows", HTMLTableSectionElement);
   #shownFor_ms = 0;
 
   /** `still`: reaches are shown at their end immediately, unless the visitor plays or steps them. */
   constructor(
-    private watch: SimulatedReach,
-    private world: World,
+    private reach: SimulatedReach,
     private readonly desk: Desk,
-    private readonly results: Results,
-    private settings: Readonly<Settings>,
-    private readonly voice: Voice,
     private readonly still: boolean,
   ) {
     this.#play.addEventListener("click", () => this.#setPlaying(!this.playing));
@@ -36,19 +40,17 @@ export class WatchMode {
   }
 
   apply(settings: Readonly<Settings>): void {
-    this.settings = settings;
-    if (this.watch.apply(settings)) this.results.clear();
-    this.#shown();
+    if (this.reach.apply(settings)) this.#rows.replaceChildren();
+    this.#shownFor_ms = 0;
     this.#finishIfStill();
   }
 
   /** Plays these reaches from now on, drawn `scale` times as large. */
-  play(watch: SimulatedReach, world: World, scale: number): void {
-    if (watch === this.watch) return;
-    this.watch = watch;
-    this.world = world;
+  play(reach: SimulatedReach, scale: number): void {
+    if (reach === this.reach) return;
+    this.reach = reach;
     this.#scale = scale;
-    this.results.clear();
+    this.#rows.replaceChildren();
   }
 
   /** Begins the next reach, when the mode is shown again or the visitor asks for it. */
@@ -58,23 +60,18 @@ export class WatchMode {
   }
 
   frame(elapsed_ms: number): void {
-    if (this.playing) {
-      if (this.watch.phase === "arrived") {
-        this.#shownFor_ms += elapsed_ms;
-        if (this.#shownFor_ms >= pause_ms) this.#begin();
-      } else {
-        this.#pending_ms += elapsed_ms * Number(this.#speed.value);
-        const whole = Math.floor(this.#pending_ms);
-        this.#pending_ms -= whole;
-        this.#advance(whole);
-      }
+    if (this.playing && this.reach.phase !== "arrived") {
+      this.#advance(elapsed_ms * Number(this.#speed.value));
+    } else if (this.playing) {
+      this.#shownFor_ms += elapsed_ms;
+      if (this.#shownFor_ms >= pause_ms) this.#begin();
     }
-    this.#draw();
+    this.desk.draw(this.reach.shown, this.#scale);
+    this.desk.caption(this.reach.phase, this.#text());
   }
 
   #finishIfStill(): void {
-    if (!this.still || this.playing) return;
-    while (this.watch.phase !== "arrived") this.#advance(step_ms);
+    if (this.still && !this.playing) while (this.reach.phase !== "arrived") this.#advance(step_ms);
   }
 
   #setPlaying(playing: boolean): void {
@@ -84,58 +81,72 @@ export class WatchMode {
 
   #step(): void {
     this.#setPlaying(false);
-    if (this.watch.phase === "arrived") this.#begin();
+    if (this.reach.phase === "arrived") this.#begin();
     else this.#advance(step_ms);
   }
 
   #begin(): void {
-    this.watch.begin();
-    this.#shown();
-  }
-
-  #shown(): void {
-    this.desk.clearPaths();
-    this.#pending_ms = this.#shownFor_ms = 0;
+    this.reach.begin();
+    this.#shownFor_ms = 0;
   }
 
   #advance(milliseconds: number): void {
-    const world = this.world;
-    for (let i = 0; i < milliseconds && this.watch.phase !== "arrived"; ++i) {
-      this.watch.advance();
-      if (i % 5 === 0) this.#extend();
-    }
-    this.#extend();
-    const { result } = this.watch;
-    if (!result || this.watch.phase !== "arrived" || world.over() === 0) return;
-    this.results.add(result);
-    this.voice.say(resultText(result));
+    this.reach.advance(milliseconds);
+    const { result } = this.reach;
+    if (!result) return;
+    this.#list(result);
+    say(element("spoken", HTMLParagraphElement), resultText(result));
   }
 
-  #extend(): void {
-    const { finger, felt } = places(this.world, this.#scale);
-    this.desk.extendPaths(finger, felt);
-  }
-
-  #draw(): void {
-    const { finger, felt } = places(this.world, this.#scale);
-    this.#extend();
-    this.desk.draw(this.world.plate_deg(), finger, felt);
-    this.desk.caption(this.watch.phase, this.#text());
+  /** Adds a result to the table, the newest first. */
+  #list(result: Readonly<ReachResult>): void {
+    const { number, controller, bearingError_deg, toCylinder_mm, peakFeltError_deg, weight, weightSd, flags } = result,
+      weights = {
+        off: "–",
+        paper: `${weight.toFixed(2)}, fixed`,
+        ours: weightSd > 0 ? `${weight.toFixed(2)} ± ${(1.96 * weightSd).toFixed(2)}` : "–",
+      };
+    const row = addRow(
+      this.#rows,
+      [
+        String(number),
+        controllerTexts[controller],
+        `${arrived(result) ? "✓" : "✗"} ${Math.abs(bearingError_deg).toFixed(1)}°, ${toCylinder_mm.toFixed(1)} mm`,
+        `${peakFeltError_deg.toFixed(1)}°`,
+        weights[controller],
+        controller === "off" ? "" : warnings.flatMap(([flag, text]) => (flags & flag ? [text] : [])).join("; "),
+      ],
+      0,
+    );
+    row.dataset.result = JSON.stringify(result); // for tests
+    while (this.#rows.rows.length > rowsKept) this.#rows.deleteRow(-1);
   }
 
   #text(): string {
-    const { phase, result } = this.watch,
-      { finger_deg, felt_deg } = this.watch.directions();
-    if (phase === "arrived" && result) return resultText(result);
+    const { phase, result, course, controller } = this.reach,
+      { finger_deg, felt_deg } = this.reach.shown;
+    if (result) return resultText(result);
     if (Number.isNaN(finger_deg)) {
       if (phase === "sliding") return "The hand has stopped.";
-      return this.settings.controller === "off"
+      return controller === "off"
         ? "The hand rests in the ring. The plate does not turn."
         : "The hand rests in the ring. The plate turns for the beginning of the slide.";
     }
     return (
       `The hand moves ${sideways(finger_deg)}; over these ridges that feels like ${sideways(felt_deg)}. ` +
-      `The glass lies ${sideways(this.watch.course.virtual_deg)}.`
+      `The glass lies ${sideways(course.virtual_deg)}.`
     );
   }
+}
+
+function arrived(result: Readonly<ReachResult>): boolean {
+  return Math.abs(result.bearingError_deg) <= arrived_deg;
+}
+
+function resultText(result: Readonly<ReachResult>): string {
+  const end =
+    `The hand is ${result.toCylinder_mm.toFixed(1)} mm from the cylinder; the simulated person feels it ` +
+    `${result.feltToGlass_mm.toFixed(1)} mm from the glass.`;
+  if (result.controller === "off") return `${end} The plate did not turn.`;
+  return `${arrived(result) ? "Arrived" : "Missed"}. ${end}`;
 }

@@ -1,7 +1,8 @@
-// The host's side of the plate's line protocol: greeting, commands, heartbeats, and checks of the plate's reports
-// (plugin/src/plate/protocol.md, rules 1 to 6). The caller passes the time and sends the lines.
-import { angleText, decodeLine, encodeLine, LineReader, type PlateMessage, parseMessage } from "./line";
+// The host's side of the plate's line protocol, version 2 (plugin/src/plate/protocol.md, rules 1 to 6): greeting, commands,
+// heartbeats, and checks of the plate's reports. The caller passes the time and sends the lines.
 
+/** Length of the longest line in bytes, including its end. */
+const max_bytes = 64;
 const greetingLimit_ms = 5000; // boards reset when their line is opened, and need 2 s to start
 const greetingPeriod_ms = 200;
 const beatPeriod_ms = 50;
@@ -12,18 +13,58 @@ const far_deg = 10;
 const stuckLimit_ms = 1000;
 const moved_deg = 1;
 
-const stops: Readonly<Record<string, string>> = {
-  limit: "refused an angle beyond its limits. Connect it again, so that the page reads its limits",
-  fault: "reports that it is defective. Test it with hrt-plate show",
-  emergency: "was stopped by its emergency stop. Release it, then connect the plate again",
-  stuck: "reports that its servo is stuck. Switch it off, and remove the obstacle",
-  sensor: "reports that its sensor and its servo count in opposite directions. Run hrt-plate commission",
-  unhomed: "no longer knows its orientation. This page needs a plate that measures it with a sensor",
-  supply: "has less than 4 V at its servo's supply. Check its adapter and its fuse",
-};
+const restarted = "has restarted: its supply or its line failed; check both";
+/** Messages of the plate that end the session, and the failures that the page reports. */
+const failures = new Map([
+  ["BOOT", restarted],
+  ["ERROR greeting", restarted],
+  ["ERROR session", "receives commands from another program. Close that program"],
+  ["STOPPED limit", "refused an angle beyond its limits. Connect it again, so that the page reads its limits"],
+  ["STOPPED fault", "reports that it is defective. Test it with hrt-plate show"],
+  ["STOPPED emergency", "was stopped by its emergency stop. Release it, then connect the plate again"],
+  ["STOPPED stuck", "reports that its servo is stuck. Switch it off, and remove the obstacle"],
+  ["STOPPED sensor", "reports that its sensor and its servo count in opposite directions. Run hrt-plate commission"],
+  ["STOPPED unhomed", "no longer knows its orientation. This page needs a plate that measures it with a sensor"],
+  ["STOPPED supply", "has less than 4 V at its servo's supply. Check its adapter and its fuse"],
+]);
+
+/** Computes the CRC-16 CCITT-FALSE of ASCII text. */
+function crc16(text: string): string {
+  let sum = 0xffff;
+  for (const character of text) {
+    sum ^= character.charCodeAt(0) << 8;
+    for (let bit = 0; bit < 8; ++bit) sum = sum & 0x8000 ? ((sum << 1) ^ 0x1021) & 0xffff : (sum << 1) & 0xffff;
+  }
+  return sum.toString(16).toUpperCase().padStart(4, "0");
+}
+
+export function encodeLine(body: string): string {
+  return `${body}*${crc16(body)}\n`;
+}
+
+/** Returns the body of a line without its end; null if the line is damaged or of another version. */
+export function decodeLine(line: string): string | null {
+  const [, body = "", sum] = /^([\x20-\x29\x2b-\x7e]+)\*([0-9A-F]{4})$/.exec(line) ?? [];
+  return sum === crc16(body) ? body : null;
+}
 
 /** The plate's answer to the greeting: its limits, its speed, and whether it has a sensor. */
-export type PlateFacts = Extract<PlateMessage, { kind: "plate" }>;
+interface PlateFacts {
+  readonly min_deg: number;
+  readonly max_deg: number;
+  readonly speed_deg_s: number;
+  readonly measured: boolean;
+}
+
+/** Parses an answer to the greeting. Null: the body is not one, or a value is out of range. */
+function parseFacts(body: string): PlateFacts | null {
+  if (!/^PLATE 2( [+-]?\d+(\.\d+)?){4} (measured|assumed)$/.test(body)) return null;
+  const words = body.split(" ").slice(2),
+    [min_deg = NaN, max_deg = NaN, speed_deg_s = NaN, latency_ms = NaN] = words.map(Number);
+  if (words.some(({ length }) => length > 12) || !(-360 <= min_deg && min_deg < max_deg && max_deg <= 360)) return null;
+  if (!(speed_deg_s > 0 && speed_deg_s <= 1e6 && latency_ms >= 0 && latency_ms <= 1000)) return null;
+  return { min_deg, max_deg, speed_deg_s, measured: words[4] === "measured" };
+}
 
 export class PlateLink {
   facts: PlateFacts | null = null;
@@ -33,8 +74,9 @@ export class PlateLink {
   failure = "";
 
   /** Token that identifies the lines of this page. */
-  readonly #token = String(1 + Math.floor(65535 * Math.random())).padStart(5, "0");
-  readonly #reader = new LineReader();
+  readonly #token = fiveDigits(1 + Math.floor(65535 * Math.random()));
+  /** Received bytes of a line whose end has not been received. */
+  #rest = "";
   #began_ms = NaN;
   #received_ms = NaN;
   #reported_ms = NaN;
@@ -43,7 +85,6 @@ export class PlateLink {
   #sequence = 0;
   #wanted_deg = NaN;
   #sent_deg = NaN;
-  #hasReported = false;
   #movedAt_ms = NaN;
   #movedFrom_deg = NaN;
 
@@ -52,7 +93,7 @@ export class PlateLink {
 
   /** True once the plate has greeted and reported. */
   get ready(): boolean {
-    return this.#hasReported && this.failure === "";
+    return !Number.isNaN(this.orientation_deg) && this.failure === "";
   }
 
   /** Sets the wanted orientation. The plate receives the nearest equivalent angle (a multiple of 180° away) within its limits, or
@@ -62,10 +103,11 @@ export class PlateLink {
   }
 
   receive(bytes: Uint8Array, now_ms: number): void {
-    for (const line of this.#reader.take(bytes)) {
-      const body = decodeLine(line),
-        message = body === null ? null : parseMessage(body);
-      if (message && !this.failure) this.#process(message, now_ms);
+    const lines = (this.#rest + Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")).split("\n");
+    this.#rest = (lines.pop() ?? "").slice(0, max_bytes);
+    for (const line of lines) {
+      const body = line.length < max_bytes ? decodeLine(line.replace(/\r$/, "")) : null;
+      if (body !== null && !this.failure) this.#process(body, now_ms);
     }
   }
 
@@ -77,10 +119,10 @@ export class PlateLink {
     if (now_ms - this.#received_ms > silenceLimit_ms)
       return this.#fail("has sent nothing for half a second; check its cable and supply");
     if (now_ms - this.#reported_ms > silenceLimit_ms) {
-      const since = Number.isNaN(this.orientation_deg) ? "since its greeting" : "for half a second";
+      const since = this.ready ? "for half a second" : "since its greeting";
       return this.#fail(`has not reported its orientation ${since}; connect it again`);
     }
-    if (this.#hasReported) this.#sendOrientation(now_ms);
+    if (this.ready) this.#sendOrientation(this.facts, now_ms);
     if (now_ms - this.#sent_ms >= beatPeriod_ms) this.#sendCommand("BEAT", now_ms);
   }
 
@@ -99,27 +141,27 @@ export class PlateLink {
     this.#sendLine("HELLO 2", now_ms);
   }
 
-  #sendOrientation(now_ms: number): void {
-    if (!this.facts || Number.isNaN(this.#wanted_deg) || now_ms - this.#sent_ms < minPeriod_ms) return;
-    const angle_deg = Number(nearest(this.#wanted_deg, this.orientation_deg, this.facts).toFixed(2));
-    if (angle_deg === this.#sent_deg) return;
-    this.#sent_deg = angle_deg;
-    this.#sendCommand(`SET ${angleText(angle_deg)}`, now_ms);
+  #sendOrientation(facts: PlateFacts, now_ms: number): void {
+    if (Number.isNaN(this.#wanted_deg) || now_ms - this.#sent_ms < minPeriod_ms) return;
+    const text = nearest(this.#wanted_deg, this.orientation_deg, facts).toFixed(2);
+    if (Number(text) === this.#sent_deg) return;
+    this.#sent_deg = Number(text);
+    this.#sendCommand(`SET ${this.#sent_deg < 0 ? "-" : "+"}${text.replace("-", "").padStart(6, "0")}`, now_ms);
   }
 
-  #process(message: PlateMessage, now_ms: number): void {
+  #process(body: string, now_ms: number): void {
+    const facts = parseFacts(body),
+      [, angle, sequence] = /^AT ([+-]\d{3}\.\d{2}|unknown) (\d{5})$/.exec(body) ?? [],
+      failure = failures.get(body);
     this.#received_ms = now_ms;
-    if (message.kind === "plate") return this.#processGreeting(message, now_ms);
+    if (facts) this.#processGreeting(facts, now_ms);
     if (!this.facts) return;
-    if (message.kind === "at") return this.#processReport(message.orientation_deg, now_ms);
-    const restarted = message.kind === "boot" || (message.kind === "error" && message.why === "greeting");
-    if (restarted) this.#fail("has restarted: its supply or its line failed; check both");
-    if (message.kind === "error" && message.why === "session")
-      this.#fail("receives commands from another program. Close that program");
-    if (message.kind !== "stopped") return;
-    const why = stops[message.why];
-    if (why) this.#fail(why);
-    else if (message.why === "heartbeat") this.#sent_deg = NaN; // so that the same command is sent again
+    if (angle === "unknown")
+      this.#fail("does not know its orientation. This page needs a plate that measures it with a sensor");
+    else if (angle && Math.abs(Number(angle)) <= 360 && Number(sequence) <= 65535)
+      this.#processReport(Number(angle), this.facts, now_ms);
+    if (failure) this.#fail(failure);
+    if (body === "STOPPED heartbeat") this.#sent_deg = NaN; // so that the same command is sent again
   }
 
   #processGreeting(facts: PlateFacts, now_ms: number): void {
@@ -132,37 +174,26 @@ export class PlateLink {
     --this.#unanswered;
   }
 
-  #processReport(orientation_deg: number, now_ms: number): void {
-    const facts = this.facts;
-    if (!facts) return;
-    if (orientation_deg < facts.min_deg - limitSlack_deg || orientation_deg > facts.max_deg + limitSlack_deg) {
+  #processReport(orientation_deg: number, { min_deg, max_deg }: PlateFacts, now_ms: number): void {
+    const text = `${orientation_deg.toFixed(1)}°`;
+    if (orientation_deg < min_deg - limitSlack_deg || orientation_deg > max_deg + limitSlack_deg)
       return this.#fail(
-        `reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.min_deg}° to ${facts.max_deg}°. Check its sensor and its settings`,
+        `reports ${text}, outside its limits of ${min_deg}° to ${max_deg}°. Check its sensor and its settings`,
       );
-    }
-    if (Number.isNaN(orientation_deg))
-      return this.#fail("does not know its orientation. This page needs a plate that measures it with a sensor");
     this.orientation_deg = orientation_deg;
     this.#reported_ms = now_ms;
-    this.#hasReported = true;
-    this.#expectMotion(orientation_deg, now_ms);
-  }
-
-  #expectMotion(orientation_deg: number, now_ms: number): void {
     const far = Math.abs(this.#sent_deg - orientation_deg) > far_deg;
     if (!far || !(Math.abs(orientation_deg - this.#movedFrom_deg) < moved_deg)) {
       this.#movedFrom_deg = orientation_deg;
       this.#movedAt_ms = now_ms;
     } else if (now_ms - this.#movedAt_ms > stuckLimit_ms) {
-      this.#fail(
-        `is stuck at ${orientation_deg.toFixed(1)}°; it was commanded to ${this.#sent_deg.toFixed(1)}°. Remove the obstacle`,
-      );
+      this.#fail(`is stuck at ${text}; it was commanded to ${this.#sent_deg.toFixed(1)}°. Remove the obstacle`);
     }
   }
 
   #sendCommand(words: string, now_ms: number): void {
     this.#sequence = (this.#sequence + 1) & 0xffff;
-    this.#sendLine(`${words} ${String(this.#sequence).padStart(5, "0")}`, now_ms);
+    this.#sendLine(`${words} ${fiveDigits(this.#sequence)}`, now_ms);
   }
 
   #sendLine(body: string, now_ms: number): void {
@@ -177,13 +208,17 @@ export class PlateLink {
   }
 }
 
+function fiveDigits(number: number): string {
+  return String(number).padStart(5, "0");
+}
+
+/** Returns the angle in the plate's range with the ridges of `wanted_deg` that is nearest to the plate, or else the nearest limit. */
 function nearest(wanted_deg: number, plate_deg: number, { min_deg, max_deg }: PlateFacts): number {
-  const first_deg = wanted_deg - 180 * Math.floor((wanted_deg - min_deg) / 180);
-  if (first_deg > max_deg)
-    return Math.abs(first_deg - max_deg) < Math.abs(first_deg - 180 - min_deg) ? max_deg : min_deg;
-  let best_deg = first_deg;
-  for (let angle_deg = first_deg; angle_deg <= max_deg; angle_deg += 180) {
-    if (Math.abs(angle_deg - plate_deg) < Math.abs(best_deg - plate_deg)) best_deg = angle_deg;
-  }
-  return best_deg;
+  const turns = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((halfTurns) => (wanted_deg % 180) + 180 * halfTurns),
+    allowed = turns.filter((angle_deg) => angle_deg >= min_deg && angle_deg <= max_deg),
+    off = (angle_deg: number) => Math.abs(angle_deg - plate_deg),
+    beyond = (angle_deg: number) => Math.max(min_deg - angle_deg, angle_deg - max_deg);
+  if (allowed.length > 0) return allowed.reduce((best, angle_deg) => (off(angle_deg) < off(best) ? angle_deg : best));
+  const closest_deg = turns.reduce((best, angle_deg) => (beyond(angle_deg) < beyond(best) ? angle_deg : best));
+  return Math.min(max_deg, Math.max(min_deg, closest_deg));
 }

@@ -1,24 +1,112 @@
-// The panel "Connect a plate": connects a plate, shows its state, and passes the controller's commands to it.
+// The panel "Connect a plate": connects a plate on a serial line, shows its state, and passes the controller's commands to it.
 import { element, messageOf, say } from "../page";
-import { PlateDevice } from "./device";
-import type { PlateFacts } from "./link";
-import { serial } from "./serial";
+import { PlateLink } from "./link";
+
+/** A port of the browser's Web Serial API, for which TypeScript has no types. */
+export interface SerialPort {
+  readonly readable: ReadableStream<Uint8Array> | null;
+  readonly writable: WritableStream<Uint8Array> | null;
+  open(options: { baudRate: number }): Promise<void>;
+  close(): Promise<void>;
+}
+
+const baudRate = 115200;
+/** The line is considered broken when more bytes than this wait to be sent. */
+const maxUnsent = 4096;
+
+/** A connected plate. */
+export class PlateDevice {
+  readonly link: PlateLink = new PlateLink((text) => this.#send(text));
+  // The page draws no frames while it is hidden or a headset is worn, but the plate must still receive heartbeats.
+  readonly #timer = setInterval(() => this.link.service(performance.now()), 20);
+  readonly #reading: Promise<void>;
+  #unsent = 0;
+
+  private constructor(
+    private readonly port: SerialPort,
+    private readonly reader: ReadableStreamDefaultReader<Uint8Array>,
+    private readonly writer: WritableStreamDefaultWriter<Uint8Array>,
+  ) {
+    this.#reading = this.#read().catch((error: unknown) => this.#lose(messageOf(error)));
+  }
+
+  /** Opens a port. Rejects if it cannot be opened. */
+  static async open(port: SerialPort): Promise<PlateDevice> {
+    await port.open({ baudRate });
+    const reader = port.readable?.getReader(),
+      writer = port.writable?.getWriter();
+    if (!reader || !writer) throw new Error("the port cannot be read and written; close other programs that use it");
+    return new PlateDevice(port, reader, writer);
+  }
+
+  /** State of the plate, as text for people. */
+  get state(): string {
+    const { failure, facts } = this.link;
+    if (failure) return failure;
+    if (!facts) return "The page waits for the plate's greeting.";
+    const how = facts.measured ? "measured by its sensor" : "assumed from its commands: it has no sensor";
+    return `The plate turns from ${facts.min_deg}° to ${facts.max_deg}° at ${facts.speed_deg_s}°/s; its orientation is ${how}.`;
+  }
+
+  /** Stops the plate and closes the port. */
+  async close(): Promise<void> {
+    clearInterval(this.#timer);
+    this.link.stop(performance.now());
+    // A blocked line is not waited for: unsent bytes are dropped, and the plate stops without heartbeats (rule 1 of the protocol).
+    const patience = new Promise((done) => setTimeout(done, 300));
+    for (const ending of [this.writer.close(), this.reader.cancel().then(() => this.#reading)])
+      await Promise.race([ending.catch(() => undefined), patience]);
+    for (const lock of [this.writer, this.reader]) lock.releaseLock();
+    await this.port.close().catch(() => undefined);
+  }
+
+  #send(text: string): void {
+    if (this.#unsent > maxUnsent) return this.#lose("it does not accept data");
+    this.#unsent += text.length;
+    this.writer.write(new TextEncoder().encode(text)).then(
+      () => {
+        this.#unsent -= text.length;
+      },
+      (error: unknown) => this.#lose(messageOf(error)),
+    );
+  }
+
+  async #read(): Promise<void> {
+    for (;;) {
+      const { value, done } = await this.reader.read();
+      if (done) throw new Error("it was closed");
+      this.link.receive(value, performance.now());
+    }
+  }
+
+  #lose(why: string): void {
+    this.link.failure ||= `The line to the plate ended: ${why.replace(/\.$/, "")}. Check its cable, then connect it again.`;
+  }
+}
 
 export class PlatePanel {
   readonly #connect = element("plate-serial", HTMLButtonElement);
   readonly #stop = element("plate-stop", HTMLButtonElement);
   readonly #state = element("plate-state", HTMLParagraphElement);
-  /** Called when the plate has answered, with its limits for the controller. */
-  onReady: (facts: PlateFacts) => void = () => {};
+  /** Called when the plate has answered, with its maximum speed. */
+  onReady: (speed_deg_s: number) => void = () => {};
   #device: PlateDevice | null = null;
   #known = false;
-  #shownAt_ms = -Infinity;
 
   constructor() {
-    const available = serial() !== null;
-    this.#connect.disabled = !available;
-    element("plate-unavailable", HTMLParagraphElement).hidden = available;
-    this.#connect.addEventListener("click", () => this.#open());
+    const { serial } = navigator as { serial?: { requestPort(): Promise<SerialPort> } };
+    this.#connect.disabled = !serial;
+    element("plate-unavailable", HTMLParagraphElement).hidden = serial !== undefined;
+    this.#connect.addEventListener("click", async () => {
+      this.#connect.disabled = true;
+      try {
+        if (serial) this.#device = await PlateDevice.open(await serial.requestPort());
+        this.#known = false;
+      } catch (error) {
+        say(this.#state, `No plate is connected: ${messageOf(error)}`);
+      }
+      this.#show();
+    });
     this.#stop.addEventListener("click", () => this.#end("The plate was disconnected."));
     window.addEventListener("pagehide", () => this.#device?.close());
   }
@@ -33,45 +121,27 @@ export class PlatePanel {
 
   /** Updates the plate once a frame, with the orientation that the controller commands. */
   frame(now_ms: number, command_deg: number): void {
-    const device = this.#device;
-    if (!device) return;
-    const { link } = device;
+    if (!this.#device) return;
+    const { link, state } = this.#device;
     link.turnTo(command_deg);
-    device.advance();
-    if (link.failure) return void this.#end(link.failure);
+    link.service(now_ms);
+    if (link.failure) return this.#end(link.failure);
     if (!this.#known && link.facts) {
       this.#known = true;
-      this.onReady(link.facts);
+      this.onReady(link.facts.speed_deg_s);
     }
-    if (now_ms - this.#shownAt_ms < 250) return;
-    this.#shownAt_ms = now_ms;
-    say(this.#state, device.state);
+    say(this.#state, state);
   }
 
-  async #open(): Promise<void> {
-    this.#connect.disabled = true;
-    try {
-      const port = await serial()?.requestPort();
-      if (port) this.#device = await PlateDevice.open(port);
-      this.#known = false;
-      this.#shownAt_ms = -Infinity;
-    } catch (error) {
-      say(this.#state, `No plate is connected: ${messageOf(error)}`);
-    }
-    this.#show();
-  }
-
-  async #end(why: string): Promise<void> {
-    const device = this.#device;
-    if (!device) return;
+  #end(why: string): void {
+    void this.#device?.close();
     this.#device = null;
     this.#show();
     say(this.#state, why);
-    await device.close();
   }
 
   #show(): void {
-    this.#connect.disabled = this.connected || serial() === null;
+    this.#connect.disabled = this.connected;
     this.#stop.hidden = !this.connected;
   }
 }

@@ -1,4 +1,4 @@
-// The hand: WebXR's generic hand model, flat as in its file for a headset, or bent to point. It is loaded after the first picture.
+// Loads WebXR's generic hand model, after the first picture: flat for a headset, as in its file, or bent into a pointing hand.
 import left from "generic-hand/left.glb";
 import right from "generic-hand/right.glb";
 import * as THREE from "three";

@@ -5,21 +5,18 @@ import { XRHandModelFactory } from "three/addons/webxr/XRHandModelFactory.js";
 import { cover, readHand } from "./hand_model";
 import type { Stage } from "./stage";
 
-const width_px = 1024,
-  margin_px = 36;
-const poke_m = 0.015;
+const margin_px = 36;
 
 /** The stage in a headset. */
 export class Headset {
   /** Both hands, drawn at an offset from their true positions; see shift(). */
   readonly #hands = new THREE.Group();
-  readonly #again = new WordBoard(0.12, 0.05, new THREE.Vector3(0.15, 0.05, -0.1));
   readonly #eyes = new THREE.PerspectiveCamera(40, 1, 0.01, 50); // three.js replaces its pose by the headset's
-  readonly #words = new WordBoard(0.32, 0.1, new THREE.Vector3(0, 0.09, -0.16));
+  readonly #words = new WordBoard();
   readonly #skin = new THREE.MeshStandardMaterial({ roughness: 0.6, transparent: true, opacity: 0.75 });
 
   constructor(private readonly stage: Stage) {
-    stage.mount.add(this.#words, this.#again);
+    stage.mount.add(this.#words);
     stage.scene.add(this.#hands);
     const loader = {
       load: (file: string, use: (hand: GLTF) => void) => {
@@ -39,30 +36,22 @@ export class Headset {
     mount.updateMatrixWorld(true);
   }
 
-  /** While the headset is worn, shows tracked hands instead of the finger, and the text board instead of the page. */
+  /** While the headset is worn, shows the text board, and tracked hands instead of the finger. */
   show(worn: boolean): void {
     this.stage.finger.visible = !worn;
     this.#words.visible = worn;
   }
 
-  /** Sets the text. `placed`: shows the button that places the plate again. */
-  say(title: string, text: string, placed: boolean): void {
+  say(title: string, text: string): void {
     const { colours } = this.stage;
     if (!colours) return;
     this.#skin.color.set(colours.hand);
     this.#words.say(title, text, colours.text, colours.panel);
-    this.#again.say("", "Poke here to place the plate again", colours.panel, colours.text);
-    this.#again.visible = placed;
   }
 
   /** Sets the offset on the plate from the hands' true positions to their drawn ones. */
   shift(right_m: number, away_m: number): void {
     this.#hands.position.set(right_m, 0, -away_m).applyQuaternion(this.stage.mount.quaternion);
-  }
-
-  /** Returns true once for each poke of a fingertip at the button. */
-  poked(tip: Readonly<THREE.Vector3>, hand: string): boolean {
-    return this.#again.visible && this.#again.poked(tip, hand);
   }
 
   /** Draws until the session ends. `frame` is called before each picture, with the reference space in which `mount` is placed;
@@ -83,7 +72,6 @@ export class Headset {
       xr.enabled = false;
       scene.background = background;
       desk.visible = true;
-      this.#again.visible = false;
       mount.position.set(0, 0, 0);
       mount.quaternion.identity();
     });
@@ -99,58 +87,39 @@ export class Headset {
   }
 }
 
-/** Inclined board with a text, such as that behind the plate. Drawn again only when the text changes. */
+/** Inclined board behind the plate with a text, which is drawn again only when it changes. */
 class WordBoard extends THREE.Mesh {
-  readonly #canvas = document.createElement("canvas");
-  readonly #texture: THREE.CanvasTexture;
+  readonly #canvas = Object.assign(document.createElement("canvas"), { width: 1024, height: 320 });
+  readonly #texture = new THREE.CanvasTexture(this.#canvas);
   #text = "";
-  #touched = "";
 
-  constructor(
-    private readonly width_m: number,
-    private readonly height_m: number,
-    at: THREE.Vector3,
-  ) {
-    super(new THREE.PlaneGeometry(width_m, height_m));
-    this.#canvas.width = width_px;
-    this.#canvas.height = (width_px * height_m) / width_m;
-    this.#texture = new THREE.CanvasTexture(this.#canvas);
+  constructor() {
+    super(new THREE.PlaneGeometry(0.32, 0.1));
     this.material = new THREE.MeshBasicMaterial({ map: this.#texture });
-    this.position.copy(at);
+    this.position.set(0, 0.09, -0.16);
     this.rotation.x = -0.35;
     this.visible = false;
   }
 
-  poked(tip: Readonly<THREE.Vector3>, hand: string): boolean {
-    const { x, y, z } = this.worldToLocal(tip.clone());
-    const touches = Math.abs(x) < this.width_m / 2 && Math.abs(y) < this.height_m / 2 && Math.abs(z) < poke_m;
-    const before = this.#touched;
-    if (touches) this.#touched = hand;
-    else if (before === hand) this.#touched = "";
-    return touches && before === "";
-  }
-
   /** `title` is the first line. */
   say(title: string, text: string, ink: string, paper: string): void {
-    const all = `${title}\n${text}\n${ink}${paper}`;
-    if (all === this.#text) return;
+    const all = `${title}\n${text}\n${ink}${paper}`,
+      pen = this.#canvas.getContext("2d"),
+      { width, height } = this.#canvas;
+    if (all === this.#text || !pen) return;
     this.#text = all;
-    const pen = this.#canvas.getContext("2d");
-    if (!pen) return;
     pen.fillStyle = paper;
-    const height_px = this.#canvas.height;
-    pen.fillRect(0, 0, width_px, height_px);
+    pen.fillRect(0, 0, width, height);
     pen.fillStyle = ink;
     // Uses the largest size at which the whole text fits.
-    const first = title ? 2.1 : 0.8; // number of the line on which the text begins
-    let size_px = title ? 42 : 110,
+    let size_px = 42,
       lines: string[] = [];
     do {
       size_px -= 2;
       pen.font = `${size_px}px system-ui, sans-serif`;
-      lines = wrapped(text, (line) => pen.measureText(line).width <= width_px - 2 * margin_px);
-    } while (size_px > 16 && (lines.length + first - 0.8) * 1.2 * size_px > height_px - margin_px);
-    for (const [i, line] of lines.entries()) pen.fillText(line, margin_px, margin_px + (i + first) * 1.2 * size_px);
+      lines = wrapped(text, (line) => pen.measureText(line).width <= width - 2 * margin_px);
+    } while (size_px > 16 && (lines.length + 1.3) * 1.2 * size_px > height - margin_px);
+    for (const [i, line] of lines.entries()) pen.fillText(line, margin_px, margin_px + (i + 2.1) * 1.2 * size_px);
     pen.font = `bold ${size_px}px system-ui, sans-serif`;
     pen.fillText(title, margin_px, margin_px + 0.8 * size_px);
     this.#texture.needsUpdate = true;

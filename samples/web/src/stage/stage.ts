@@ -3,25 +3,31 @@ import { HapticPlate } from "haptic-retargeting/three";
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { VisitorScene } from "../files/scene";
-import { ahead, type Place, radius_m, ridgeSpacing_m, start } from "../geometry";
-import type { Colours } from "../theme";
-import { colourTargets, colourThings, FeltTip, Finger, Glass, RealCylinder, StartMark } from "./objects";
-import { Ribbon } from "./ribbon";
+import { ahead, type Course, type Place, radius_m, ridgeSpacing_m, start } from "../geometry";
+import type { Trace } from "../guided_reach";
+import type { Colours } from "../page";
+import { colourTargets, colourThings, Finger, feltTip, goblet, Ribbon, realCylinder, startMark } from "./objects";
 
 const fieldOfView_deg = 30; // from top to bottom
 /** Direction from which the visitor looks, in all modes. The distance is such that the plate fills the picture (`fill`). */
 const seat = new THREE.Vector3(0, 0.85, 0.53);
 const middle = new THREE.Vector3(0, 0, 0.002);
 const fill = 0.97;
-const headHeight_m = 0.034; // top of a target, for its label
-const pathHeight_m = 0.003;
 
-/** Objects that have a label. */
-export type LabelName = "real" | "glass" | "finger" | "felt";
+/** State of a reach that is drawn. */
+export interface Shown {
+  readonly plate_deg: number;
+  readonly finger: Readonly<Place>;
+  readonly felt: Readonly<Place>;
+  /** Path of the reach until now. */
+  readonly trace: Trace;
+}
 
 export class Stage {
-  readonly truePath = new Ribbon(0.0022, 0, pathHeight_m);
-  readonly feltPath = new Ribbon(0.0022, 0.008, pathHeight_m);
+  readonly #truePath = new Ribbon(0);
+  readonly #feltPath = new Ribbon(0.008);
+  #trace: Trace = [];
+  #traced = 0;
   readonly renderer: THREE.WebGLRenderer;
   readonly scene = new THREE.Scene();
   /** Parent of all objects on and above the plate, in plate coordinates. In a headset it has the pose of the plate. */
@@ -46,18 +52,15 @@ export class Stage {
     new THREE.BoxGeometry(1.2, 0.02, 0.9),
     new THREE.MeshStandardMaterial({ roughness: 1 }),
   );
-  readonly #real = new RealCylinder();
-  readonly #glass = new Glass();
+  readonly #real = realCylinder();
+  readonly #glass = goblet();
   readonly finger = new Finger();
-  readonly #felt = new FeltTip();
-  readonly #start = new StartMark();
+  readonly #felt = feltTip();
+  readonly #start = startMark();
   readonly #visited = new THREE.Group();
   colours: Colours | null = null;
   readonly #lamp = new THREE.DirectionalLight(0xfff4e6, 1.7);
   readonly #ray = new THREE.Raycaster();
-  readonly #surface = new THREE.Plane(new THREE.Vector3(0, 1, 0), 0);
-  readonly #point = new THREE.Vector3();
-  readonly #pointer = new THREE.Vector2();
   #width = 1;
   #height = 1;
   #finest = 2;
@@ -79,7 +82,7 @@ export class Stage {
     Object.assign(this.#lamp.shadow, { radius: 6, intensity: 0.7, normalBias: 0.0005 });
     Object.assign(this.#lamp.shadow.camera, { left: -0.2, right: 0.2, top: 0.2, bottom: -0.2, near: 0.1, far: 1.2 });
     this.mount.add(this.desk, this.plate, this.#real, this.#glass, this.finger, this.#felt, this.#start);
-    this.mount.add(this.#visited, this.truePath, this.feltPath, this.#lamp, this.#lamp.target);
+    this.mount.add(this.#visited, this.#truePath, this.#feltPath, this.#lamp, this.#lamp.target);
     this.scene.add(this.mount, new THREE.HemisphereLight(0xffffff, 0x9a8f86, 1.9));
   }
 
@@ -92,14 +95,14 @@ export class Stage {
     this.#disc.color.set(colours.plate);
     this.#ridges.color.set(colours.ridges);
     this.#mark.color.set(colours.chart);
-    this.truePath.material.color.set(colours.real);
-    this.feltPath.material.color.set(colours.felt);
+    this.#truePath.material.color.set(colours.real);
+    this.#feltPath.material.color.set(colours.felt);
     this.finger.skin.color.set(colours.hand);
   }
 
-  setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
-    const real = ahead(start, real_deg, distance_m),
-      glass = ahead(start, virtual_deg, distance_m);
+  setTargets({ real_deg, real_m, virtual_deg, virtual_m }: Course): void {
+    const real = ahead(start, real_deg, real_m),
+      glass = ahead(start, virtual_deg, virtual_m);
     this.#real.position.set(real.right_m, 0, -real.away_m);
     this.#glass.position.set(glass.right_m, 0, -glass.away_m);
   }
@@ -125,7 +128,7 @@ export class Stage {
     this.#start.position.set(from.right_m, this.#start.position.y, -from.away_m);
     for (const { name, real, drawn } of scene?.targets ?? []) {
       if (scene?.meshes?.targets.has(name)) continue;
-      const thing = real ? new RealCylinder() : new Glass();
+      const thing = real ? realCylinder() : goblet();
       thing.position.set(drawn.right_m, 0, -drawn.away_m);
       this.#visited.add(thing);
     }
@@ -155,16 +158,12 @@ export class Stage {
 
   /** Returns the bounding box of the plate's disc with a margin, in CSS pixels of the canvas. */
   discOnCanvas(): { left: number; top: number; width: number; height: number } {
-    const edge = { x: 0, y: 0 },
-      out_m = radius_m / fill,
-      xs: number[] = [],
-      ys: number[] = [];
     this.#camera.updateMatrixWorld();
-    for (let i = 0; i < 32; ++i) {
-      this.#toCanvas(out_m * Math.cos((i * Math.PI) / 16), 0, out_m * Math.sin((i * Math.PI) / 16), edge);
-      xs.push(edge.x);
-      ys.push(edge.y);
-    }
+    const edge = Array.from({ length: 32 }, (_, i) =>
+        this.toCanvas(ahead({ right_m: 0, away_m: 0 }, (i * 360) / 32, radius_m / fill), 0),
+      ),
+      xs = edge.map(({ x }) => x),
+      ys = edge.map(({ y }) => y);
     const [left, top] = [Math.min(...xs), Math.min(...ys)];
     return { left, top, width: Math.max(...xs) - left, height: Math.max(...ys) - top };
   }
@@ -172,19 +171,20 @@ export class Stage {
   /** Shows the true hand with this opacity, and this fraction of its path: 0 to 1. */
   reveal(fraction: number): void {
     this.finger.fade(fraction);
-    this.truePath.shown = fraction;
+    this.#truePath.shown = fraction;
     this.#real.visible = fraction > 0 && this.#glass.visible;
   }
 
-  place(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
+  /** Moves hand, plate and paths. `scale`: factor from the size of the reach's plate to that of the page's. */
+  place({ plate_deg, finger, felt, trace }: Shown, scale = 1): void {
     this.plate.orientation_deg = plate_deg;
-    this.finger.position.set(finger.right_m, 0.002, -finger.away_m);
-    this.#felt.position.set(felt.right_m, 0, -felt.away_m);
-  }
-
-  clearPaths(): void {
-    this.truePath.reset();
-    this.feltPath.reset();
+    this.finger.position.set(scale * finger.right_m, 0.002, -scale * finger.away_m);
+    this.#felt.position.set(scale * felt.right_m, 0, -scale * felt.away_m);
+    if (trace === this.#trace && trace.length === this.#traced) return;
+    [this.#trace, this.#traced] = [trace, trace.length];
+    const scaled = ({ right_m, away_m }: Place) => ({ right_m: scale * right_m, away_m: scale * away_m });
+    this.#truePath.follow(trace.map((step) => scaled(step.finger)));
+    this.#feltPath.follow(trace.map((step) => scaled(step.felt)));
   }
 
   /** Sets the size of the canvas, in CSS pixels. */
@@ -210,31 +210,16 @@ export class Stage {
     this.renderer.render(this.scene, this.#camera);
   }
 
-  /** Converts a point of the canvas, in CSS pixels, to a position on the plate's plane. Returns false beyond the horizon. */
-  toPlate(x: number, y: number, out: Place): boolean {
-    this.#pointer.set((2 * x) / this.#width - 1, 1 - (2 * y) / this.#height);
-    this.#ray.setFromCamera(this.#pointer, this.#camera);
-    if (!this.#ray.ray.intersectPlane(this.#surface, this.#point)) return false;
-    out.right_m = this.#point.x;
-    out.away_m = -this.#point.z;
-    return true;
+  /** Converts a point of the canvas, in CSS pixels, to a position on the plate's plane; null beyond the horizon. */
+  toPlate(x: number, y: number): Place | null {
+    this.#ray.setFromCamera(new THREE.Vector2((2 * x) / this.#width - 1, 1 - (2 * y) / this.#height), this.#camera);
+    const at = this.#ray.ray.intersectPlane(new THREE.Plane(new THREE.Vector3(0, 1, 0), 0), new THREE.Vector3());
+    return at && { right_m: at.x, away_m: -at.z };
   }
 
-  /** Writes the position on the canvas, in CSS pixels, of the object that has this label. */
-  toCanvas(label: LabelName, out: { x: number; y: number }): void {
-    const things = { real: this.#real, glass: this.#glass, finger: this.finger, felt: this.#felt },
-      { x, z } = things[label].position;
-    this.#toCanvas(x, label === "real" || label === "glass" ? headHeight_m : 0.006, z, out);
-  }
-
-  /** Writes the position on the canvas of a point above the plate. */
-  targetToCanvas(target: Readonly<Place>, out: { x: number; y: number }, height_m = headHeight_m): void {
-    this.#toCanvas(target.right_m, height_m, -target.away_m, out);
-  }
-
-  #toCanvas(x: number, y: number, z: number, out: { x: number; y: number }): void {
-    this.#point.set(x, y, z).project(this.#camera);
-    out.x = ((this.#point.x + 1) / 2) * this.#width;
-    out.y = ((1 - this.#point.y) / 2) * this.#height;
+  /** Returns the position on the canvas, in CSS pixels, of a point above the plate. */
+  toCanvas({ right_m, away_m }: Readonly<Place>, height_m: number): { x: number; y: number } {
+    const { x, y } = new THREE.Vector3(right_m, height_m, -away_m).project(this.#camera);
+    return { x: ((x + 1) / 2) * this.#width, y: ((1 - y) / 2) * this.#height };
   }
 }

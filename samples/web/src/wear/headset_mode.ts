@@ -3,10 +3,8 @@ import { Vector3 } from "three";
 import type { Desk } from "../desk";
 import { start } from "../geometry";
 import { chosen, element, messageOf, say } from "../page";
-import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Headset } from "../stage/headset";
-import type { Voice } from "../voice";
 import type { HeadsetReach } from "./headset_reach";
 
 type Kind = "immersive-vr" | "immersive-ar";
@@ -29,7 +27,6 @@ export class HeadsetMode {
   #handedness: XRHandedness = "none";
   #before_ms = NaN;
   #shift = 0;
-  #spoken = "";
   #message = "You need a headset that tracks hands. Open this page in its browser, and slide with your own hand.";
   /** Called in each frame of the headset, for a connected plate. */
   onFrame: () => void = () => {};
@@ -38,9 +35,7 @@ export class HeadsetMode {
 
   constructor(
     readonly wear: HeadsetReach,
-    private readonly world: World,
     private readonly desk: Desk,
-    private readonly voice: Voice,
   ) {
     this.#headset = desk.stage && new Headset(desk.stage);
     wear.onPlaced = (position, rotation) => this.#headset?.put(position, rotation);
@@ -57,12 +52,11 @@ export class HeadsetMode {
 
   apply(settings: Readonly<Settings>): void {
     this.wear.apply(settings);
-    this.desk.clearPaths();
   }
 
   /** Processes a frame of the page, while no headset is worn. */
   frame(): void {
-    this.desk.draw(this.world.plate_deg(), this.wear.finger, this.wear.felt.place);
+    this.desk.draw(this.wear);
     this.#show();
   }
 
@@ -91,13 +85,15 @@ export class HeadsetMode {
       this.#handedness = "none";
       this.#before_ms = NaN;
       this.wear.begin(this.#byMarks);
-      this.desk.clearPaths();
       headset.show(true);
       await headset.present(
         session,
         kind === "immersive-ar",
         (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
-        () => this.#placeAgain("The headset was recentred, so the plate must be placed again. "),
+        () => {
+          this.#before_ms = NaN;
+          this.wear.begin(this.#byMarks, "The headset was recentred, so the plate must be placed again. ");
+        },
       );
     } catch (error) {
       this.#message = `The headset cannot show the plate: ${messageOf(error)}${advice(error)}`;
@@ -115,14 +111,7 @@ export class HeadsetMode {
     this.#headset?.show(false);
     if (!was) return;
     this.#message = "You have left the headset.";
-    this.desk.clearPaths();
     this.onLeft();
-  }
-
-  #placeAgain(why: string): void {
-    this.#before_ms = NaN;
-    this.wear.begin(this.#byMarks, why);
-    this.desk.clearPaths();
   }
 
   get #byMarks(): boolean {
@@ -135,25 +124,21 @@ export class HeadsetMode {
       wear = this.wear;
     if (!stage || !this.#session) return;
     if (Number.isNaN(this.#before_ms)) this.#standAhead(frame, space);
-    const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms,
-      phase = wear.phase;
+    const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms;
     this.#before_ms = now_ms;
     this.onFrame();
     const hand = this.#hand(frame, space);
     wear.hasCylinder = this.#cylinder.checked;
     wear.frame(now_ms, frame, hand, space);
-    if (wear.phase !== phase && wear.phase === "sliding") this.desk.clearPaths();
-    if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt.place);
-    stage.place(this.world.plate_deg(), wear.finger, wear.felt.place);
+    stage.place(wear);
     const unfelt = Number.isNaN(wear.plateConnected_deg);
     const title = unfelt ? "SIMULATION: hand drawn where it is felt" : "A plate is connected";
-    this.#headset?.say(title, wear.text, wear.phase === "ready" || wear.phase === "arrived");
+    this.#headset?.say(title, wear.text);
     // Without a plate, the hand is drawn at its perceived position while it slides, so that a visitor who steers the drawn hand to
     // the glass touches an object that is really at the cylinder. After the slide the drawn hand moves to its true position.
     this.#shift = wear.phase === "sliding" && unfelt ? 1 : this.#shift * Math.exp(-elapsed_ms / settle_ms);
-    const { place } = wear.felt,
-      right_m = this.#shift * (place.right_m - wear.finger.right_m),
-      away_m = this.#shift * (place.away_m - wear.finger.away_m);
+    const right_m = this.#shift * (wear.felt.right_m - wear.finger.right_m),
+      away_m = this.#shift * (wear.felt.away_m - wear.finger.away_m);
     this.#headset?.shift(right_m, away_m);
     Object.assign(this.desk.frame.dataset, { shiftRightMm: 1000 * right_m, shiftAwayMm: 1000 * away_m }); // for tests
     this.#show();
@@ -175,7 +160,7 @@ export class HeadsetMode {
   }
 
   /** Returns the hand to be used. During a slide it is the hand that began it, before a slide the hand nearer to the ring, and
-   *  until the plate is placed the hand farther from the eyes. Both hands may poke the button. */
+   *  until the plate is placed the hand farther from the eyes. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
     const { wear } = this,
       eyes = frame.getViewerPose(space)?.transform.position,
@@ -191,9 +176,10 @@ export class HeadsetMode {
       }
       if (!hand || !pose) continue;
       const { x, y, z } = pose.transform.position,
-        tip = new Vector3(x, y, z);
-      if (this.#headset?.poked(tip, handedness)) this.#placeAgain("");
-      const from = wear.phase === "placing" ? eyes && -Math.hypot(x - eyes.x, z - eyes.z) : ring?.distanceTo(tip);
+        from =
+          wear.phase === "placing"
+            ? eyes && -Math.hypot(x - eyes.x, z - eyes.z)
+            : ring?.distanceTo(new Vector3(x, y, z));
       if ((from ?? 0) >= least) continue;
       [best, least, this.#handedness] = [hand, from ?? 0, handedness];
     }
@@ -205,10 +191,8 @@ export class HeadsetMode {
     const text = this.#session ? wear.text : this.#message;
     this.desk.caption(wear.phase, text);
     say(this.#state, text);
-    Object.assign(this.desk.frame.dataset, { lost: wear.lost, feltDeg: wear.felt.felt_deg }); // for tests
-    if (this.#session && text !== this.#spoken) this.voice.say(text);
-    this.#spoken = text;
-    this.desk.write(wear.result, wear.felt.place);
+    Object.assign(this.desk.frame.dataset, { lost: wear.lost, feltDeg: wear.felt_deg }); // for tests
+    this.desk.write(wear.result, wear.felt);
   }
 }
 

@@ -1,17 +1,13 @@
-// Reaches of a hand that a headset tracks: places the plate, waits for the hand in the ring, lets the real plugin control the
-// slide, and reports its end. It needs no document and no session of the browser: the caller passes the frames.
+// Reaches of a hand that a headset tracks: places the plate, waits for the hand in the ring, lets the plugin control the slide,
+// and reports its end. It needs no document and no session of the browser: the caller passes the frames.
 import { HRT_COMMAND_ARRIVED, HRT_SESSION_REGISTERED, type Library } from "haptic-retargeting";
 import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
-import { pageCourse } from "../controller";
-import { Felt } from "../felt";
-import { cylinderRadius_m, length_m, type Place, type SlideEnd, slideEnd, start } from "../geometry";
-import { GuidedReach } from "../guided_reach";
-import type { World } from "../person";
+import { cylinderRadius_m, length_m, pageCourse, type SlideEnd, slideEnd, start } from "../geometry";
 import type { Settings } from "../settings";
+import { VisitorHand } from "../visitor_hand";
 import { minReach_m } from "../visitor_reach";
-import { Placement } from "./placement";
-import { RestDetector } from "./rest_detector";
+import { Placement, RestDetector } from "./placement";
 
 const startRadius_m = 0.015; // around the start, within the plate's plane
 const startHeight_m = 0.03;
@@ -27,8 +23,7 @@ const registered = [
   ...(["contact_correction", "contact_covariance"] as const),
 ];
 
-export class HeadsetReach extends GuidedReach {
-  readonly finger: Place = { ...start };
+export class HeadsetReach extends VisitorHand {
   phase: "placing" | "ready" | "sliding" | "arrived" = "placing";
   result: SlideEnd | null = null;
   /** Instruction to the visitor, or the result of the slide. */
@@ -40,35 +35,27 @@ export class HeadsetReach extends GuidedReach {
   /** Called with the plate's pose, in the space of the frames, when it has been placed. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
 
-  readonly felt = new Felt(this.world);
-  readonly #rest = new RestDetector(startRadius_m, startRest_ms);
-  readonly #tip = new Vector3();
-  readonly #thumb = new Vector3();
-  readonly #onPlate = new Vector3();
-  readonly #forward = new Vector3();
-  readonly #view = new Quaternion();
+  readonly #resting = new RestDetector(startRadius_m, startRest_ms);
   #reach: HandReach;
   #placing!: Placement;
   #byMarks = false;
   #why = "";
   #time_ms = NaN;
-  #pending_ms = 0;
   #seen_ms = 0;
 
   /** `plate` is the drawn plate, which has its pose in the scene. */
   constructor(
     library: Library,
-    world: World,
     private readonly plate: HapticPlate,
     settings: Readonly<Settings>,
   ) {
-    super(library, world, settings, pageCourse(settings));
+    super(library, settings);
     this.session.configure({ lift_height_m: liftHeight_m });
     this.#reach = new HandReach(this.session, plate);
     this.begin(false);
   }
 
-  /** Begins the placement of the plate. `byMarks`: by touches of its marks; otherwise by a pinch. `why`: begins the instruction. */
+  /** Begins the placement of the plate. `byMarks`: by touches of its marks; otherwise by a pinch. `why`: text before the instruction. */
   begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
     this.#placing = new Placement(byMarks ? this.session : null);
@@ -84,7 +71,7 @@ export class HeadsetReach extends GuidedReach {
     this.settings = { ...settings };
     const { config } = this.session,
       registration = Object.fromEntries(registered.map((name) => [name, config[name]]));
-    this.restartSession(pageCourse(settings));
+    this.restartSession(pageCourse(settings.gap_deg));
     this.session.configure({ ...registration, lift_height_m: liftHeight_m });
     this.#reach = new HandReach(this.session, this.plate);
     if (this.phase === "placing") this.begin(this.#byMarks);
@@ -95,48 +82,22 @@ export class HeadsetReach extends GuidedReach {
   frame(now_ms: number, frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
     const elapsed_ms = Math.min(maxFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
     this.#time_ms = now_ms;
-    this.#advance(elapsed_ms);
+    this.advancePlate(elapsed_ms);
     if (this.phase === "sliding") return this.#slide(frame, hand, space, elapsed_ms);
-    const tip = this.#locate(frame, hand, space);
+    const tip = locate("index-finger-tip", frame, hand, space);
     if (this.phase === "placing") return this.#place(frame, hand, tip, space);
-    if (this.#rest.update(now_ms, tip && this.#atStart(tip) ? tip : null)) this.#start();
-  }
-
-  /** Advances plate and time in whole milliseconds. */
-  #advance(elapsed_ms: number): void {
-    this.#pending_ms += elapsed_ms;
-    for (; this.#pending_ms >= 1; --this.#pending_ms) {
-      this.advanceWorld();
-      if (this.phase === "sliding") this.record(this.felt, this.finger, this.felt.place);
-    }
-  }
-
-  #locate(
-    frame: XRFrame,
-    hand: XRHand | undefined,
-    space: XRReferenceSpace,
-    name: XRHandJoint = "index-finger-tip",
-    out = this.#tip,
-  ): Vector3 | null {
-    const joint = hand?.get(name),
-      pose = joint && frame.getJointPose?.(joint, space);
-    if (!pose) return null;
-    const { x, y, z } = pose.transform.position;
-    return Number.isFinite(x + y + z) ? out.set(x, y, z) : null;
+    if (this.#resting.update(now_ms, tip && this.#atStart(tip) ? tip : null)) this.#start();
   }
 
   #place(frame: XRFrame, hand: XRHand | undefined, tip: Vector3 | null, space: XRReferenceSpace): void {
-    const viewer = frame.getViewerPose(space);
-    if (viewer) {
-      const { x, y, z, w } = viewer.transform.orientation;
-      this.#view.set(x, y, z, w);
-      this.#forward.set(0, 0, -1).applyQuaternion(this.#view);
-      // When the visitor looks straight down, the top of the head points forward.
-      if (Math.hypot(this.#forward.x, this.#forward.z) < 0.3) this.#forward.set(0, 1, 0).applyQuaternion(this.#view);
-    }
-    const thumb = this.#locate(frame, hand, space, "thumb-tip", this.#thumb),
+    const { x = 0, y = 0, z = 0, w = 1 } = frame.getViewerPose(space)?.transform.orientation ?? {},
+      view = new Quaternion(x, y, z, w),
+      forward = new Vector3(0, 0, -1).applyQuaternion(view);
+    // When the visitor looks straight down, the top of the head points forward.
+    if (Math.hypot(forward.x, forward.z) < 0.3) forward.set(0, 1, 0).applyQuaternion(view);
+    const thumb = locate("thumb-tip", frame, hand, space),
       pinches = tip !== null && thumb !== null && tip.distanceTo(thumb) < pinch_m;
-    const placed = this.#placing.update(this.#time_ms, tip, this.#forward, pinches);
+    const placed = this.#placing.update(this.#time_ms, tip, forward, pinches);
     this.text = this.#why + this.#placing.text;
     if (!placed) return;
     if (!this.#byMarks) this.session.configure({ flags: this.session.config.flags & ~HRT_SESSION_REGISTERED });
@@ -146,12 +107,9 @@ export class HeadsetReach extends GuidedReach {
 
   /** Returns to the ring. A running reach is cancelled. */
   restart(): void {
-    this.prepare();
-    this.world.begin_hand(0);
-    this.plate.orientation_deg = this.world.plate_deg();
-    Object.assign(this.finger, start);
-    this.felt.begin(start);
-    this.#rest.reset();
+    this.rest();
+    this.plate.orientation_deg = this.plate_deg;
+    this.#resting.reset();
     this.phase = "ready";
     this.result = null;
     this.lost = false;
@@ -159,13 +117,13 @@ export class HeadsetReach extends GuidedReach {
   }
 
   #atStart(tip: Vector3): boolean {
-    const { x, y, z } = this.plate.worldToLocal(this.#onPlate.copy(tip));
+    const { x, y, z } = this.plate.worldToLocal(tip.clone());
     return Math.hypot(x - start.right_m, z + start.away_m) < startRadius_m && Math.abs(y) < startHeight_m;
   }
 
   #start(): void {
     this.restart();
-    this.beginReach(this.world.plate_deg());
+    this.beginReach(this.plate_deg);
     this.#seen_ms = this.#time_ms;
     this.phase = "sliding";
     this.text = "Slide to the orange glass. Stop there.";
@@ -175,8 +133,9 @@ export class HeadsetReach extends GuidedReach {
     const reach = this.#reach,
       { sample } = this.session;
     reach.measuredPlate_deg = this.plateConnected_deg;
-    this.world.command(reach.updateFromHand(this.#time_ms, frame, hand, space).plate_orientation_deg);
-    this.plate.orientation_deg = this.world.plate_deg();
+    reach.updateFromHand(this.#time_ms, frame, hand, space);
+    this.turnPlate();
+    this.plate.orientation_deg = this.plate_deg;
     this.lost = reach.lost;
     if (reach.lost) {
       if (this.#time_ms - this.#seen_ms <= lostLimit_ms) return;
@@ -185,10 +144,9 @@ export class HeadsetReach extends GuidedReach {
       return;
     }
     this.#seen_ms = this.#time_ms;
-    const { x, y, z } = this.plate.worldToLocal(this.#onPlate.fromArray(sample.finger_position_m));
-    this.felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms));
-    this.finger.right_m = x;
-    this.finger.away_m = -z;
+    const { x, y, z } = this.plate.worldToLocal(new Vector3().fromArray(sample.finger_position_m));
+    this.moveFinger({ right_m: x, away_m: -z }, Math.max(1, elapsed_ms));
+    this.recordHand();
     this.#endIfOver(y);
   }
 
@@ -202,7 +160,7 @@ export class HeadsetReach extends GuidedReach {
   /** Ends the reach, from which the controller learns. Over a connected plate, a hand that ends at a real cylinder also corrects
    *  the registration of the plate. */
   #arrive(): void {
-    this.result = slideEnd(this.finger, this.felt.place, pageCourse(this.settings));
+    this.result = slideEnd(this.finger, this.felt, pageCourse(this.settings.gap_deg));
     this.session.endReach();
     if (!Number.isNaN(this.plateConnected_deg)) {
       const meets = this.hasCylinder && this.result.toCylinder_mm <= 1000 * cylinderRadius_m;
@@ -210,10 +168,17 @@ export class HeadsetReach extends GuidedReach {
     }
     this.recording = this.cancel();
     this.phase = "arrived";
-    this.#rest.reset();
+    this.#resting.reset();
     const { toCylinder_mm, toGlass_mm, feltToGlass_mm } = this.result;
     this.text =
       `Your hand ended ${toCylinder_mm.toFixed(0)} mm from the cylinder and ${toGlass_mm.toFixed(0)} mm from the glass. It felt ` +
       `${feltToGlass_mm.toFixed(0)} mm from the glass. Return to the ring for the next slide.`;
   }
+}
+
+/** Returns the position of a joint; null if the joint is not tracked. */
+function locate(name: XRHandJoint, frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): Vector3 | null {
+  const joint = hand?.get(name),
+    { x = NaN, y = NaN, z = NaN } = (joint && frame.getJointPose?.(joint, space)?.transform.position) ?? {};
+  return Number.isFinite(x + y + z) ? new Vector3(x, y, z) : null;
 }

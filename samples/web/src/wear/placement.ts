@@ -3,7 +3,6 @@ import * as hrt from "haptic-retargeting";
 import marksFile from "marks.csv";
 import { Quaternion, Vector3 } from "three";
 import { start } from "../geometry";
-import { RestDetector } from "./rest_detector";
 
 /** Marks of the plate (samples/plate/model/marks.csv), in the order in which they are touched. */
 const marks = marksFile
@@ -21,6 +20,47 @@ const pointRadius_m = 0.012,
   count_ms = 500;
 const pinch =
   "Pinch your thumb and index finger where slides should start, and hold. The plate will lie in front of that point.";
+
+/** Detects a fingertip at rest: a pinch that is held, or a hand in the ring. */
+export class RestDetector {
+  /** Position at which the rest began. */
+  readonly place = new Vector3();
+  #since_ms = NaN;
+  #taken = false;
+
+  /** A fingertip rests when it stays within `radius_m` of its first position for `time_ms`. */
+  constructor(
+    private readonly radius_m: number,
+    private readonly time_ms: number,
+  ) {}
+
+  /** Returns true once for each rest; the fingertip must move away before the next one. `tip`: null if it is not tracked. */
+  update(now_ms: number, tip: Vector3 | null): boolean {
+    if (!tip) {
+      this.#since_ms = NaN;
+      return false;
+    }
+    if (Number.isNaN(this.#since_ms) || tip.distanceTo(this.place) > this.radius_m) {
+      this.#taken &&= tip.distanceTo(this.place) <= this.radius_m;
+      this.#since_ms = now_ms;
+      this.place.copy(tip);
+    }
+    if (this.#taken || this.held_ms(now_ms) < this.time_ms) return false;
+    this.#taken = true;
+    return true;
+  }
+
+  /** Returns for how long the fingertip has rested. */
+  held_ms(now_ms: number): number {
+    return Number.isNaN(this.#since_ms) ? 0 : now_ms - this.#since_ms;
+  }
+
+  /** Forgets the rest: the next one may be at the same position. */
+  reset(): void {
+    this.#since_ms = NaN;
+    this.#taken = false;
+  }
+}
 
 export class Placement {
   /** Instruction to the visitor. */

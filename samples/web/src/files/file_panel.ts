@@ -1,5 +1,5 @@
-// Files that the visitor saves or opens. Saved: the recording of the last reach, and the profile. Opened: a recording, which is
-// replayed and compared bit for bit, or a scene. Nothing leaves the machine. Errors of the plugin are shown.
+// Saves the recording of the last reach, and the profile. Opens a recording, which is replayed and compared bit for bit, or a
+// scene. Nothing leaves the machine. Errors of the plugin are shown.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
 import { element, messageOf, say } from "../page";
 import { type RecordedReach, readReach } from "./recording";
@@ -9,7 +9,7 @@ const sceneAdvice =
   "A scene marks its plate, its start and its targets by haptic roles; see scene/README.md and the example samples/scenes/desk.gltf.";
 const max_bytes = 32 * 1024 * 1024;
 
-export class TakeAway {
+export class FilePanel {
   readonly #saveRecording = element("save-recording", HTMLButtonElement);
   readonly #refused = element("refused", HTMLParagraphElement);
   readonly #replayed = element("replayed", HTMLParagraphElement);
@@ -61,8 +61,8 @@ export class TakeAway {
       { position_m, rotation } = scene.plate;
     try {
       const { readMeshes } = await import("../stage/meshes"); // contains three.js' glTF loader
-      const contents = files.map(async (each) => [each.name, await each.arrayBuffer()] as const);
-      scene.meshes = await readMeshes(bytes, new Map(await Promise.all(contents)), position_m, rotation);
+      const named = new Map(files.map((each) => [each.name, each]));
+      scene.meshes = await readMeshes(bytes, named, position_m, rotation);
     } catch (error) {
       scene.meshProblem = messageOf(error);
     }
