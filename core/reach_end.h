@@ -35,7 +35,7 @@ class ReachEnd {
   /// Processes a sample. `finger`: the phase detector, which has already processed this sample.
   void observe(const FingerSample& sample, const FingerPhase& finger);
   const ReachProgress& progress() const { return progress_; }
-  /// True if the finger was first seen elsewhere, and with the last sample rests at the start: the reach begins now.
+  /// True if the finger was first seen elsewhere, and the last sample began its rest at the start: the reach begins.
   bool came_to_start() const { return came_to_start_; }
 
  private:

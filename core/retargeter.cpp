@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// Bound of the gap after a retarget: a reach requires less than 90, but near the target its bearing may have any value.
+// Largest gap after a retarget: a reach requires less than 90 degrees, but near a target its bearing may be any angle.
 constexpr double max_seen_gap_deg = 89.0;
 constexpr double min_seen_distance_mm = 1.0;
 
@@ -25,7 +25,7 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
 }
 
 // Returns the noise for the controller for people; nullopt if unknown. A total noise is divided into a white and a
-// correlated part, since neglected correlated noise looks like a motion, and too large an assumption costs little.
+// correlated part, since neglected correlated noise looks like a motion, and assuming too much of it costs little.
 std::optional<TrackerNoise> noise_of(const EstimatorConfig& config, const Tuning& tuning) {
   const auto known_mm = [&tuning](double noise_mm) { return std::max(noise_mm, tuning.min_known_noise_mm); };
   if (config.correlated_noise_mm > 0.0)

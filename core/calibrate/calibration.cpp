@@ -46,7 +46,8 @@ std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& tri
         return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) + ": the position is not finite"};
       }
       if (!std::isfinite(samples[k].time_s) || (k > 0 && samples[k].time_s <= samples[k - 1].time_s)) {
-        return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) + ": time does not increase"};
+        return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) +
+                                  ": the time is not finite or does not increase"};
       }
     }
   }
@@ -83,9 +84,9 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
       std::minmax_element(counting.begin(), counting.end(),
                           [](const SlideTrack& a, const SlideTrack& b) { return a.plate_deg < b.plate_deg; });
   if (angles >= min_plate_angles && high->plate_deg - low->plate_deg >= min_plate_span_deg) return std::nullopt;
-  return CalibrationRefusal{
-      "the plate was at " + std::to_string(angles) +
-      " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
+  return CalibrationRefusal{"the plate was at " + std::to_string(angles) + " different angles over " +
+                            decimal(high->plate_deg - low->plate_deg, 1) +
+                            " degrees; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
 }
 
 void add_slide(const CalibrationTrial& trial, std::size_t index, double goal_direction_deg, CalibrationSlides* slides) {

@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// Prior of a parameter; wide, but bounds a parameter that the slides hardly determine.
+// Wide prior of a parameter. It bounds parameters that the slides hardly determine.
 struct Prior {
   double mean;
   double deviation;
@@ -34,7 +34,7 @@ constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
 constexpr double first_slope = 0.18;
-// Lower bound of the prior SD of the change of slope at a knot. Above the bound, the SD equals the slope.
+// Lower bound of the prior SD of the change of slope at a knot, which is the larger of slope and weight of the curve.
 constexpr double min_steepness = 0.02;
 
 // Step of the one-sided differences, relative to fit_step().

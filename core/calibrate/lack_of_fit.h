@@ -35,7 +35,7 @@ class LackOfFitTests {
   struct Pattern {
     Eigen::MatrixXd columns;
     Eigen::VectorXd allowed_deg;  // SD of each column's coefficient due to errors of the steering law
-    double allowed = 0.0;         // the same as an expected sum of squares
+    double allowed = 0.0;         // expected sum of squares due to these errors
     double p = 1.0;
   };
 

@@ -1,4 +1,4 @@
-// Fits the model of a person to slides, without outliers and slides that end along the ridges.
+// Fits the model of a person to slides, except outliers and slides that end along the ridges.
 #pragma once
 
 #include <functional>

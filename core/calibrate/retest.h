@@ -20,7 +20,7 @@ struct RetestDifference {
   bool differs = false;
 };
 
-/// Returns the differences; intervals and p-values are normal approximations. `differs` is Holm's procedure over all
+/// Returns the differences; intervals and p-values are normal approximations. `differs` is by Holm's procedure over all
 /// known values: if nothing has changed, the probability that any value differs is at most 5 %.
 std::vector<RetestDifference> compare(std::span<const RepeatedValue> values);
 

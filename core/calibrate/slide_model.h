@@ -13,7 +13,7 @@ inline constexpr double max_direction_deg = 60.0;
 struct SlidingPersonModel {
   IllusionCurve curve;
   double bias_deg = 0.0;      ///< goal direction at the middle of the path
-  double habit_deg = 0.0;     ///< goal direction minus bias at the start; minus this at the end, linear between
+  double habit_deg = 0.0;     ///< goal direction minus bias: habit_deg at the start of the path, -habit_deg at its end
   double curve_drift = 0.0;   ///< eta: relative increase of the curve from the middle to the end of the path
   double start_deg = 0.0;     ///< initial direction
   double start_share = 0.0;   ///< lambda: fraction of the final direction that is present at the start

@@ -2,7 +2,7 @@
 //
 // An extended Kalman filter whose process is the participant of paper section II-A (equations: README.md). The state is
 // position on the plate, speed, direction of motion and w_T. Directions are taken as exact, as in the paper; positions
-// have tracker noise, which is estimated.
+// have tracker noise, which is configured or estimated.
 #pragma once
 
 #include <Eigen/Core>

@@ -52,7 +52,7 @@ Mpc::Mpc(const MpcConfig& config) : config_(config) {
   }
 }
 
-// Sets `path` by the table of gains and the bounds, and moves it to the optimum. Returns false at the iteration limit.
+// Sets `path` by free_gain_ and the bounds, and moves the path to the optimum. Returns false at the iteration limit.
 bool Mpc::solve_window(const Window& window, WindowPath& path) const {
   double finger_deg = window.finger_deg;
   double last_deg = window.last_plate_deg;
@@ -106,7 +106,7 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) const {
   if (last_deg > bound_deg + rate_deg) return {last_deg - rate_deg, ActiveBound::rate_down, true};
   if (last_deg < -bound_deg - rate_deg) return {last_deg + rate_deg, ActiveBound::rate_up, true};
 
-  // The path that follows the table of gains is the optimum unless it reaches a bound or a step without gain.
+  // The path by free_gain_ is the optimum unless the path reaches a bound or a step without gain.
   const double by_weight = 1.0 / problem.tactile_weight;
   const double finger_weight = 1.0 - problem.tactile_weight;
   double finger_deg = problem.finger_offset_deg;

@@ -51,7 +51,7 @@ class Mpc {
   bool solve_window(const Window& window, WindowPath& path) const;
 
   MpcConfig config_;
-  // g_n for n remaining steps, including the present one: without active bounds, e = g_n (p - p_R)
+  // g_n for n remaining steps, including the present one: without active bounds, p - p_R decreases by g_n (p - p_R).
   std::array<double, max_horizon + 1> free_gain_{};
 };
 

@@ -20,7 +20,7 @@ struct Window {
   double last_plate_deg;                            ///< t_-1, |t_-1| <= L + R_0
   std::array<double, max_horizon> gain;             ///< K_i > 0
   std::array<double, max_horizon> rate_deg;         ///< R_i, may be infinite
-  std::array<double, max_horizon + 1> miss_weight;  ///< the last one is the weight of the miss after the window
+  std::array<double, max_horizon + 1> miss_weight;  ///< the last element weights the miss after the window
 };
 
 /// Plate offsets over the window, and their active bounds: +1 upper, -1 lower, 0 inactive.

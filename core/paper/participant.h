@@ -76,8 +76,9 @@ inline ParticipantSlopes participant_slopes(const ParticipantInput& input) {
           .by_weight = -input.gain * (input.plate_orientation_deg - input.finger_direction_deg)};
 }
 
-/// Returns the largest feasible gap |theta_V - P_R| for a plate within `plate_bound_deg`, in (0, 90], of theta_V. In
-/// the steady state the person perceives theta_V: w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5).
+/// Returns the largest feasible gap between the virtual direction theta_V and the real one, for a plate within
+/// `plate_bound_deg`, in (0, 90], of theta_V. In the steady state the person perceives theta_V:
+/// w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5).
 inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
   return plate_bound_deg * tactile_weight / (1.0 - tactile_weight);
 }

@@ -60,7 +60,7 @@ class ReachEstimator {
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
   const FingerPhase& finger() const { return finger_; }
-  /// Last position, observed or predicted; nullopt until a position is observed.
+  /// Position of the finger: tracked before the motion, then estimated; nullopt until a position is observed.
   const std::optional<PlatePoint>& place() const { return place_; }
 
  private:

@@ -1,7 +1,7 @@
 // The illusion of touch in the controller's model: the ridges shift the direction of motion that the person perceives
 // by
 //   g(t) = (w t - b t (t / 75)^2) (1 - f A / (|cos t| + A))
-// where t is the angle from the direction of motion to the ridge normal, in degrees, folded to within 90. g is linear
+// where t is the angle from the direction of motion to the ridge normal, in degrees, wrapped to +-90. g is linear
 // in each of w, b and f, so that a filter can estimate these parameters. If b > 0, g has a maximum. The last factor is
 // the mean fraction of the cue from touch that has not decayed between two ridges: 1 - f at low speed (large A) and for
 // a motion along the ridges, 1 at high speed.
@@ -46,7 +46,8 @@ struct MaxShift {
 /// Returns the largest shift for ridge normals within `bound_deg` > 0 (89 at most) of the motion. Requires weight > 0.
 MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
-/// Inverts g on its rising branch, from 0 to `max`: returns the offset that causes `shift_deg`, limited to +-`max`.
+/// Inverts g on its rising branch, from 0 to `max`: returns the offset that causes `shift_deg`, within
+/// +-max.offset_deg.
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max);
 
 /// Computes the largest feasible gap for a person with this illusion, whether the gap from the real to the goal

@@ -37,7 +37,7 @@ double habit_scatter_deg(const PersonBelief& belief, const Tuning& tuning);
 /// Sets the variance of a trait and keeps its correlations.
 void set_variance(PersonBelief& belief, int trait, double variance);
 
-/// Returns the belief with which a reach begins: `belief`, with the SD of the habit limited to steered_habit_sd_deg.
+/// Returns the belief with which a reach begins: `belief`, the SD of the habit limited to Tuning::steered_habit_sd_deg.
 PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning);
 
 /// Weight of the linear illusion that causes the same shift at 60 degrees as the curve with w and b (illusion.h),

@@ -86,7 +86,7 @@ class PersonEstimator {
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
   const FingerPhase& finger() const { return finger_; }
-  /// Returns a copy of the filter that expects the response to the target's move; nullopt if no response is pending.
+  /// Returns a copy of the filter after the target's move, before the response; nullopt if no response is pending.
   std::optional<PersonFilter> after_retarget() const;
   /// Time of the filter's state; before the onset, time of the last position.
   double time_s() const { return filter_s_; }

@@ -1,9 +1,9 @@
 // Extended Kalman filter of a finger that slides over the plate, and of the person who moves it.
 //
-// The person moves along a path of length L with the pace s(u) of pace.h. The ridges shift the perceived direction by g
-// (illusion.h). The person steers the perceived direction towards the goal G, which is the virtual direction V plus the
-// bias B. In addition, the direction of the hand deviates without delay by the own path o, so that the hand leaves the
-// line to the goal and returns to this line. With s_u = ds/du:
+// The person moves along a path of length L with the pace s(u) (reach/pace.h). The ridges shift the perceived direction
+// by g (illusion.h). The person steers the perceived direction towards the goal G, which is the virtual direction V
+// plus the bias B. In addition, the direction of the hand deviates without delay by the own path o, so that the hand
+// leaves the line to the goal and returns to this line. With s_u = ds/du:
 //
 //   progress    v = L r s_u(u),   du/dt = r = exp(rho)
 //   own path    o = omega + c (1 - 2 s(u)) - y / (L (1 - s)),   dy/dt = v (omega - y / (L (1 - s)))

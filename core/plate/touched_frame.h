@@ -49,14 +49,14 @@ struct Contact {
 /// uncertainty of the registration, `registered`, at `place`. Uses no heap.
 TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact);
 
-/// Returns true if the contact was probably with another object: the distance from `finger` to `place` exceeds the
+/// Returns true if the contact was probably with another object: the difference of `place` and `finger` is beyond its
 /// 99.9 % quantile. Requires before.known().
 bool is_elsewhere(const TouchedFrame& before, const Contact& contact);
 
 /// Returns the frame after the drift of the tracker between two contacts; unchanged before the first contact.
 TouchedFrame drifted(const TouchedFrame& frame);
 
-/// Returns the change, in degrees, of the bearing from home to the finger that the change of the frame causes.
+/// Returns the angle, in degrees, by which the change of the frame rotates the bearing from home to the finger.
 /// `finger`: position corrected by `before`.
 double turned_deg(const TouchedFrame& before, const TouchedFrame& after, const PlatePoint& finger);
 

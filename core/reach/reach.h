@@ -53,7 +53,7 @@ struct PlateHandover {
 /// Progress of a reach (reach_end.h).
 struct ReachProgress {
   bool arrived = false;       ///< the reach is over
-  bool off_target = false;    ///< the reach ended away from the target, or its path is over 60 degrees off the target
+  bool off_target = false;    ///< the reach ended away from the target, or has gone over 60 degrees off its direction
   bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
 };
 
@@ -81,7 +81,7 @@ struct PlateCommand {
   /// SD of the true position of the finger across the line to the real target, as an angle from the start; includes the
   /// uncertainty of filter, registration and tracker.
   double bearing_error_sd_deg = unknown_miss_sd_deg;
-  double nis = 0.0;                        ///< mean normalised innovation squared of recent positions; 2 is expected
+  double nis = 0.0;                        ///< mean normalised innovation squared of recent positions; expected: 2
   std::int64_t step = -1;                  ///< model step; -1 before the motion
   ActiveBound active = ActiveBound::none;  ///< bound that limits the command
   bool for_people = false;                 ///< true: controller for people; false: the paper's controller
@@ -142,7 +142,7 @@ struct ReachSummary {
   double final_miss_deg = 0.0;           ///< final_direction_deg minus the real direction
   double perceived_direction_deg = 0.0;  ///< perceived direction in the last step
   double perceived_error_deg = 0.0;      ///< perceived_direction_deg - (virtual direction + configured bias)
-  double distance_to_target_mm = 0.0;    ///< distance from the last position, observed or predicted, to the real target
+  double distance_to_target_mm = 0.0;    ///< distance from the last position, tracked or estimated, to the real target
   double bearing_deg = 0.0;              ///< value in the last PlateCommand
   double bearing_error_deg = 0.0;        ///< bearing_deg minus the bearing of the real target; 0 before the motion
   double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< value in the last PlateCommand

@@ -52,7 +52,7 @@ void GuidedSlides::observe(const SetupSample& sample) {
   if (observation != Observation::position || sample.off_plate) {
     const bool lost = observation == Observation::none;
     if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_unseen_s : max_raised_s)) return;
-    // A finger that leaves before the first rest has not failed.
+    // A finger that leaves before the first rest is not a failed attempt.
     if (rests_ > 0) again(lost ? SetupProblem::lost : SetupProblem::left_plate);
     finger_.lift();
     return;

@@ -17,7 +17,7 @@ class GuidedSlides {
   static constexpr int max_objects = 8;
   static constexpr int slides_an_object = 6;  ///< alternately to the object and back
 
-  /// Waits for slides between `start` and the end of each guide, at least min_guide_mm away.
+  /// Waits for slides between `start` and the ends of `count` guides, which are at least min_guide_mm long.
   GuidedSlides(const PlatePoint& start, const std::array<PlatePoint, max_objects>& ends, int count);
 
   static constexpr double min_guide_mm = 40.0;

@@ -27,7 +27,7 @@ struct SetupFit {
 class PartFit {
  public:
   /// Requires finish_is_due() and a pending part. `setup` must outlive the fit and must not change. `registered`:
-  /// registration with which a check is compared.
+  /// the registration that setup_check tests.
   PartFit(const Setup& setup, Registration registered);
   /// Returns true when the fit is finished; do not call step() after that.
   bool step();
@@ -40,7 +40,7 @@ class PartFit {
   SetupFit fit_;
 };
 
-/// Continues the set-up after the fit of a part: with the next part or a repetition. `found`: the result is known.
+/// Repeats the part if its fit has a problem. Otherwise ends the part: with a result if `found`, or by dropping it.
 void move_on(const SetupFit& fit, bool found, Setup* setup);
 
 }  // namespace hrt

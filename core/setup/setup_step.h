@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Parts of a set-up, as flags, in the order in which they are done: each uses the results of those before it.
+/// Parts of a set-up, as flags, in the order in which they are done: each may use the results of earlier parts.
 enum SetupPart : std::uint32_t {
   setup_fingertip = 1,     ///< offset of the skin from the tracked joint
   setup_registration = 2,  ///< the plate's pose, from touches of marks
@@ -34,19 +34,19 @@ enum class SetupProblem : std::uint32_t {
   none,
   too_fast,      ///< the slide took less than about 0.4 s
   too_slow,      ///< the slide took more than 8 s
-  stopped,       ///< the finger stopped before half of the distance, or away from the line
+  stopped,       ///< the finger stopped too early, or away from the requested end
   left_plate,    ///< the finger was lifted, or moved over the rim
   lost,          ///< the tracker lost the finger
   moved,         ///< the plate rotated during the slide
   plate,         ///< the plate did not reach the commanded orientation within 5 s
   disagrees,     ///< touches do not fit their marks, or slides are inconsistent
   upside_down,   ///< the touches fit a plate that is upside down or mirrored
-  undetermined,  ///< the data do not determine the result: more are needed
+  undetermined,  ///< the data do not determine the result: more data are needed
 };
 
 struct SetupSample {
   std::int64_t time_ns = 0;  ///< not earlier than in the previous sample
-  /// Position of the finger in the tracker's frame; nullopt: tracking is lost.
+  /// Position of the finger in the tracker's frame, unless `in_plate`; nullopt: tracking is lost.
   std::optional<Eigen::Vector3d> tracked_mm;
   /// True: tracked_mm is in plate coordinates, so no registration is needed.
   bool in_plate = false;

@@ -107,7 +107,7 @@ bool SlideWatch::follow(const SetupSample& sample) {
   } else if (!seen) {
     const bool lost = sample.on_plate.observation == Observation::none;
     if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_lost_s : max_lifted_s)) return false;
-    // A finger that leaves before the slide has not failed.
+    // A finger that leaves before the slide is not a failed attempt.
     if (left_ns_)
       fail(lost ? SetupProblem::lost : SetupProblem::left_plate);
     else

@@ -15,7 +15,7 @@ namespace {
 // degrees. Data: 1683 reaches of 4 people, 72 pairs of person and target (README.md).
 constexpr PathShape cell_sd_deg{8.1, 2.6, 7.3, 10.4};     // SD of the means of the 72 pairs
 constexpr PathShape within_sd_deg{9.3, 5.9, 10.1, 18.2};  // SD of the reaches about the mean of their pair
-// SD of the log of the wander's size between pairs: its median is 7.4 degrees, its root mean square 9.1.
+// SD of the log of the wander's size between pairs. The size has the median 7.4 and the RMS 9.1 degrees.
 constexpr double log_size_sd = 0.455;
 
 constexpr double peak_mean = 0.36, peak_sd = 0.09;

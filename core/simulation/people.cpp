@@ -27,7 +27,7 @@ void headset(PersonCondition& condition, Draws& draws) {
   TrackerModel& tracker = condition.tracker;
   tracker.rate_hz = 72.0;
   tracker.latency_s = 0.045;
-  // Uniform direction of the error of the target's position.
+  // The error of the target's position has any direction with equal probability.
   const double towards_deg = 360.0 * draws.uniform();
   const double along = 1.0 + 11.0 / condition.distance_mm * cos_deg(towards_deg);
   const double across = 11.0 / condition.distance_mm * sin_deg(towards_deg);
@@ -245,7 +245,7 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = either_side(2.0, d); }, FamilyKind::misplaced},
     {"scaled-5", "tracker frame 5 % too large or too small", false,
      [](PersonCondition& c, Draws& d) { c.tracker.scale = 1.0 + either_side(0.05, d); }, FamilyKind::misplaced},
-    {"sheared-2", "mid-line of the tracker frame off by ±2°, its right is not", false,
+    {"sheared-2", "mid-line of the tracker frame off by ±2°, right axis correct", false,
      [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, FamilyKind::misplaced},
     {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, FamilyKind::misplaced},
     {"quest", "recorded, by a headset of 2021 as it was measured", false,
@@ -254,13 +254,13 @@ constexpr PeopleFamily all_families[] = {
        by_headset(c, d);
      },
      FamilyKind::misplaced},
-    {"half-quest", "recorded-50 by the same headset", false,
+    {"half-quest", "recorded-50, by the headset of quest", false,
      [](PersonCondition& c, Draws& d) {
        recorded(c, d, 0.5);
        by_headset(c, d);
      },
      FamilyKind::misplaced},
-    {"linear-quest", "linear by the same headset", false, by_headset, FamilyKind::misplaced},
+    {"linear-quest", "linear, by the headset of quest", false, by_headset, FamilyKind::misplaced},
     {"marks", "tracker frame turned by 1.2° (SD), as after a registration by six touches of 3 mm", false,
      [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = 1.2 * d.normal(); }, FamilyKind::misplaced},
     {"marks-touch3", "marks, and a contact known to 3 mm after each reach", false,

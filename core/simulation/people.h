@@ -58,7 +58,7 @@ std::span<const PeopleFamily> people_families();
 const PeopleFamily* people_family(const char* name);
 
 /// Draws person `index` of a family, who moves for `duration_s`: w_T in 0.12 to 0.30, gain 5 to 12 /s, delay up to 120
-/// ms, an initial direction between the mid-line and the virtual target, a gap of 10 degrees to either side.
+/// ms, an initial direction from mid-line to virtual target plus 1 degree (SD), a gap of 10 degrees to either side.
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index);
 
 /// Sets the own path, the pace of recorded reaches, and a marker-based tracker of 100 Hz with a noise of 0.2 mm.
@@ -73,7 +73,7 @@ enum : std::uint32_t { drawn, steering, tracking, touching, faults };
 }
 
 /// Returns true if the gap is feasible for this person: if the largest shift for plate orientations within 75 degrees
-/// of the motion exceeds the gap with the biases.
+/// of the motion exceeds the gap including the biases.
 bool gap_is_feasible(const PersonCondition& condition);
 
 }  // namespace hrt

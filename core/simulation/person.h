@@ -2,7 +2,7 @@
 // Most combinations differ from the controller's model, so results show how the controller performs with such people.
 //
 // Angles are degrees counter-clockwise from the mid-line; t is the angle from the direction of motion to the ridge
-// normal, folded to within 90 degrees.
+// normal, wrapped to +-90 degrees.
 #pragma once
 
 #include <array>
@@ -85,7 +85,7 @@ struct Person {
 inline constexpr double ridge_spacing_mm = 10.0;
 inline constexpr double touch_memory_s = 0.3;
 
-/// Returns the mean shift during a motion at that speed. Depends on the speed only with Steering::crossings.
+/// Returns the mean shift during a motion at `speed_mm_s`, which has an effect only with Steering::crossings.
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg);
 double max_shift_deg(const Person& person, double speed_mm_s, double bound_deg, double sign);
 

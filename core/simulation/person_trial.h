@@ -18,7 +18,7 @@ struct PersonOutcome {
   double miss_mm;              ///< distance of the end from the line to the real target, signed as bearing_error_deg
   PlatePoint finger;           ///< final position
   double peak_felt_error_deg;  ///< largest size of SlidingPerson::felt_error_deg() while the finger moves
-  ReachSummary summary;        ///< summary of the controller; zero without a controller
+  ReachSummary summary;        ///< summary of the controller; without a controller, the defaults
   std::optional<PersonBelief> learnt;  ///< prior of the next reach; nullopt if this reach changes nothing
 };
 

@@ -20,7 +20,7 @@ class SimulatedHand {
   /// Begins a reach at rest at `start`, over `distance_mm` towards the virtual target.
   void begin(const PlatePoint& start, double virtual_direction_deg, double distance_mm);
   bool has_begun() const { return finger_.has_value(); }
-  /// True if `time_ns` is earlier than that of the last move() or follow() of this reach or set-up.
+  /// True if `time_ns` is earlier than the time of the last move() or follow() in this reach or set-up.
   bool is_past(std::int64_t time_ns) const { return moved_ && time_ns < now_ns_; }
 
   /// Begins a set-up: the person rests until the first instruction.

@@ -25,19 +25,19 @@ struct TrackerModel {
   double burst_mm = 0.0;       ///< displacement of a burst of outliers: burst_samples samples from burst_at_s on
   double burst_at_s = 0.0;
   int burst_samples = 0;
-  double dropout_share = 0.0;            ///< fraction of samples at which tracking is lost, for ten samples on average
+  double dropout_share = 0.0;            ///< probability per sample that tracking is lost, for ten samples on average
   double jitter_share = 0.0;             ///< jitter as a fraction of the time between samples
   double turned_deg = 0.0;               ///< rotation of the frame about the start
   double scale = 1.0;                    ///< scale of the tracker's frame about the start
   double shear = 0.0;                    ///< displacement to the right per millimetre away from the start
   double bearing_sd_deg = 0.0;           ///< SD of an additional rotation of the frame in each reach
-  double declared_bearing_sd_deg = 0.0;  ///< value of bearing_sd_deg that the controller is given
+  double declared_bearing_sd_deg = 0.0;  ///< SD of the tracked bearing that the controller is given
   double creep_mm = 0.0;        ///< error while the finger moves; decays after the stop with a time constant of 0.2 s
-  double end_loss_share = 0.0;  ///< fraction of reaches in which tracking is lost as the finger brakes
+  double end_loss_share = 0.0;  ///< fraction of reaches with an error of 150 to 900 mm as the finger brakes
   double excursions_hz = 0.0;   ///< rate of excursions at rest: 10 to 16 mm for 50 to 100 ms
 };
 
-/// Errors that depend on the motion: creep after a stop, lost tracking at the end, excursions at rest.
+/// Errors that depend on the motion: creep, and excursions while the finger brakes or rests.
 class MotionErrors {
  public:
   MotionErrors(const TrackerModel& model, Draws& draws);

@@ -3,7 +3,7 @@
 //
 //   position = rest position + n + e,   dn/dt = -n / tau + noise (stationary, variance c),   e white, variance w
 //
-// Half of the mean square difference of positions x that are the time t apart does not depend on the rest position:
+// Half of the mean square difference of two positions x, a time t apart, does not depend on the rest position:
 //
 //   D(t) = mean of (x(s + t) - x(s))^2 / 2 = w + c (1 - exp(-t / tau))
 //

@@ -18,7 +18,7 @@ constexpr int times = 48;  // points of the grid of correlation times
 constexpr double min_periods = 0.7;
 // If the correlation time may be shorter than this number of periods, the parts cannot be separated.
 constexpr double min_separate_periods = 1.5;
-// An interval from 0 is informative, and its part known, if its upper end is below this fraction of the total SD.
+// A part whose interval begins at 0 is `known` if the upper end is below this fraction of the total SD.
 constexpr double little = 0.7;
 // A position is an outlier if it is more than this many SDs from the median position of the rest that it belongs to.
 constexpr double grossly_outlying = 6.0;

@@ -2,7 +2,7 @@
 //
 // The structure function of all rests (noise_learner.h) gives the white part, the correlated part and, by a search on a
 // grid, the correlation time. Intervals are by the jackknife (Efron, 1982) over blocks of half a second: the intervals
-// are valid for noise of any distribution that is correlated only within blocks. Uses the heap. Any thread.
+// are valid for noise of any distribution, if it is correlated only within blocks. Uses the heap. Any thread.
 #pragma once
 
 #include <optional>

@@ -168,7 +168,7 @@ TEST(Calibration, InvalidSamples_AreRejectedWithTheirNumber) {
   EXPECT_EQ(refused(trials), "trial 4, sample 8: the position is not finite");
   trials = simulate({}, 2);
   trials[0].samples[5].time_s = trials[0].samples[4].time_s;
-  EXPECT_EQ(refused(trials), "trial 1, sample 6: time does not increase");
+  EXPECT_EQ(refused(trials), "trial 1, sample 6: the time is not finite or does not increase");
   trials[2].plate_orientation_deg = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refused({trials[2]}), "trial 1: the plate orientation is not a finite number");
   trials[4].plate_deg = {0.0};
