@@ -201,7 +201,7 @@ def psychometric(trials):
 
 
 def threshold_ratios(trials, people, study):
-    """Returns log(threshold / delivered bend) of each participant. Delivered bend: mean angle between the virtual target and the end of reaches, under the
+    """Returns log(threshold / delivered bend) of each participant. Delivered bend: mean angle between the virtual target and the end of reaches, in the
     condition of the noticeability block."""
     reaches = counted(trials)
     reaches = reaches[reaches.condition == study["noticeability"]["condition"]]

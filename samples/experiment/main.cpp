@@ -39,7 +39,7 @@ void put(const std::filesystem::path& file, const std::string& content) {
     throw Refusal(file.string() + ": cannot be written: " + std::strerror(error));
 }
 
-// Runs one session: without a scene, of a simulated participant in this process; otherwise, through OpenXR.
+// Runs one session: through OpenXR if there is a scene, else with a simulated participant in this process.
 void run_one(const Options& options) {
   const Design design = read_design(options.study);
   SessionPlace place{options.data, options.participant, options.session};

@@ -19,7 +19,7 @@ const REOPENING_S := 3.0
 
 ## Name of the device that turns the plate, such as serial:/dev/ttyACM0; empty: the plate is only drawn.
 @export var device := ""
-## Parts of the set-up. Without any part, the plate has its pose in the scene's file.
+## Parts of the set-up. Without any part, the plate has the pose that the scene's file gives.
 @export_flags("Fingertip:1", "Registration:2", "Guides:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]

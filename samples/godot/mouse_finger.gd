@@ -1,4 +1,4 @@
-## A finger for trials without a headset. It follows the mouse in the view from above, or the arrow keys. It touches the
+## A finger for use without a headset. It follows the mouse in the view from above, or the arrow keys. It touches the
 ## plate while the left button or the space bar is pressed.
 class_name MouseFinger
 extends Finger

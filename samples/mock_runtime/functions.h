@@ -79,8 +79,8 @@ struct ExtensionInfo {
   std::uint32_t version;
 };
 
-/// Indexed by Extension; the entry of `core` is empty.
 inline constexpr std::size_t first_extension = 1;
+/// Indexed by Extension; the entry of `core` is empty.
 inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::count)> extensions{
     {{nullptr, 0},
 #define HRT_MOCK_INFO(extension, upper, lower) {upper##_EXTENSION_NAME, lower##_SPEC_VERSION},

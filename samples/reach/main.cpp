@@ -177,7 +177,7 @@ class Run {
     XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
     std::optional<Simulation> simulation;
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation.emplace(runtime, session);
-    // Null: requests are printed and spoken; the mock runtime may still simulate the user, who then feels the plate.
+    // Null: requests are printed and spoken. The mock runtime may still simulate a user, who then feels the plate.
     Simulation* const instructed = simulation && !options_.person ? &*simulation : nullptr;
     if (instructed != nullptr) {
       session.place_plate(session.floor_space(), targets_.plate_pose);

@@ -54,7 +54,7 @@ std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_di
   const double sd_deg = std::sqrt(std::max(1e-9, (squares - sum * sum / count) / (count - 1.0)));
   return format("Standard deviation of the bearing over %.0f mm: %.2f degrees, 95 %% interval %.2f to %.2f.\n",
                 1e3 * mean_distance_m, sd_deg, low * sd_deg, high * sd_deg) +
-         format("So at most %.0f %% of reaches end within 1.5 degrees of the target, interval %.0f to %.0f %%.\n",
+         format("So at most %.0f %% of reaches end within 1.5 degrees of the target, 95 %% interval %.0f to %.0f %%.\n",
                 share_within(sd_deg), share_within(high * sd_deg), share_within(low * sd_deg)) +
          format("Set tracker.bearing_sd_deg of the session, or bearing_sd_deg of --finger, to %.2f.\n", sd_deg);
 }

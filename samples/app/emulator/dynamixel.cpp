@@ -139,7 +139,7 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   if (found->size != size) return StatusError::data_length;
   if (address < eeprom_end && get(torque_enable, 1) != 0) return StatusError::access;
   if (value < found->min || value > found->max) return StatusError::data_range;
-  // After the watchdog has expired, "the access to the Goal Value will be changed to read-only" (ROBOTIS).
+  // After the watchdog has expired, the goal values are read-only.
   if (get(bus_watchdog, 1) == -1 && address >= goal_current && address <= goal_position) return StatusError::data_range;
   if (address < eeprom_end) ++writes_to_eeprom_;
   set(address, size, value);

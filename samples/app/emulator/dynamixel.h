@@ -16,7 +16,7 @@ class EmulatedDynamixel {
  public:
   using Time = std::chrono::nanoseconds;
 
-  /// Properties of an XL330-M288 at 5 V without a load: 618 degrees a second.
+  /// Properties of an XL330-M288 at 5 V without a load.
   static constexpr ServoTraits xl330_m288 = {.speed_deg_s = 618.0,
                                              .acceleration_deg_s2 = 20'000.0,
                                              .dead_time = std::chrono::microseconds(2000),

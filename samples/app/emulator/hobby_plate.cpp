@@ -59,7 +59,7 @@ void HobbyPlate::receive(std::string_view bytes, Time now) {
     plate_receive(&plate_, byte);
     LineError error = LINE_OK;
     if (!line_receive(&reader_, byte, &error) || error != LINE_OK) continue;
-    // Removes each last word of five characters: the sequence number and the token, which have five digits.
+    // Removes trailing words of five characters: the sequence number and the token, which have five digits.
     std::string_view body = reader_.text;
     while (body.size() > 9 && body[body.size() - number_size] == ' ') body.remove_suffix(number_size);
     received_.emplace_back(body);

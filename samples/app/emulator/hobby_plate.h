@@ -28,7 +28,7 @@ inline Settings commissioned() {
                         {SETTING_SERIAL, 7}});
 }
 
-/// Returns the bytes of a line with this body.
+/// Returns a line of the serial protocol: `body`, its checksum and the line end.
 std::string line_of(const std::string& body);
 
 class HobbyPlate {
@@ -57,7 +57,7 @@ class HobbyPlate {
   Time now() const { return now_; }
 
   // ---- Functions for tests without a serial line.
-  /// Receives a line with this body from the host.
+  /// Receives line_of(body) from the host.
   void receive_line(const std::string& body) { receive(line_of(body), now_); }
   void run_for(Time time) { run_until(now_ + time); }
   /// Returns the bodies of the lines sent since the last call.

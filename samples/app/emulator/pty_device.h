@@ -43,7 +43,7 @@ class PtyDevice {
   }
 
  private:
-  // If this machine was busy for longer than max_slice, the simulation skips the rest of that time. Otherwise the
+  // If this machine was busy for longer than max_slice, the simulation skips the time beyond max_slice. Otherwise the
   // device's watchdog would stop the device before the device receives the bytes that have arrived meanwhile.
   void simulate() {
     using Clock = std::chrono::steady_clock;

@@ -33,7 +33,7 @@ class EmulatedServo {
   void run_until(Time now);
   /// Turns the plate, as a hand does while the motor exerts no force.
   void turn_by_hand(double orientation_deg) { motor_deg_ = plate_deg_ = orientation_deg; }
-  /// Limits the speed of later motions, as the profile velocity of a Dynamixel does.
+  /// Limits the speed from now on, as the profile velocity of a Dynamixel does.
   void limit_speed(double speed_deg_s) { limit_deg_s_ = speed_deg_s; }
 
   const ServoTraits& traits() const { return traits_; }

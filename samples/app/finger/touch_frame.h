@@ -24,8 +24,8 @@ class TouchFrame {
   std::string description() const;  ///< name and size of the device, and positions of objects on it, in one line
   /// Sets those of noise, latency and bearing SD that are 0 in `tracker`.
   void configure(hrt_session_tracker& tracker) const;
-  /// Returns the fingertip 12 ms before `now_ns` (CLOCK_MONOTONIC), in plate coordinates, interpolated between reports:
-  /// by `now_ns`, a device of 100 Hz has sent the later one. Throws Failure (ExitCode::tracker) if unplugged.
+  /// Returns the fingertip 12 ms before `now_ns` (CLOCK_MONOTONIC), in plate coordinates, interpolated between the
+  /// reports before and after that time. Throws Failure (ExitCode::tracker) if the device was unplugged.
   Fingertip locate(std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch() /
                                          std::chrono::nanoseconds(1));
 

@@ -20,7 +20,7 @@ enum {
   LEAD_MS = 30,
   MIN_LEAD_MILLIDEG = 2000,
   FAST_LEAD_MILLIDEG = 60000,
-  HELD_MILLIDEG = 1000, /* a stop changes the pulse only if the servo is farther from it than this angle, */
+  HELD_MILLIDEG = 1000, /* a stop changes the pulse only if the servo is farther than this from the pulse, */
   AT_REST_MS = 1000,    /* and only if the pulse has changed within this time */
   BLOCKED_MS = 500,     /* a servo that moves by less than MOVED_MILLIDEG in this time at the largest lead is stuck */
   MOVED_MILLIDEG = 3000,

@@ -26,7 +26,7 @@ typedef struct PlateBoard {
 typedef struct PlateInputs {
   bool emergency_open; /**< the emergency stop is pressed, or its wire is broken */
   int16_t adc;         /**< reading of the sensor, 0 to 1023; negative before the first reading */
-  int16_t supply_adc;  /**< half of the servo's supply voltage, 0 to 1023 for 0 to 5 V; negative before the first */
+  int16_t supply_adc;  /**< half of the servo's supply voltage, 0 to 1023 for 0 to 5 V; negative: no reading yet */
 } PlateInputs;
 
 typedef enum PlateState {

@@ -113,7 +113,7 @@ std::string FingerRecord::why_no_touch(const RunContext& context) const {
   const Hand hand = best_of(context);
   if (of(hand).tracked == 0) return not_tracked(context);
   return tracked_in_words(hand) +
-         ". Where the headset's cameras see it, move the finger to the mark and hold it still for a second.";
+         ". Move the finger to the mark, where the headset's cameras see it, and hold it still for a second.";
 }
 
 Hand await_finger_at_start(RunContext& context) {

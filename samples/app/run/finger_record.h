@@ -21,8 +21,8 @@ class FingerRecord {
   std::string why_not_ended(const RunContext& context, const TargetPair& pair) const;
   /// Message: why no finger came to rest on a mark, and what to do.
   std::string why_no_touch(const RunContext& context) const;
-  /// Message: present position of the first tracked finger of the hands in use; only whether a finger is tracked, if
-  /// `plate_is_placed` is false: then the plate's pose is unknown.
+  /// Message: position of the first tracked finger of the hands in use. If `plate_is_placed` is false, because the
+  /// plate's pose is unknown, the message only says whether a finger is tracked.
   std::string where(const RunContext& context, bool plate_is_placed = true) const;
 
  private:

@@ -17,7 +17,7 @@ class RuntimePlate : public Plate {
   explicit RuntimePlate(Simulation& simulation) : simulation_(simulation) {}
 
   void command(XrTime time, double orientation_deg) override {
-    // The runtime accepts orientations within +-360 degrees: selects the equivalent one nearest to the present one.
+    // Selects the equivalent orientation nearest to the present one, within the runtime's limits of +-360 degrees.
     const double half_turns = std::round((simulation_.plate_orientation_deg(time) - orientation_deg) / 180.0);
     const double nearest_deg = orientation_deg + 180.0 * half_turns;
     const bool is_within = std::abs(nearest_deg) <= 360.0;

@@ -42,7 +42,7 @@ struct Options {
   std::optional<double> tactile_weight;             ///< unset: 0.15 if !for_people, else the plugin's default
   double motor_variance_deg2 = 0.5;
   std::filesystem::path register_to;   ///< file that a registration writes; empty: no registration
-  std::filesystem::path registered;    ///< reads the plate's pose from this file; empty: from the scene
+  std::filesystem::path registered;    ///< file with the plate's pose; empty: the scene has the pose
   bool fingertip = false;              ///< the registration also measures the offset from joint to skin
   bool measure_tracker = false;        ///< measure the tracker by touches of two dimples, instead of reaches
   bool check_each = false;             ///< check the plate's pose by a touch before every reach

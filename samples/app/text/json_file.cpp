@@ -45,7 +45,8 @@ std::string array_in_words(const Json& schema) {
   const std::string least = min > 0 ? " of " + std::to_string(min) : "";
   const std::string most = max == min ? "" : max > 0 ? " to " + std::to_string(max) : " or more";
   const bool has_numbers = schema.value("/items/type"_json_pointer, "") == "number";
-  return "an array" + (min == 0 && max > 0 ? " of 0" : least) + most + (has_numbers ? " numbers" : "");
+  const char* const what = min + max == 0 ? "" : has_numbers ? " numbers" : " entries";
+  return "an array" + (min == 0 && max > 0 ? " of 0" : least) + most + what;
 }
 
 std::string in_words(const Json& schema, const Json& type) {

@@ -2,6 +2,7 @@
 
 #include <openxr/openxr_reflection.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <mutex>
 #include <optional>
@@ -69,7 +70,7 @@ class Watchdog {
   // Uses no streams and runs no destructors: the blocked thread may hold the locks of streams.
   [[noreturn]] static void end_process(ExitCode code, const std::string& why) {
     restore_terminal();
-    say("hrt-reach: " + why + "\n");
+    say(std::string(program_invocation_short_name) + ": " + why + "\n");
     std::_Exit(static_cast<int>(code));
   }
 

@@ -63,8 +63,8 @@ typedef struct XrReachTruthHRTX {
   double trueDirection;      /* degrees: present direction of motion */
   double perceivedDirection; /* degrees: present perceived direction */
   double peakFeltError;      /* degrees, >= 0: largest perceived-direction error so far, while the finger moves */
-  double leftmostDirection;  /* degrees: leftmost feasible direction with this goal and a plate within 75
-                                degrees of the motion */
+  double leftmostDirection;  /* degrees: leftmost feasible direction with this goal and a plate
+                                orientation within 75 degrees of the motion */
   double rightmostDirection; /* degrees: rightmost feasible direction */
   double tactileWeight;      /* w_T: fraction of touch in the perceived direction */
   XrVector3f indexTip;       /* joint in plate coordinates, metres, without the tracker's errors */

@@ -210,7 +210,7 @@ XrTime XrHeadlessSession::next_frame() {
   }
 }
 
-// True if the runtime's time advanced by 5 s more than the program's. Throws XrLost after a second of such frames.
+// True if the runtime's time advanced by over 5 s more than the real time. Throws XrLost after a second of such frames.
 bool XrHeadlessSession::steps(XrTime time) {
   const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - frame_began_).count();
   const bool is_step =

@@ -26,7 +26,7 @@ struct Fingertip {
   std::array<double, 3> position_m{};  ///< in plate coordinates
   /// Rotation from the joint's axes to the plate's, quaternion x, y, z, w; unset if the runtime does not report it.
   std::optional<std::array<double, 4>> rotation;
-  bool lifted = false;  ///< not tracked because the finger is above the plate; if both are false: a dropout
+  bool lifted = false;  ///< the finger is above the plate; a dropout has neither `lifted` nor `tracked`
 };
 
 /// Motion of the runtime's reference spaces when the user recentres the view (XrEventDataReferenceSpaceChangePending):
@@ -126,14 +126,14 @@ class XrHeadlessSession {
   bool running_ = false;
   bool ending_ = false;            // end() has requested the end
   bool frames_have_times_ = true;  // false: time_now() gives the times of frames
-  Clock::time_point frame_began_;  // begin of the frame with last_frame_
+  Clock::time_point frame_began_;  // real time at which frame last_frame_ began
   std::optional<XrTime> refused_since_;
   int untimed_ = 0, stepped_ = 0;  // frames in a row without a time, and frames in a row with a step of time
   struct LeftOut {
     int untimed = 0, stepped = 0, refused = 0, impossible = 0;
   };
   LeftOut left_out_;
-  Clock::time_point own_frame_;  // begin of the last frame that was paced by this class
+  Clock::time_point own_frame_;  // start of the last frame that was paced by this class
   XrTime last_frame_ = 0;
 
   PFN_xrCreateHandTrackerEXT create_hand_tracker_ = nullptr;

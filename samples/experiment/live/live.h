@@ -32,7 +32,7 @@ class Live {
   /// Returns one line per address: "Live view: http://127.0.0.1:PORT/TOKEN/", and "Live view with keys: ...".
   std::string addresses() const;
 
-  /// Values that page.html displays, by name. Only the thread of the session may use this and the calls below.
+  /// Values that page.html displays, by name. Only the thread of the session may use `facts` and the calls below.
   nlohmann::json facts;
   /// Publishes a copy of `facts` to the open pages without blocking.
   void show() { shown_.store(std::make_shared<const nlohmann::json>(facts)); }

@@ -47,8 +47,8 @@ const std::vector<Column> reach_columns{
     {"abs_miss_deg", "number", "deg", "absolute value of miss_deg"},
     {"miss_mm", "number", "mm", "distance of the end from the real target"},
     {"peak_felt_error_deg", "number", "deg",
-     "largest perceived-direction error. Simulation: ground truth. Person: estimate by the controller under test, "
-     "which cannot be an outcome"},
+     "largest perceived-direction error. Simulation: ground truth. Person: estimate by the controller under test; do "
+     "not use it as an outcome"},
     {"is_truth", "boolean", "", "true: peak_felt_error_deg is ground truth"},
     {"duration_s", "number", "s", "duration of the motion"},
     {"samples", "integer", "", "number of samples of the reach, including dropouts"},
@@ -74,7 +74,7 @@ const std::vector<Column> trial_columns{
     {"condition", "text", "",
      "`practice` in practice. Before unblinding: a letter, assigned at random for each participant, or "
      "`noticeability`; after unblinding: the name of the condition"},
-    {"is_catch", "integer", "", "1: no gap, and the plate rests, except in noticeability; practice always has 1"},
+    {"is_catch", "integer", "", "1: no gap; the plate then rests, except in noticeability. Practice always has 1"},
     {"pair", "text", "", "name of the pair of targets; empty for noticeability"},
     {"reason", "text", "", "reason for which the attempt is invalid; empty: valid"},
     {"attempt", "integer", "", "number of the attempt, interrupted ones included"},
@@ -94,7 +94,7 @@ const Table tables[] = {
             {{"presented", "integer", "", "rank of the trial by the time at which it ended, from 1"},
              {"end", "text", "", "counted, missing (too many invalid attempts), or open (not finished)"},
              {"answer", "text", "", "answer to the question; noticeability: 1 or 2, the reach that seemed bent"},
-             {"is_right", "integer", "", "noticeability: 1 if `answer` is `bent`, else 0; empty in catch trials"},
+             {"is_right", "integer", "", "noticeability: 1 if `answer` equals `bent`, else 0; empty in catch trials"},
              {"began_utc", "time", "", "start of the last attempt"}})},
     {"attempts.csv", "One row per reach of each attempt, including invalid attempts",
      joined(trial_columns, reach_columns,

@@ -83,8 +83,8 @@ class Subject {
 
   virtual bool consents() = 0;
   /// Runs one slide or touch of a set-up. Passes each sample to `use`, which returns the next step, or nullopt at the
-  /// end of the slide or touch. `number`: that of the slide or touch in the set-up, from 0. `from_ns`: time of the last
-  /// sample before; all samples must be later.
+  /// end of the slide or touch. `number`: number of the slide or touch in the set-up, from 0. `from_ns`: time of
+  /// the previous sample; all samples must be later.
   virtual void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
                      const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) = 0;
   /// Asks a questionnaire. Returns whole numbers or texts.
@@ -93,7 +93,7 @@ class Subject {
   /// Turns the plate to 0 degrees, waits for the finger at the start, and runs one reach.
   virtual ReachOutcome reach(const ReachOrder& order) = 0;
   /// Asks a question and returns the index of the answer. `felt_deg`: largest perceived-direction error of each reach
-  /// in question, from which a simulated participant answers. `number`: that of the next reach, for random draws.
+  /// of the trial, from which a simulated participant answers. `number`: number of the next reach, for random draws.
   virtual unsigned answer(const std::string& question, const std::vector<std::string>& answers,
                           const std::vector<double>& felt_deg, unsigned number) = 0;
 };

@@ -29,8 +29,7 @@ HRT_MOCK_TYPE(XrReachTruthHRTX, XR_TYPE_REACH_TRUTH_HRTX)
 template <typename Struct>
 concept Typed = structure_type<std::remove_cv_t<Struct>>.name != nullptr;
 
-/// Throws XR_ERROR_VALIDATION_FAILURE unless `pointer` points to a structure with the right type. The specification
-/// requires "a pointer to a valid structure", of which only the type can be checked.
+/// Throws XR_ERROR_VALIDATION_FAILURE unless `pointer` points to a structure with the right type.
 template <Typed Struct>
 void require_struct(const Struct* pointer) {
   constexpr StructureType expected = structure_type<Struct>;

@@ -1,5 +1,5 @@
 // Actions ("Input and Haptics" of the specification): creation, suggested bindings, attachment, states and haptics. The
-// functions check handles, types of actions and the order of calls, but neither names nor which paths a profile has.
+// functions check handles, types of actions and the order of calls, but neither names nor the paths of a profile.
 #include "samples/mock_runtime/api/actions.h"
 
 #include "samples/mock_runtime/abi/structure.h"
@@ -76,7 +76,7 @@ void xrDestroyAction(XrAction handle) { runtime().registry.destroy<Action>(handl
 void xrSuggestInteractionProfileBindings(Instance& instance, const XrInteractionProfileSuggestedBinding* info) {
   require_valid(info->countSuggestedBindings > 0, "countSuggestedBindings is 0; must be > 0");
   require_pointer(info->suggestedBindings, "suggestedBindings");
-  instance.paths.text(info->interactionProfile);  // throws for an invalid path, as below
+  instance.paths.text(info->interactionProfile);  // throws for an invalid path
   for (std::uint32_t i = 0; i < info->countSuggestedBindings; ++i) {
     require_mutable(runtime().registry.get<Action>(info->suggestedBindings[i].action).action_set());
     instance.paths.text(info->suggestedBindings[i].binding);

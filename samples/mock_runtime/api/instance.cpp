@@ -101,8 +101,8 @@ void xrConvertTimespecTimeToTimeKHR(Instance&, const struct timespec* from, XrTi
   const bool valid = from->tv_sec >= 0 && from->tv_sec < INT64_MAX / second_ns && from->tv_nsec >= 0 &&
                      from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
   require(valid, XR_ERROR_TIME_INVALID,
-          "timespec is {} s, {} ns; must be > 0 and < 2^63 ns in all, with tv_nsec from 0 to 999999999", from->tv_sec,
-          from->tv_nsec);
+          "timespec is {} s, {} ns; must be > 0, with tv_sec from 0 to 9223372035 and tv_nsec from 0 to 999999999",
+          from->tv_sec, from->tv_nsec);
   *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
 }
 

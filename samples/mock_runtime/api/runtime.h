@@ -24,7 +24,7 @@ struct Runtime {
   std::string script_text;     ///< JSON text of `script`; empty before the first script is read
   Faults faults;               ///< faults of the script, with counts of calls
   std::uint64_t sessions = 0;  ///< number of sessions created since the script took effect
-  std::string script_error;    ///< mistake in the script that HRT_MOCK_SCRIPT names; empty if it is valid
+  std::string script_error;    ///< mistake in the script that HRT_MOCK_SCRIPT names; empty: no mistake
 
   /// Puts a script into effect and restarts the counts of calls and sessions. Throws as parse_script() does; the
   /// previous script then remains in effect.

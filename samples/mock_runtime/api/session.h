@@ -63,7 +63,7 @@ class Session : public Object {
   const std::shared_ptr<GraphicsDevice> graphics;  ///< null for a headless session
   bool running = false;                            ///< between xrBeginSession and xrEndSession
   bool exit_requested = false;
-  std::int64_t frame_number = 0;  ///< number of calls of xrWaitFrame that have waited
+  std::int64_t frame_number = 0;  ///< number of frames for which xrWaitFrame has waited
   FrameLoop frames;
   std::int64_t picture_from = 0;  ///< first frame that may be the next picture; 0: no picture is pending
   /// Ids of the attached action sets; unset before xrAttachSessionActionSets.

@@ -34,8 +34,8 @@ class Swapchain : public Object {
 /// Throws an Error if a composition layer is invalid.
 void require_layers(const XrFrameEndInfo& info, const Session& session);
 
-/// Returns the image of an eye (0 left, 1 right) in the first projection layer; black without one. Requires valid
-/// layers.
+/// Returns the image of an eye (0 left, 1 right) in the first projection layer; black if there is no such layer.
+/// Requires valid layers.
 Picture picture_of_eye(const XrFrameEndInfo& info, std::uint32_t eye);
 
 /// Writes the pictures of a frame that ends, if the script selects the frame.

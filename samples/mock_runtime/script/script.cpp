@@ -44,7 +44,7 @@ PlateSettings read_plate(const Json& plate) {
           plate.value("terminal", "")};
 }
 
-// Reads a pose from `position_m` and "orientation", if `object` has the latter key; otherwise uses `orientation`.
+// Reads a pose. `orientation`: orientation of the pose if `object` does not have this key.
 Pose read_pose(const Json& object, const std::string& where, const Eigen::Quaterniond& orientation) {
   Pose pose{orientation, read_vector(object["position_m"])};
   if (object.contains("orientation")) {

@@ -27,7 +27,7 @@ Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std:
       path_{instruction.start_m} {}
 
 double Reach::outermost_direction_deg(double sign) const {
-  // In this direction, the plate is at its bound on the opposite side, and the user feels the intended direction.
+  // In the outermost direction, the plate is at its bound on the opposite side, and the user feels no error.
   const double shift_deg = max_shift_deg(simulated_.illusion, plate_bound_deg, -sign);
   return goal_direction_deg_ + simulated_.bias_deg - simulated_.own_bias_deg + std::copysign(shift_deg, sign);
 }

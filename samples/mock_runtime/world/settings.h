@@ -17,7 +17,7 @@ namespace hrt::mock {
 
 struct TrackerSettings {
   double noise_m = 0.0;         ///< SD of the white noise of each coordinate
-  std::int64_t latency_ns = 0;  ///< the location that is reported for time t is that at t - latency
+  std::int64_t latency_ns = 0;  ///< the tracker reports the location at t - latency_ns for time t
   std::int64_t period_ns = 0;   ///< time between samples; 0: a sample for every requested time
 };
 

@@ -1,5 +1,5 @@
-// Parts for a Dynamixel XL330 instead of the hobby servo: a clamp that holds its body at the sides, at any height, and a
-// retainer for its own horn.
+// Parts for a Dynamixel XL330 instead of the hobby servo: a clamp that holds the sides of its body at any height, and a
+// retainer for the horn of the XL330.
 
 xl_front_z = horn_top_z - xl_horn_mm;
 xl_band_top_z = retainer_bottom_z - 2;

@@ -117,8 +117,9 @@ int run_trim(const Options& options, const Environment& env) {
   try {
     while (const auto offset_deg = ask_number(*device, dialogue_in(env), question, -30.0, 30.0)) {
       device->set_zero(device->zero_deg() - *offset_deg);
-      question = format("Orientation 0 has moved by %+.2f deg. How many degrees remain? Enter alone keeps this 0.",
-                        device->zero_deg() - before_deg);
+      question =
+          format("Orientation 0 has moved by %+.2f deg. How many degrees remain? Press Enter alone to keep this 0.",
+                 device->zero_deg() - before_deg);
     }
   } catch (const InputEnded&) {
     device->set_zero(before_deg);

@@ -17,7 +17,7 @@ using Opener = std::function<std::unique_ptr<Device>()>;
 constexpr double scale_deg = 30.0;  // the scale is read at this orientation and at its negative, with first_span_us
 constexpr double first_span_us = 2000.0, first_limit_deg = 45.0;  // settings before the servo is measured
 constexpr double max_limit_deg = 95.0;
-constexpr double scale_error = 0.007;  // relative standard error of 60 degrees that are read to a degree
+constexpr double scale_error = 0.007;  // relative standard error of 60 degrees on the scale, read to whole degrees
 constexpr double min_readings = 20.0;  // smallest difference of the sensor's readings at the two angles
 constexpr double stop_step_deg = 3.0;  // step of the search for a stop
 // A plate that lags more in the last step is at a stop. A count of the sensor is 0.3 degrees.

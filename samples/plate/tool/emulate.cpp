@@ -33,9 +33,8 @@ void run(PtyDevice<Emulated>& plate, const char* kind, const char* protocol, con
   const PtyLink link("--link", emulation.link, plate.device());
   out << "SIMULATION of a plate with " << kind << ". No servo and no board is connected. The device name is\n    "
       << protocol << ":" << (emulation.link.empty() ? plate.device() : emulation.link.string())
-      << "\nEnter alone shows the angle on the scale. e and Enter presses or releases the emergency stop; j and Enter "
-         "jams or frees "
-         "the servo.\nCtrl-C ends the simulation."
+      << "\nPress Enter to show the angle on the scale; e, then Enter, to press or release the emergency stop; j, then "
+         "Enter, to jam or free the servo.\nCtrl-C ends the simulation."
       << std::endl;
   const auto reported_deg = [&] { return plate.with([](Emulated& emulated) { return emulated.orientation_deg(); }); };
   bool pressed = false, jammed = false;
@@ -59,7 +58,7 @@ void emulate(const Emulation& emulation, const std::function<Input()>& read, std
   if (emulation.plate == "xl330") {
     PtyDevice<EmulatedDynamixel> plate(std::uint8_t{1}, 1190);
     plate.with(
-        [](EmulatedDynamixel& servo) { servo.set(6, 1, 0); });  // firmware 0 marks the simulation: no servo has it
+        [](EmulatedDynamixel& servo) { servo.set(6, 1, 0); });  // firmware 0 marks the simulation: no real servo has it
     run(plate, "an XL330-M077", "dynamixel", emulation, read, out);
     return;
   }

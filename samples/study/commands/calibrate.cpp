@@ -284,9 +284,9 @@ other columns are ignored.
 Protocol: the person slides to one target, twice at each plate orientation from -75 to 75 in steps of 7.5, in
 random order. A slide is at least 30 mm long, after half a second at rest. The minimum is ten such slides at
 three orientations that span 40 deg; between orientations that are far apart the illusion curve is unknown.
-Slides during which the plate turned are excluded. If the data are not sufficient, the exit code is 1 and the
-reason is on standard error. If the model does not fit the person, the values are not determined, and the
-output says what to do. Published human data cover orientations from -60 to 60.
+Slides during which the plate turned by more than 5 deg are excluded. If the data are not sufficient, the exit
+code is 1 and the reason is on standard error. If the model does not fit the person, the values are not
+determined, and the output says what to do. Published human data cover orientations from -60 to 60.
 
 Examples:
   hrt-study calibrate me.csv --plot me.svg --profile me.json

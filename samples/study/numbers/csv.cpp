@@ -34,7 +34,7 @@ bool CsvReader::next() {
   }
   if (!next_line()) return false;
   if (fields_.size() != width_)
-    throw wrong("columns", fmt::to_string(fields_.size()), fmt::format("as many as the header has, {}", width_));
+    throw wrong("number of columns", fmt::to_string(fields_.size()), fmt::format("{}, as in the header", width_));
   return true;
 }
 
@@ -61,7 +61,8 @@ void CsvReader::take_header() {
     if (found == fields_.end())
       throw UsageError(where() + ", " + words_for(column) + ": the column is missing; the line must be " + allowed);
     if (std::find(found + 1, fields_.end(), column) != fields_.end())
-      throw wrong(words_for(column), column, allowed + ", each once");
+      throw UsageError(where() + ", " + words_for(column) + ": the column occurs more than once; the line must be " +
+                       allowed + ", each once");
     places_.emplace_back(column, found - fields_.begin());
   }
   width_ = fields_.size();

@@ -16,7 +16,7 @@ using Rows = std::vector<RobustnessRow>;
 
 using Cell = const RobustnessCell&;
 
-// Rounds to a whole percentage; only a share of all cases becomes 100.
+// Rounds to a whole percentage; at most 99 unless all cases are hits.
 std::string rounded(const Share& share) {
   return cell(share.hits < share.of ? std::min(share.percent(), 99.0) : share.percent(), 0);
 }

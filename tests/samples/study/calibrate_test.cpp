@@ -85,9 +85,9 @@ TEST(StudyCalibrate, ErrorsNameLineAndColumn) {
   EXPECT_EQ(refused(slides_header), "data.csv: there is no row under the header");
   EXPECT_TRUE(
       has(refused("trial,time_s,right_m,away_m\n"), "line 1, column plate_orientation_deg: the column is missing"));
-  EXPECT_TRUE(has(refused("trial," + slides_header), "line 1, column trial: 'trial' is not allowed"));
+  EXPECT_TRUE(has(refused("trial," + slides_header), "line 1, column trial: the column occurs more than once"));
   EXPECT_EQ(refused(slides_header + "1,0,0,0,0\n1,1,0,0\n"),
-            "data.csv, line 3, columns: '4' is not allowed; it must be as many as the header has, 5");
+            "data.csv, line 3, number of columns: '4' is not allowed; it must be 5, as in the header");
   EXPECT_EQ(refused(slides_header + "1,0,100,0,0\n"),
             "data.csv, line 2, column right_m: '100' is not allowed; it must be a number in [-10, 10]");
   EXPECT_TRUE(has(refused(slides_header + "1.5,0,0,0,0\n"), "column trial: '1.5'"));
