@@ -181,7 +181,7 @@ TEST(Retargeter, AnyTargets_GiveFiniteCommands) {
   }
 }
 
-// Returns the covariance of a pose that may be rotated about the plate's centre, the start of simulated people.
+// Returns the covariance of a pose that may be rotated about the plate's centre, where simulated people start.
 FrameCovariance turn_of(double sd_deg) {
   FrameCovariance covariance = FrameCovariance::Zero();
   covariance(0, 0) = std::pow(sd_deg / deg_per_rad, 2);

@@ -120,8 +120,8 @@ TEST_F(GapTest, GapOfAPairIsAsDerivedByHand) {
 }
 
 // A linear illusion of weight 0.15 shifts the perceived direction by 0.15 times the angle between plate and motion: by
-// 11.25 degrees at 75, and by 10 at 66.67. In the paper, the plate's bound is relative to the virtual direction, and
-// the largest gap is 84.5 x 0.15/0.85 = 14.91 degrees.
+// 11.25 degrees at 75 degrees, and by 10 at 66.67. In the paper, the plate's bound is relative to the virtual
+// direction, and the largest gap is 84.5 x 0.15/0.85 = 14.91 degrees.
 TEST_F(GapTest, BoundIsRelativeToTheMotionUnderArrival) {
   hrt_session_config config = session_config();
   config.person.tactile_weight = 0.15;
@@ -198,7 +198,8 @@ TEST_F(AssignTest, AssignsTheNearestRealTargetOrOneEachIfExclusive) {
   EXPECT_TRUE(same(exclusive[0], gap_of(reals[0], virtuals[0])));
 }
 
-// Since the cue of touch decays between ridges, a farther target needs a larger plate angle for the same gap.
+// At the same duration, a finger moves faster to a farther target: less of the cue of touch decays between ridges, so
+// the feasible gap is larger.
 TEST_F(AssignTest, AssignsTheSmallestRatioInAnyOrder) {
   hrt_session_config config = session_config();
   know_person(&config, {0.25, 0.0, 10.0, 0.0, 0.0, 0.3, -0.4, 0.6, 1.0}, 1e-4);

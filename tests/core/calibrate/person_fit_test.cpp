@@ -139,7 +139,7 @@ TEST(PersonFit, AnUnstablePerson_IsReportedAsUnknown) {
   condition.person.delay_s = 0.15;
   const auto result = calibrate(slides(condition, 3, grid(4)));
   const auto* calibration = std::get_if<Calibration>(&result);
-  if (!calibration) return;  // rejected: the interval exceeds the range of people
+  if (!calibration) return;  // rejected: the interval of w_T is not within 0.02 to 0.48
   EXPECT_LT(calibration->lack_of_fit.angle_p, min_fit_p);
   EXPECT_FALSE(calibration->tactile_weight.known);
   EXPECT_FALSE(calibration->max_gap_deg.known);

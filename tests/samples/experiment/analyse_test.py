@@ -1,4 +1,4 @@
-"""Tests the registered tests by hand and on simulated studies with and without an effect (HRT_EXPERIMENT_STUDIES sets their number), then complete
+"""Checks the preregistered tests by hand and on simulated studies with and without an effect (HRT_EXPERIMENT_STUDIES sets their number), then complete
 studies of simulated people, from the design to the report.
 
     analyse_test.py samples/experiment PROGRAM [statistics] [studies]    default: both
