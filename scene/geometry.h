@@ -60,7 +60,7 @@ struct Transform {
 /// Returns the image of a direction. `t.origin` has no effect.
 inline Vec3 map_direction(const Transform& t, Vec3 v) { return t.x * v.x + t.y * v.y + t.z * v.z; }
 
-/// The composition that applies `b` first, then `a`.
+/// Returns the transform that applies `b` first, then `a`.
 inline Transform operator*(const Transform& a, const Transform& b) {
   return {map_direction(a, b.x), map_direction(a, b.y), map_direction(a, b.z), map_direction(a, b.origin) + a.origin};
 }

@@ -13,7 +13,7 @@ from abi import Abi, Enumeration, Value, pascal
 # Structs that scripts receive as a Dictionary.
 _RECORDS = ("hrt_command", "hrt_reach_summary", "hrt_gap", "hrt_setup_step", "hrt_setup_result", "hrt_conditions",
             "hrt_recording_status")
-# Fields that are neither Dictionary keys nor properties: the marks of a set-up are the start and five points on the rim.
+# Fields that are neither Dictionary keys nor properties. Set-ups of a node use the default marks.
 _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
 # Enumerations without constants, because methods return Godot's own errors.
 _NO_CONSTANTS = ("HRT_ERROR", "HRT_LOG")

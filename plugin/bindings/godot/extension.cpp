@@ -280,7 +280,7 @@ void ptrcall(void* data, void* instance, const void* const* arguments, void* out
   encode(result, out_return);
 }
 
-/** Registers the class. Its lifetime is that of the names and texts to which the engine's descriptions point. */
+/** Registers the class. Owns the names and texts to which the descriptions for the engine point. */
 class Registration {
  public:
   void add_class() {

@@ -94,7 +94,7 @@ export interface Session {
   readonly sample: Frame<hrt_sample>;
   /** Output of the last update(). */
   readonly command: Readonly<Frame<hrt_command>>;
-  /** State of the session, HRT_STATE_*; 0: idle. */
+  /** State of the session, HRT_STATE_*; 0: idle, but the real or the virtual target is missing. */
   readonly state: number;
   /** Begins a reach. The plate is assumed to be at the last command, unless its orientation is given. Directions are measured
    *  from the configured start or, with `startAtFinger`, from the first position of the finger. */

@@ -20,7 +20,7 @@ export function checked(name, type, value) {
   const wide = typeof least === "bigint";
   const whole = typeof value === "bigint" || Number.isSafeInteger(value);
   if (!whole || value < least || value > most) {
-    const needed = type === "id" ? "the id of a target, as addTarget() returns it," : `a whole number from ${least} to ${most}`;
+    const needed = type === "id" ? "the id of a target, as addTarget() returns it," : `a whole number from ${least} to ${most}${wide ? ", above 2^53 a BigInt," : ""}`;
     throw new RangeError(`${name} is ${String(value)}; ${needed} is needed`);
   }
   return wide ? BigInt(value) : Number(value);
@@ -29,12 +29,12 @@ export function checked(name, type, value) {
 // For use in each frame, without a new object: 64-bit integers are numbers, which are exact to 2^53. A value that is not a number
 // is written as NaN, which the library rejects.
 export function writeU32(view, at, name, value) {
-  if (value >>> 0 !== value) throw new RangeError(`${name} is ${String(value)}; a whole number from 0 is needed`);
+  if (value >>> 0 !== value) throw new RangeError(`${name} is ${String(value)}; a whole number from 0 to 4294967295 is needed`);
   view.setUint32(at, value, true);
 }
 export function writeI64(view, at, name, value) {
   const rounded = Math.round(value);
-  if (!Number.isSafeInteger(rounded)) throw new RangeError(`${name} is ${String(value)}; a number up to 2^53 is needed`);
+  if (!Number.isSafeInteger(rounded)) throw new RangeError(`${name} is ${String(value)}; a number between -2^53 and 2^53 is needed`);
   const high = Math.floor(rounded / 2 ** 32);
   view.setInt32(at + 4, high, true);
   view.setUint32(at, rounded - high * 2 ** 32, true);

@@ -134,8 +134,8 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_NULL_ARGUMENT (-1)
 /** The handle or id is null, stale, of another session, or was never returned by the library. */
 #define HRT_ERROR_INVALID_HANDLE (-2)
-/** `struct_size` is smaller than the size that this library knows, not a multiple of 8, or larger than 4096; or bytes
- *  beyond the known size are not zero. */
+/** `struct_size` is smaller than the size that this library knows, larger than 4096, or not a multiple of the struct's
+ *  alignment; or bytes beyond the known size are not zero. */
 #define HRT_ERROR_STRUCT_SIZE (-3)
 /** A value is outside its documented range, not a number, or infinite. */
 #define HRT_ERROR_OUT_OF_RANGE (-4)

@@ -78,7 +78,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target r
 
 /** @flags HRT_ASSIGN Flags of hrt_gap_assign(). */
 typedef uint32_t hrt_assign_flags;
-/** Each real target is assigned to at most one virtual target. Without this flag, to any number. */
+/** Each real target is assigned to at most one virtual target. Without this flag, to any number of them. */
 #define HRT_ASSIGN_EXCLUSIVE UINT32_C(1)
 
 /** Maximum number of virtual targets, and of real targets, in hrt_gap_assign(). */

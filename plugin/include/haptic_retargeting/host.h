@@ -36,14 +36,14 @@ typedef uint32_t hrt_log_level;
 typedef struct hrt_host {
   uint32_t struct_size;
   uint32_t reserved;
-  /** Pointer that is passed to all functions. The library does not read it. */
+  /** Pointer that is passed to all functions. The library does not dereference it. */
   void* context;
   /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. Set it to
    *  keep the library's memory in a budget of the engine. Called concurrently. Null: the allocator of the C library;
    *  `release` must then be null too. */
   void* (*allocate)(void* context, size_t size, size_t alignment);
-  /** Releases memory that allocate() returned. Like free(), it is not given the size: an allocator that needs the size
-   *  must store it next to the memory. Called concurrently. */
+  /** Releases memory that allocate() returned. Like free(), this function does not receive the size: an allocator that
+   *  needs the size must store it next to the memory. Called concurrently. */
   void (*release)(void* context, void* memory);
   /** Receives events that no call can return, for example that the disk of a recording is full. `level` is one of
    *  HRT_LOG_*. `text` is one line that names the session or the file; it is valid during the call. Called on a thread

@@ -75,13 +75,13 @@ typedef struct hrt_person_state {
   double position_m[3];
   /** Position of the fingertip as the person perceives it. */
   double felt_position_m[3];
-  /** Plate orientation of the servo. @ccw */
+  /** Orientation to which the simulated servo has turned the plate. @ccw */
   double plate_orientation_deg;
   /** Perceived direction minus direction of the virtual target: a bias is included. @ccw */
   double felt_error_deg;
 } hrt_person_state;
 
-/** Creates a simulated person. The same configuration and seed give the same motions on every host, bit for bit.
+/** Creates a simulated person. The same configuration, seed and calls give the same motions on every host, bit for bit.
  *
  *  @param config      Configuration, copied. Null: the defaults.
  *  @param seed        Seed of parameters and noise; any number.

@@ -1,6 +1,6 @@
 /*
  * Driver of the device that turns the plate: libhrt_plate, a separate library that is installed with the plugin.
- * Contract, results, structs and thread tags are those of base.h; hrt_plate_last_error() has the text of an error.
+ * The rules of base.h for calls, results, structs and threads apply; hrt_plate_last_error() has the text of an error.
  *
  * Example: turns a plate to 30 degrees.
  *
@@ -155,8 +155,8 @@ typedef struct hrt_plate_report {
   /** Maximum acceleration that `hrt-plate commission` measured; 0 if the plate was not opened by its file. For
    *  hrt_session_config::plate.max_acceleration_deg_s2. */
   double max_acceleration_deg_s2;
-  /** Lower stop; both stops are 0 if the plate turns freely. For hrt_session_config, if they are 180 degrees apart or
-   *  more. @ccw */
+  /** Lower stop; of a Dynamixel servo, the driver's limit of -360. For hrt_session_config, if the stops are 180 degrees
+   *  apart or more. @ccw */
   double lower_stop_deg;
   /** Upper stop. @ccw */
   double upper_stop_deg;

@@ -84,7 +84,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
  *  @param capacity    Bytes of `out_text`. 0: only the length is returned.
  *  @param out_text    Profile. May be null if `capacity` is 0.
  *  @param out_length  Length of the profile without the zero.
- *  @return BUFFER_TOO_SMALL unless `capacity` exceeds the length.
+ *  @return BUFFER_TOO_SMALL for a `capacity` from 1 to the length.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;

@@ -132,7 +132,7 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 /** The motion has ended; hrt_reach_retarget() may continue the reach. The finger was at the start or has moved; then it
  *  has rested for 0.4 s near the real target, after nine tenths of the path, or for 2 s at most 60 degrees off the
- *  target's bearing, after three tenths of the path. OFF_TARGET is set unless the finger is near the target. "Near" is
+ *  target's bearing, after three tenths of the path. If the finger is not near the target, OFF_TARGET is set. "Near" is
  *  within a quarter of the target's distance from the start, or within 15 mm if this is more. A lift, a dropout of 0.2
  *  s, or a move of the real target by 2 mm or more restarts the time. Never set in a reach with directions only: use a
  *  time limit there. */
@@ -166,7 +166,7 @@ typedef uint32_t hrt_command_flags;
  *  @param capacity    Bytes of `out_text`. 0: only the length is returned.
  *  @param out_text    Words in UTF-8 with a terminating zero. May be null if `capacity` is 0.
  *  @param out_length  Length of the words without the zero.
- *  @return OUT_OF_RANGE for unknown flags; BUFFER_TOO_SMALL unless `capacity` exceeds the length.
+ *  @return OUT_OF_RANGE for unknown flags; BUFFER_TOO_SMALL for a `capacity` from 1 to the length.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_flags_text(hrt_command_flags flags, uint64_t capacity, char* out_text,
                                                 uint64_t* out_length) HRT_NOEXCEPT;
@@ -334,14 +334,14 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_
 /** Processes one sample and returns the command for the plate. Call it every frame, at any frame rate, also before the
  *  motion: GUIDANCE_ARRIVAL estimates the start and the noise of the tracker from these samples. With positions, the
  *  command changes at every sample; with directions, once in a step period. A position that equals the last one is a
- *  dropout for 50 ms, since the tracker is slower than the application. Steps without samples are predicted, under
+ *  dropout for 50 ms, since a tracker may be slower than the application. Steps without samples are predicted, under
  *  FIXED_DIRECTION at most 64 in a call.
  *
  *  @param sample       Finger, and plate if its orientation is measured.
  *  @param out_command  Command for the plate.
  *  @return WRONG_STATE without a reach; OUT_OF_RANGE naming the field, or naming the target if, with
- *          HRT_REACH_START_AT_FINGER, a target is within 1 mm of the finger or the targets are 90 degrees apart;
- *          TIME_REVERSED.
+ *          HRT_REACH_START_AT_FINGER, a target is within 1 mm of the finger or the targets are 90 degrees or more
+ *          apart; TIME_REVERSED.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_command* out_command) HRT_NOEXCEPT;
@@ -355,8 +355,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
  *
  *  @param real_target     Target to which the hand is steered.
  *  @param virtual_target  Target that the user reaches for.
- *  @return INVALID_HANDLE or OUT_OF_RANGE naming the target, also for targets 90 degrees apart; WRONG_STATE without a
- *          reach.
+ *  @return INVALID_HANDLE or OUT_OF_RANGE naming the target, also for targets 90 degrees or more apart; WRONG_STATE
+ *          without a reach.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
@@ -368,9 +368,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_tar
  *
  *  @param contact  Position of contact. Null: the default.
  *  @return OUT_OF_RANGE naming the field, or the position if it is within 10 mm of start_position_m or too far from the
- *          tracked finger; WRONG_STATE if no reach is in progress and none has ended since the last cancel or change of
- *          the configuration, without HRT_SESSION_REGISTERED, or after a contact of the same reach; INSUFFICIENT_DATA
- *          if the finger did not move.
+ *          tracked finger; WRONG_STATE if no reach is in progress and none has ended since the last cancel, set-up or
+ *          change of the configuration, without HRT_SESSION_REGISTERED, or after a contact of the same reach;
+ *          INSUFFICIENT_DATA if the finger did not move.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) HRT_NOEXCEPT;
 

@@ -37,7 +37,7 @@ typedef struct hrt_recording_status {
   uint32_t struct_size;
   /** errno of the first failed write, after which nothing is written; 0: no write failed. */
   int32_t system_error;
-  /** Rows that the operating system has accepted for writing: after stopping, equal to hrt_replay_report::rows. */
+  /** Rows that the operating system has accepted for writing. If no row was lost, hrt_replay_report::rows is equal. */
   uint64_t rows_written;
   /** Number of rows that were dropped, because the disk was slow or failed. 0 after stopping: the file is complete. */
   uint64_t rows_lost;

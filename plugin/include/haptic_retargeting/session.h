@@ -77,8 +77,8 @@ typedef uint32_t hrt_session_flags;
  *  reach begins, to the orientation that the start of the motion requires. With the flag, fewer fast reaches end at
  *  the target. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
-/** The plate's pose is from a registration made at registration.time_ns. A set-up sets this flag; hrt_scene_register(),
- *  which writes the scene's pose, clears it. Both discard contacts. */
+/** The plate's pose is from a registration made at registration.time_ns. HRT_SETUP_REGISTRATION sets this
+ *  flag; hrt_scene_register(), which writes the scene's pose, clears it. Both discard contacts. */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 /** The user finds start_position_m by touch, for example by a dimple. A finger that rests before a reach is then
  *  assumed to be at the start, even if the tracker reports another position, and positions are measured relative to
@@ -97,7 +97,7 @@ typedef uint32_t hrt_session_flags;
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
 /** Habit, a curvature of the path: the aimed direction at the start minus that at the end, halved. Estimated as a mean
- *  over reaches; towards another target, recorded people differ from their mean by 7 deg (SD). @range -45 to 45
+ *  over reaches; towards different targets, the habits of a recorded person differ by 7 deg (SD). @range -45 to 45
  *  @unit deg @ccw */
 #define HRT_PERSON_HABIT 4
 /** Speed profile of the motion, from 0: minimum jerk, to 1: constant speed. @range 0 to 1 @unit 1 */
@@ -199,10 +199,10 @@ typedef struct hrt_session_person {
   double bias_deg;
   /** Maximum predicted perceived-direction error (perceived minus intended direction) under GUIDANCE_ARRIVAL. Lowering
    *  it makes the illusion less noticeable, but fewer reaches end at the target: with simulated users, 2 in 100 fewer
-   *  at 3.5. The actual error is larger because of noise and of errors of the estimates. @range 0.1 to 45 @default 5
-   *  @flatten max_felt_error_deg */
+   *  at 3.5 degrees. The actual error is larger because of noise and of errors of the estimates. @range 0.1 to 45
+   *  @default 5 @flatten max_felt_error_deg */
   double max_felt_error_deg;
-  /** Maximum angle between the plate orientation and the direction of the finger under GUIDANCE_ARRIVAL. Raising it
+  /** Maximum angle between the plate orientation and the direction of the motion under GUIDANCE_ARRIVAL. Raising it
    *  allows larger gaps for users whose illusion still increases at that angle; published data cover angles up to 60
    *  degrees. The controller never exceeds the peak of the user's illusion. @range 1 to 89 @default 75
    *  @flatten motion_bound_deg */
@@ -245,8 +245,8 @@ typedef struct hrt_session_registration {
 /** Part of hrt_session_config: the controller of the paper, and the noise of the user in its model. Read under
  *  FIXED_DIRECTION only. */
 typedef struct hrt_session_paper {
-  /** Steps that the controller plans ahead. With a horizon of 1, most reaches miss; one above 3 changes little and
-   *  costs time. @range 1 to 20 @default 3 */
+  /** Steps that the controller plans ahead. With a horizon of 1, most reaches miss; a horizon above 3 changes little
+   *  and costs time. @range 1 to 20 @default 3 */
   uint32_t horizon;
   /** Duration of one step of the model and of the controller. Shorter steps correct more often. If you change it, scale
    *  the variances below, which are per step. @range 1 ms to 10 s @default 100 ms */

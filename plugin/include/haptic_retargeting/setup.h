@@ -53,8 +53,8 @@ typedef uint32_t hrt_setup_parts;
  *  rotation rotates every reach by the same angle, and the samples of a reach do not reveal it. */
 #define HRT_SETUP_REGISTRATION UINT32_C(2)
 /** Checks the registration by one touch, for example before each reach, and by a second touch if the first disagrees.
- *  If a touch agrees, sets registration.time_ns; otherwise, clears HRT_SESSION_REGISTERED. Cannot be combined with
- *  REGISTRATION. */
+ *  If a touch agrees, sets registration.time_ns; otherwise, clears HRT_SESSION_REGISTERED. Requires
+ *  HRT_SESSION_REGISTERED. Cannot be combined with REGISTRATION. */
 #define HRT_SETUP_CHECK UINT32_C(4)
 /** Corrects the error that remains after registration. A guide is a strip on the plate from a dimple at the start to a
  *  real object. For each of the first 8 real targets, in the order of their addition, the user makes six slides along
@@ -95,8 +95,8 @@ typedef struct hrt_setup_config {
   /** 1: the registration also estimates plate.scale. Set it if the tracker's unit of length may be wrong by more than 1
    *  %; otherwise, the additional parameter makes the pose less accurate. @bool @default 0 */
   uint32_t fit_scale;
-  /** Maximum number of slides of a calibration. The first 16 are followed by groups of 8 until the tactile weight is
-   *  accurate enough (enough_weight_width). A lower maximum limits the duration, but the weight of a user with much
+  /** Maximum number of slides of a calibration. After the first 16 slides, groups of 8 follow until the tactile weight
+   *  is accurate enough (enough_weight_width). A lower maximum limits the duration, but the weight of a user with much
    *  variation remains less certain. @range 16 to 200 @default 40 */
   uint32_t max_slides;
   /** Marks in plate coordinates: x, y and z of each of mark_count marks. Set them to points that the user can find on
@@ -135,7 +135,7 @@ typedef uint32_t hrt_setup_problem;
 #define HRT_PROBLEM_NONE UINT32_C(0)          /**< no problem */
 #define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than about 0.4 s */
 #define HRT_PROBLEM_TOO_SLOW UINT32_C(2)      /**< the slide took more than 8 s */
-#define HRT_PROBLEM_STOPPED UINT32_C(3)       /**< the finger rested in the first half of the path, or elsewhere */
+#define HRT_PROBLEM_STOPPED UINT32_C(3)       /**< the finger rested too early, or beside the path */
 #define HRT_PROBLEM_LEFT_PLATE UINT32_C(4)    /**< the finger was lifted, or moved over the rim */
 #define HRT_PROBLEM_LOST UINT32_C(5)          /**< the tracker lost the finger */
 #define HRT_PROBLEM_MOVED UINT32_C(6)         /**< the plate turned during the slide */

@@ -114,7 +114,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target 
  *  @param capacity     Number of elements of `out_targets`. 0: the targets are only counted.
  *  @param out_targets  Ids of the targets. May be null if `capacity` is 0.
  *  @param out_count    Number of targets of the role.
- *  @return BUFFER_TOO_SMALL if there are more than `capacity` targets; OUT_OF_RANGE for another role.
+ *  @return BUFFER_TOO_SMALL if `capacity` is neither 0 nor sufficient; OUT_OF_RANGE for another role.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, hrt_target_role role, uint64_t capacity,
                                                  hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;

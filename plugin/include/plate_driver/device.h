@@ -17,8 +17,8 @@
 namespace hrt::plate {
 
 struct DeviceLimits {
-  double min_deg;                    ///< lower stop; both stops are 0 if the device turns freely
-  double max_deg;                    ///< upper stop
+  double min_deg;                    ///< lower stop, or limit of the driver
+  double max_deg;                    ///< upper stop, or limit of the driver
   double speed_deg_s;                ///< speed that the device reports, or the observed one if that is lower
   std::chrono::nanoseconds latency;  ///< time from a command to the start of the motion
 };
@@ -71,7 +71,7 @@ class Device {
   /// Waits up to `limit` for the device's next bytes, processes them, and sends the messages that are due. Call it at
   /// least every 50 ms, otherwise the watchdog of the device stops the plate.
   virtual void wait(std::chrono::milliseconds limit) = 0;
-  /// Turns the plate. @p orientation_deg must be within the limits. An equal command is not sent again.
+  /// Turns the plate. @p orientation_deg must be within the limits. A command equal to the last one is not sent again.
   virtual void turn_to(double orientation_deg) = 0;
   /// Stops the plate, which then holds its present orientation.
   virtual void stop() = 0;
@@ -93,7 +93,7 @@ class Device {
   virtual std::vector<std::string> details() = 0;
   /// Position of orientation 0 on the device's own scale, in degrees, counter-clockwise positive.
   virtual double zero_deg() = 0;
-  /// Moves orientation 0 to this position. A hobby servo turns by the same angle; a Dynamixel keeps its position.
+  /// Moves orientation 0 to this position. A hobby servo turns by the difference; a Dynamixel keeps its position.
   /// Throws PlateFailure if the position is out of range.
   virtual void set_zero(double zero_deg) = 0;
   /// Saves the position of orientation 0 across power-off. Stops the device.

@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 constexpr double slow_fraction = 0.8;    // a plate below this fraction of the speed in the file deviates
 constexpr auto deviates_after = 1s;      // allowed duration of a motion, and of an error at rest
-constexpr double late_s = 0.04;          // a plate that follows its commands later than this deviates
+constexpr double late_s = 0.04;          // a plate whose lateness exceeds this time deviates
 constexpr double min_travel_deg = 90.0;  // travel after which the lateness is reliable
 constexpr auto max_pause = 50ms;         // motion during a longer pause of the host is not observed
 

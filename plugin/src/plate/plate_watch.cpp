@@ -17,7 +17,7 @@ constexpr auto report_limit = 500ms;
 constexpr double limit_slack_deg = 3.0;  // tolerance of a sensor
 constexpr double moving_deg = 10.0;      // a plate that is farther from its command has to move
 constexpr auto stuck_limit = 1000ms;
-constexpr double moved_deg = 1.0;  // least motion in stuck_limit; below 4 degrees a second: the travel in 0.25 s
+constexpr double moved_deg = 1.0;  // least motion in stuck_limit; of a plate below 4 deg/s, its travel in 0.25 s
 constexpr auto max_pause = 250ms;  // motion during a longer pause of the host is not observed
 // A speed is measured over a part of a motion that has at least min_run_deg and min_motion, or lasts max_motion.
 constexpr double min_run_deg = 20.0;

@@ -1,4 +1,4 @@
-// Detects a plate that sends no reports, is stuck, is beyond its limits, or is slower than it reports.
+// Detects a plate that sends no reports, is stuck or is beyond its limits, and measures the plate's speed.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Serial line of Windows: a COM port, or a named pipe, as virtual machines use them.
+// Serial line of Windows: a COM port, or a named pipe of a virtual machine.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
@@ -162,9 +162,9 @@ class SerialLine : public Line {
     // A read ends when no further byte has arrived for 1 ms.
     COMMTIMEOUTS timeouts{1, 0, 0, 0, 0};
     if (!SetCommState(line_, &settings) || !SetCommTimeouts(line_, &timeouts))
-      throw PlateFailure(Fault::line, "does not accept " + std::to_string(baud) +
-                                          " baud with 8 data bits and no parity: " + reason() +
-                                          ". Check that the device is that of the plate");
+      throw PlateFailure(Fault::line, "cannot be set to " + std::to_string(baud) +
+                                          " baud, 8 data bits and no parity: " + reason() +
+                                          ". Check that this is the serial device of the plate");
     PurgeComm(line_, PURGE_RXCLEAR | PURGE_TXCLEAR);
   }
 

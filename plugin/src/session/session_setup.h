@@ -14,7 +14,7 @@
 
 namespace hrt::plugin {
 
-/// Flag that selects all parts for which the session has no result and the samples have the data.
+/// Value of HRT_SETUP_ALL_MISSING.
 inline constexpr std::uint32_t setup_all_missing = 64;
 
 /// Results of a set-up since it began.

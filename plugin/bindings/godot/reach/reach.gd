@@ -16,7 +16,7 @@ func _ready() -> void:
 	if plate.begin(real, felt) != OK:
 		stop("the reach does not begin")
 
-# Passes sample i. One division of integers is rounded correctly: every host gets equal doubles.
+# Passes sample i. Each coordinate is a quotient of two integers, the same double on every host.
 func _process(_delta: float) -> void:
 	i += 1
 	if i > 170:

@@ -163,7 +163,7 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
         raise ValueError('the line "# config" is missing before this row; record again')
     call, done = row["call"], row["result"] == _abi.OK
     if call.startswith("setup_"):
-        return  # calls of set-ups are only repeated, by replay()
+        return  # only replay() uses the calls of set-ups
     if call not in _CALLS:
         raise ValueError(f"the row's call is {call!r}; allowed: {', '.join(_CALLS)}")
     if call == "begin" and done:

@@ -204,7 +204,7 @@ class Session(SessionKeywords, Closing):
 
     @property
     def state(self) -> StateFlag:
-        """The state of the session; 0: idle."""
+        """The state of the session; 0: idle, but a reach cannot begin, because the real or the virtual target is missing."""
         state = ctypes.c_uint32()
         check(library().hrt_session_get(self.handle, None, byref(state)))
         return StateFlag(state.value)

@@ -400,7 +400,7 @@ class Servo : public Device {
 
 DeviceMaker dynamixel_device(const DeviceName& name) {
   name.check_options({"id", "baud", "speed", "effort"});
-  const int baud = name.integer("baud", 57600, 1, 1'000'000'000);
+  const int baud = name.integer("baud", 57600, 57600, 1'000'000);
   if (std::find(std::begin(baud_rates), std::end(baud_rates), baud) == std::end(baud_rates))
     throw std::invalid_argument("option baud is " + std::to_string(baud) + "; allowed: 57600, 115200, 1000000");
   const Settings settings{static_cast<std::uint8_t>(name.integer("id", 1, 0, 252)),

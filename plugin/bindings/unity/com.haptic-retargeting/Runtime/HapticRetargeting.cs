@@ -57,7 +57,7 @@ namespace Hrt
         public event Action<CommandFlags> FlagsChanged;
 
         /// <summary>Raised when the finger has arrived: once per reach, and again after <see cref="RetargetReach"/>. Call
-        /// <see cref="EndReach"/>, here or later. With the flag OffTarget, the finger rests beside the target.</summary>
+        /// <see cref="EndReach"/>, here or later. With the flag OffTarget, the finger has probably missed.</summary>
         public event Action<Command> Arrived;
 
         /// <summary>Raised by <see cref="EndReach"/>.</summary>

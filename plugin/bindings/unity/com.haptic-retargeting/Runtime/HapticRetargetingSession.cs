@@ -33,7 +33,7 @@ namespace Hrt
             set => Set(value);
         }
 
-        /// <summary>The state of the session; 0: idle.</summary>
+        /// <summary>The state of the session; 0: idle, but the real or the virtual target is missing.</summary>
         public StateFlags State
         {
             get

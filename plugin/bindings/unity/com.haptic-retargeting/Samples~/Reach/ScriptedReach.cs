@@ -56,7 +56,7 @@ namespace HrtSamples
             return seed % 1001 - 500;
         }
 
-        // Returns sample i. One division of integers is rounded correctly: every host gets equal doubles.
+        // Returns sample i. Each coordinate is a quotient of two integers, the same double on every host.
         Sample Scripted(int i, double plateDeg)
         {
             long moved = Math.Min(Math.Max(i - 10, 0), 120), distanceUm = moved * moved * (180 - moved) * 25 / 216;
