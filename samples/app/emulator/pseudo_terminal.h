@@ -37,7 +37,7 @@ class Pty {
   Pty(const Pty&) = delete;
   Pty& operator=(const Pty&) = delete;
 
-  /// Path of the other end, which the other program opens.
+  /// Path that the other program opens.
   const std::string& device() const { return device_; }
   /// Descriptor of the other end, for the input or output of a program.
   int descriptor() const { return other_; }

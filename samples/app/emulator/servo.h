@@ -20,7 +20,8 @@ struct ServoTraits {
   unsigned seed = 1;
 };
 
-/// Motor that turns to its goal with a trapezoidal speed profile, and a plate that it turns through gears with play.
+/// Motor that turns to its goal with a trapezoidal speed profile, and a plate that the motor turns through gears with
+/// play.
 class EmulatedServo {
  public:
   using Time = std::chrono::nanoseconds;

@@ -106,7 +106,7 @@ void plate_receive(Plate* plate, char byte);
 /** Processes the inputs, moves the pulse and sends lines. Call it every millisecond. */
 void plate_tick(Plate* plate, const PlateInputs* inputs);
 
-/** Notifies the firmware that the board has written the settings. `whole`: they were read back without a difference. */
+/** Notifies the firmware that the board has written the settings. `whole`: EEPROM returned the same bytes. */
 void plate_saved(Plate* plate, bool whole);
 
 /** True if the orientation is known: from a sensor, or because the plate was homed and has had pulses since. */

@@ -55,8 +55,7 @@ bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]);
 /** Returns the pulse for an orientation, in half microseconds, rounded and within the range of pulses. */
 uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_millideg);
 
-/** Limits in hundredths of a degree: the settings, or, if narrower, the orientations at PULSE_MIN_US and PULSE_MAX_US.
- */
+/** Limits in hundredths of a degree: the settings, or the orientations at PULSE_MIN_US and PULSE_MAX_US if narrower. */
 int32_t settings_lower_limit(const Settings* settings);
 int32_t settings_upper_limit(const Settings* settings);
 

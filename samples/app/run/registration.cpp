@@ -135,8 +135,9 @@ RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks,
 double check_plate(RunContext& context, const RegisteredPlate& plate) {
   if (plate.hand && context.hands != std::vector{*plate.hand})
     throw Failure(ExitCode::registration,
-                  "the plate was registered with --fingertip, which is valid for one hand only: select that hand "
-                  "(--hand), or register the plate again (--register)");
+                  format("the plate was registered with --fingertip, which is valid for one hand only: select the %s "
+                         "hand (--hand), or register the plate again (--register)",
+                         hand_names[static_cast<std::size_t>(*plate.hand)]));
   hrt_session_config config = config_of(context);
   put_registration(plate, config);
   context.plugin.check(context.plugin.hrt_session_set(context.targets.session, &config));

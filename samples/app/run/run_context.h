@@ -67,7 +67,7 @@ std::string within_s(XrDuration limit_ns);
 
 hrt_session_config config_of(const RunContext& context);
 
-/// The fingertip: the skin that touches if its offset from the joint is known, else the joint.
+/// Returns the position of the skin that touches if its offset from the joint is known, else that of the joint.
 Fingertip locate(const RunContext& context, Hand hand, XrTime time);
 
 /// Sample of a frame for the plugin, in plate coordinates.

@@ -14,7 +14,7 @@ namespace hrt::app {
 
 /// Starts the watchdog, a thread that ends the process
 /// - with ExitCode::runtime_blocked, if a call lasts longer than `limit`;
-/// - with ExitCode::interrupted, if the program is in a call 0.5 s after a signal, or has not ended 5 s after it.
+/// - with ExitCode::interrupted, if the program is in a call 0.5 s after a signal, or runs 5 s after a signal.
 void watch_runtime(std::chrono::milliseconds limit);
 
 /// While this object exists, the watchdog limits the duration of a call. One at a time; `name` must outlive it.

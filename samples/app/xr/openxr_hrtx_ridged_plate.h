@@ -8,7 +8,7 @@
 ** The plate frame: origin in the plate's centre of rotation, +Y the plate's normal (up), -Z its mid-line
 ** (straight away from the user), +X to the right. Directions are in degrees from the mid-line,
 ** counter-clockwise positive seen from above (left is positive); the orientation of the plate is the
-** direction of the normal of its ridges. Angles are doubles, so that recordings replay bit for bit.
+** direction of the normal of its ridges. Angles are doubles.
 **
 ** There is one plate per session. Every function may be called from any thread, in any state of the session.
 ** In addition to the results named below, each returns XR_ERROR_HANDLE_INVALID, XR_ERROR_INSTANCE_LOST and

@@ -134,8 +134,8 @@ class SessionRun {
     if (!events.empty()) {
       const json& first = events.front().data;
       if (first.at("sha256") != design_.sha256)
-        throw Refusal(folder_.string() + ": this session was started with another design, of SHA-256 " +
-                      first.at("sha256").get<std::string>() + "; use that design, or another folder (--data)");
+        throw Refusal(folder_.string() + ": this session was started with another design, whose SHA-256 is " +
+                      first.at("sha256").get<std::string>() + "; use the other design, or another folder (--data)");
       if (first.at("subject") != subject_.description())
         throw Refusal(folder_.string() + ": this session was started with \"" + first.at("subject").get<std::string>() +
                       "\", not with \"" + subject_.description() +
@@ -487,8 +487,8 @@ void freeze(const Design& design, const std::filesystem::path& study, const Disk
   if (disk.create(frozen, design.text)) return;
   const std::string before = sha256_of(content_of(frozen));
   if (before != design.sha256)
-    throw Refusal(frozen.string() + ": this folder has data of the design of SHA-256 " + before + ", not of " +
-                  design.sha256 + "; use that design, or another folder (--data)");
+    throw Refusal(frozen.string() + ": the data in this folder have another design (SHA-256 " + before +
+                  ") than the given one (" + design.sha256 + "); use the other design, or another folder (--data)");
 }
 
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk) {

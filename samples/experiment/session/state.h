@@ -16,7 +16,7 @@ struct TrialRecord {
   enum class End { open, counted, missing } end = End::open;
   unsigned attempts = 0;   ///< attempts that were started
   unsigned refused = 0;    ///< attempts that ended and were invalid, without interrupted ones
-  unsigned presented = 0;  ///< rank of this trial by the time at which it ended, from 1; 0: it has not ended
+  unsigned presented = 0;  ///< rank of this trial by the time at which it ended, from 1; 0: not ended
   std::int64_t began_utc_ms = 0;
   nlohmann::json attempt;          ///< data of the last event "attempt"
   nlohmann::json reach;            ///< data of the last event "reach"
@@ -64,7 +64,7 @@ struct State {
   unsigned reaches = 0;  ///< number of ended reaches, valid or not
   unsigned presented = 0;
   unsigned refused_in_a_row = 0;
-  std::vector<std::string> profiles;  ///< profile of each condition after its last reach; empty: that of the set-up
+  std::vector<std::string> profiles;  ///< profile of each condition after its last reach; empty: the set-up's profile
   app::QuestPlus quest;               ///< posterior of all answers, for the threshold
   std::vector<app::QuestPlus> quest_runs;  ///< interleaved runs, which select the gaps
   std::string end;                         ///< "done" or "stopped"; empty: the session has not ended

@@ -64,7 +64,7 @@ class Registry {
     T& object = get_even_lost<T>(handle);
     for (const Object* ancestor = &object; ancestor != nullptr; ancestor = ancestor->parent())
       require(ancestor->lost == XR_SUCCESS, ancestor->lost,
-              "the session or instance of this handle is lost; destroy it and create a new one");
+              "the session or instance of this handle is lost; destroy the lost object and create a new one");
     return object;
   }
 

@@ -52,7 +52,7 @@ void xrCreateInstance(const XrInstanceCreateInfo* info, XrInstance* handle) {
           XR_VERSION_MINOR(version));
   if (info->enabledExtensionCount > 0) require_pointer(info->enabledExtensionNames, "enabledExtensionNames");
   require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED,
-          "one instance is allowed, and it exists; call xrDestroyInstance first");
+          "an instance exists, and only one is allowed; call xrDestroyInstance first");
   if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
   ExtensionSet enabled;
   for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)

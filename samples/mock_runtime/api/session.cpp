@@ -138,7 +138,7 @@ void xrCreateSession(Instance& instance, const XrSessionCreateInfo* info, XrSess
   require_valid(info->createFlags == 0, "createFlags is {:#x}; must be 0", info->createFlags);
   require_system(info->systemId);
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_LIMIT_REACHED,
-          "one session is allowed, and it exists; call xrDestroySession first");
+          "a session exists, and only one is allowed; call xrDestroySession first");
   auto device = device_of_session(instance, *info);
   auto& session = runtime().registry.create<Session>(&instance, runtime().script, std::move(device));
   ++runtime().sessions;

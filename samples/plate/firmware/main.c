@@ -106,7 +106,7 @@ static void start_clock(void) {
   TCCR0B = _BV(CS01) | _BV(CS00);
 }
 
-/* Settings in EEPROM: two copies, so that a power failure at any time leaves a complete one. */
+/* Settings in EEPROM: two copies, so that a power failure at any time leaves a complete copy. */
 
 enum { COPIES = 2, COPY_BYTES = 128 };
 

@@ -126,7 +126,6 @@ if (picture == "sensor") {
     section_without_labels(concat(paints, sensor_paints));
     translate([-50, -60, -1]) cube([100, 62, 3]);
   }
-  // Labels of the section, from top to bottom.
   for (i = [0:8], row = [["plate", 46, -4], ["hub", 16, -16], ["bearing 61808", 24, bearing_bottom_z + 3], ["deck", 46, deck_bottom_z + 6],
       ["magnet", 2, magnet_bottom_z + 1], ["AS5600", 8, sensor_arm_z + 1], ["sensor arm", -30, sensor_arm_z - 2],
       ["retainer", 10, retainer_bottom_z + 4], ["hobby servo", 12, servo_bottom_z + 36]]) if (row[0] == sensor_words[i])

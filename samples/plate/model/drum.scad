@@ -7,8 +7,7 @@ module drum_outline(hole_mm) {
         deck_outline();
         deck_outline(wall_mm);
       }
-      // Columns, joined to the wall.
-      intersection() {
+        intersection() {
         deck_outline();
         around(drum_screw_radius_mm, drum_directions_deg) union() {
           disc(drum_column_mm, 2 * hole_facets);

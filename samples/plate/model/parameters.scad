@@ -22,7 +22,7 @@ dimple_depth_mm = 1;
 /* [Fits: measure a test print, see README.md] */
 // Added to the diameter of a hole that a part slides into.
 slide_fit_mm = 0.2;
-// Added to the bearing's diameter in the deck; subtracted from its bore on the hub.
+// Added to the bearing's outer diameter for the hole in the deck; subtracted from its bore for the hub.
 bearing_fit_mm = 0.1;
 // Gap between the plate's rim and the deck.
 rim_gap_mm = 1;

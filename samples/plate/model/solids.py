@@ -70,7 +70,7 @@ def installed(folder):
 
 
 def screws(folder):
-    """Screws through one part into another; from under the head at z = `face` upwards, or down if `length` is negative."""
+    """Screws through one part into another: the shaft is above the head at z = `face`, or below it if `length` is negative."""
     return [Screw(*row) for row in rows(folder, "screw")]
 
 

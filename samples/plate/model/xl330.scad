@@ -13,7 +13,6 @@ module xl_body(more_mm = 0) translate([0, xl_shaft_mm - xl_height_mm / 2])
     square([xl_width_mm + more_mm, xl_height_mm + more_mm], center = true);
 
 module xl330_mount() {
-  // Base under the posts.
   module floor_outline(hole_mm) difference() {
     hull() posts(2 * post_radius_mm + 2);
     posts(hole_mm);
@@ -47,7 +46,6 @@ module xl330_retainer() {
   layer(retainer_bottom_z, horn_top_z) outline(m2_free_mm, xl_horn_diameter_mm + slide_fit_mm);
 }
 
-// XL330 as bought.
 module xl330() layer(xl_front_z - xl_depth_mm, xl_front_z) xl_body();
 
 module xl330_horn() layer(xl_front_z + 0.3, horn_top_z) difference() {

@@ -42,7 +42,7 @@ std::optional<Ramp> ramp_of(const Step& step) {
 }
 
 // Log likelihood of an onset and an acceleration, for an unknown SD of the noise. The model is a constant acceleration
-// minus an equal one that starts when full speed is reached. The number of samples is reduced, because the filter
+// minus an equal acceleration that starts at full speed. The number of samples is reduced, because the filter
 // correlates successive samples.
 double likelihood(const Step& step, const Ramp& ramp, double onset_s, double acceleration_deg_s2, double filter_s) {
   const double full_s = ramp.speed_deg_s / acceleration_deg_s2;

@@ -63,7 +63,6 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, Integer& value,
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& values, const NumberRange& range,
                          const std::string& help);
 
-/// Adds an option for one of `allowed`.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& allowed, const std::string& help);
 

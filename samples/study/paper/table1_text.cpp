@@ -8,7 +8,6 @@
 namespace hrt::study {
 namespace {
 
-// "     93.0    89.5 - 95.4     92.8"
 std::string paper_columns(std::optional<double> paper_percent, std::optional<PercentInterval> interval,
                           double percent) {
   return fmt::format("{:>9}{:>15}{:>9.1f}", paper_percent ? cell(*paper_percent, 1) : "",
