@@ -76,6 +76,30 @@ double habit_variance_deg2(const PersonBelief& before, const PersonBelief& steer
   return square(kept) * before.covariance(T::habit, T::habit) + (1.0 - kept) * after_deg2;
 }
 
+// Replaces a fraction f of the information about each trait by that of the prior, with F = diag(f):
+//
+//   P'^-1 = sqrt(1 - F) P^-1 sqrt(1 - F) + sqrt(F) P0^-1 sqrt(F)
+//   P'^-1 x' = sqrt(1 - F) P^-1 sqrt(1 - F) x + sqrt(F) P0^-1 sqrt(F) x0
+//
+// x, P: mean and covariance after the reach; x0, P0: of an unknown person. Traits that reaches determine hardly change.
+// A combination that they do not determine, such as a bias and a weight with the same effect on gaps to one side,
+// returns to the prior. Without this, small errors of the model would add up in such a combination over many reaches.
+PersonBelief forgotten(const PersonBelief& unknown, const PersonBelief& known, const Tuning& tuning) {
+  using Matrix = PersonBelief::Matrix;
+  const auto inverse = [](const Matrix& matrix) -> Matrix { return matrix.llt().solve(Matrix::Identity()); };
+  PersonBelief::Vector fraction;
+  for (int i = 0; i < T::traits; ++i) fraction(i) = tuning.traits[i].forgotten;
+  const PersonBelief::Vector kept = (1.0 - fraction.array()).sqrt();
+  const PersonBelief::Vector replaced = fraction.array().sqrt();
+  const Matrix from_reaches = kept.asDiagonal() * inverse(known.covariance) * kept.asDiagonal();
+  const Matrix from_prior = replaced.asDiagonal() * inverse(unknown.covariance) * replaced.asDiagonal();
+  const Matrix covariance = inverse(from_reaches + from_prior);
+  PersonBelief next{.mean = covariance * (from_reaches * known.mean + from_prior * unknown.mean),
+                    .covariance = 0.5 * (covariance + covariance.transpose())};
+  for (int i = 0; i < T::traits; ++i) next.mean(i) = std::clamp(next.mean(i), person_state[i].min, person_state[i].max);
+  return next;
+}
+
 }  // namespace
 
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt) {
@@ -112,6 +136,7 @@ PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, boo
   next.covariance = (0.5 * (next.covariance + next.covariance.transpose())).eval();
   set_variance(next, T::habit, habit_variance_deg2(before, steering, next));
   for (int i = 0; i < T::traits; ++i) next.covariance(i, i) += square(tuning.traits[i].change);
+  next = forgotten(unknown, next, tuning);
   for (int i = 0; i < T::traits; ++i)
     if (next.covariance(i, i) > unknown.covariance(i, i)) set_variance(next, i, unknown.covariance(i, i));
   if (missed && has_fallen(before, learnt, tuning)) forget_illusion(unknown, &next);

@@ -22,8 +22,9 @@ RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact,
 /// Returns the prior for the next reach. `before` and `learnt` are prior and posterior of the last reach; `missed`:
 /// true if the last reach did not end at its target. Deviations of bias and habit that belong to the last reach alone
 /// are removed, and the deviation of the bias updates the scatter. The variance of the habit is corrected for the
-/// narrower prior with which a reach begins, steering_belief(). Variances grow, since people change, up to those of
-/// `unknown`. If `missed`, and the weight has dropped far below its former estimate, the illusion is that of `unknown`.
+/// narrower prior with which a reach begins, steering_belief(). Since people change, variances grow, and a part of the
+/// information from reaches is replaced by that of the prior `unknown` (Tuning::traits). If `missed`, and the weight
+/// has dropped far below its former estimate, the illusion is that of `unknown`.
 PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown,
                      const Tuning& tuning = {});
 

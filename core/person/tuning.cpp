@@ -94,6 +94,7 @@ std::vector<TuningField> tuning_fields(Tuning& t) {
     fields.push_back({name + ".mean", &t.traits[i].mean, person_state[i].min - 10.0, person_state[i].max + 10.0});
     fields.push_back({name + ".sd", &t.traits[i].sd, 1e-3, 100.0});
     fields.push_back({name + ".change", &t.traits[i].change, 0.0, 100.0});
+    fields.push_back({name + ".forgotten", &t.traits[i].forgotten, 0.0, 1.0});
   }
   return fields;
 }

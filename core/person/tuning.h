@@ -19,23 +19,24 @@ namespace hrt {
 struct TraitTuning {
   double mean;
   double sd;
-  double change;  ///< SD of the change from one reach to the next
+  double change;     ///< SD of the change from one reach to the next
+  double forgotten;  ///< fraction of the information from reaches that is forgotten after each reach
 };
 
 struct Tuning {
   // Prior. Mean and SD of weight and curve are multiples of the SD of w_T that the host gives; the mean of the weight
   // is relative to the given w_T. The host gives the mean of the bias.
   TraitTuning traits[PersonState::traits] = {
-      {0.9, 1.7, 0.008},   // weight
-      {1.1, 1.6, 0.03},    // curve
-      {14.0, 4.0, 0.7},    // gain, 1/s
-      {0.0, 4.0, 0.5},     // bias, deg
-      {0.0, 9.0, 0.4},     // habit, deg; SD over recorded people and targets: 9.3
-      {0.05, 0.35, 0.05},  // evenness
-      {-0.65, 0.55, 0.1},  // log_rate
-      {0.05, 0.6, 0.02},   // fading
-      {1.2, 0.8, 0.1},     // scatter, deg
-      {1.4, 1.2, 0.15},    // log_wander
+      {0.9, 1.7, 0.004, 0.05},  // weight
+      {1.1, 1.6, 0.01, 0.02},   // curve
+      {14.0, 4.0, 0.0, 0.1},    // gain, 1/s
+      {0.0, 4.0, 0.5, 0.1},     // bias, deg
+      {0.0, 9.0, 0.0, 0.1},     // habit, deg; SD over recorded people and targets: 9.3
+      {0.05, 0.35, 0.0, 0.1},   // evenness
+      {-0.65, 0.55, 0.0, 0.1},  // log_rate
+      {0.05, 0.6, 0.0, 0.02},   // fading
+      {1.2, 0.8, 0.0, 0.1},     // scatter, deg
+      {1.4, 1.2, 0.0, 0.1},     // log_wander
   };
   double weight_curve_correlation = 0.85;  ///< prior correlation of weight and curve
   double steered_habit_sd_deg = 2.0;       ///< deg: upper limit of the SD of the habit with which a reach begins

@@ -237,9 +237,9 @@ typedef struct hrt_reach_counts {
  *  motion, with the observed HRT_PERSON_LOG_WANDER. Under FIXED_DIRECTION, curve and bias are 0.
  *
  *  Under ARRIVAL, the SDs of weight and bias are too small after many reaches with gaps on the same side, where a
- *  weight and a bias have the same effect: after 20 reaches, the 95 % intervals contain the true values of about 60 %
- *  of simulated people, although reaches still end at the target. To measure a user, alternate the sides: the intervals
- *  then contain the true values of 95 to 98 %. */
+ *  weight and a bias have the same effect: after 20 reaches, the 95 % intervals contain the true weight of about 78 %
+ *  of simulated people and the true bias of 93 %, although reaches still end at the target. To measure a user,
+ *  alternate the sides: the intervals then contain the true values of at least 97 %. */
 typedef struct hrt_reach_learnt {
   double tactile_weight;    /**< tactile weight at the end; see hrt_command @unit 1 */
   double tactile_weight_sd; /**< SD of tactile_weight; see hrt_command @unit 1 */
