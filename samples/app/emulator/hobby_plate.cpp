@@ -59,9 +59,12 @@ void HobbyPlate::receive(std::string_view bytes, Time now) {
     plate_receive(&plate_, byte);
     LineError error = LINE_OK;
     if (!line_receive(&reader_, byte, &error) || error != LINE_OK) continue;
-    // Removes trailing words of five characters: the sequence number and the token, which have five digits.
+    // Without the sequence number and the token at the end, which have five digits.
     std::string_view body = reader_.text;
-    while (body.size() > 9 && body[body.size() - number_size] == ' ') body.remove_suffix(number_size);
+    for (int i = 0; i < 2 && body.size() > 9; ++i) {
+      const std::string_view last = body.substr(body.size() - number_size);
+      if (last[0] == ' ' && last.find_first_not_of("0123456789", 1) == last.npos) body.remove_suffix(number_size);
+    }
     received_.emplace_back(body);
   }
 }

@@ -207,9 +207,9 @@ TEST_F(Component, LogsTheReasonOfARefusal) {
   EXPECT_FALSE(component_.AddTarget(kReal, (max + u"a").c_str(), 0, 10, target));
   EXPECT_TRUE(component_.AddTarget(kReal, max.c_str(), 0, 10, target));
   begin();
-  EXPECT_TRUE(component_.UpdateFinger(FVector(), 1));
   for (const double time : {kNan, -1e300, 1e300})
     EXPECT_FALSE(component_.UpdateFinger(FVector(), time)) << time;
+  EXPECT_NE(last_log().find("time"), std::string::npos) << last_log();
   EXPECT_TRUE(component_.UpdateFinger(FVector(), 2));
   ASSERT_TRUE(component_.EndReach(summary));
   component_.SetWorldTransform(FTransform(FQuat(), FVector(), FVector(2, 2, 2)));

@@ -32,7 +32,7 @@ namespace HapticConversions
 
 	int64_t ToNanoseconds(double Seconds)
 	{
-		// llround is undefined for NaN, and for results that do not fit in 64 bits.
+		// llround is undefined for NaN, and for results that do not fit in 64 bits. INT64_MIN: the time is invalid.
 		constexpr double Largest = 9e9;
 		return std::abs(Seconds) < Largest ? static_cast<int64_t>(std::llround(Seconds * NanosecondsPerSecond)) : INT64_MIN;
 	}

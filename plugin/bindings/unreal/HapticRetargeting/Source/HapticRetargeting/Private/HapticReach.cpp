@@ -58,6 +58,11 @@ bool UHapticRetargetingComponent::UpdateLost(double Time)
 
 bool UHapticRetargetingComponent::UpdateSample(const hrt_sample& Filled)
 {
+	if (Filled.time_ns == INT64_MIN)
+	{
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the time of the sample is invalid; allowed: between -9e9 and 9e9 s. Pass the seconds of one clock"));
+		return false;
+	}
 	hrt_sample Sample = Filled;
 	Sample.struct_size = sizeof Sample;
 	if (bSettingUp)
