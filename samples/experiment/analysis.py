@@ -35,10 +35,11 @@ def run_main(main):
     """Runs `main`; an error of the input ends the program with one line, without a traceback."""
     try:
         main()
-    except (OSError, ValueError, KeyError, AttributeError) as error:  # KeyError and AttributeError: a missing column
-        what = f"{error} is missing" if isinstance(error, KeyError) else str(error).splitlines()[0]
-        again = "; export the data with this version of hrt-experiment" if isinstance(error, (KeyError, AttributeError)) else ""
-        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {what}{again}")
+    except (OSError, ValueError) as error:
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {str(error).splitlines()[0]}")
+    except (KeyError, AttributeError) as error:
+        column = error.args[0] if isinstance(error, KeyError) else error.name
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: the tables lack '{column}'; export the data with this version of hrt-experiment")
 
 
 def sign_flip(differences, seed, flips=FLIPS, direction="two-sided"):

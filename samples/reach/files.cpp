@@ -44,9 +44,11 @@ void RecordingFile::finish() {
   if (file.empty()) return;
   hrt_recording_status status{.struct_size = sizeof status};
   plugin_.check(plugin_.hrt_recording_stop(session_, &status));
-  if (status.rows_lost > 0 || status.system_error != 0)
-    throw Failure(ExitCode::output, file.string() + " is incomplete: " + std::to_string(status.rows_lost) +
-                                        " rows could not be written; record to a faster or larger disk (--record)");
+  if (status.rows_lost == 0 && status.system_error == 0) return;
+  const std::string why =
+      status.system_error != 0 ? std::strerror(status.system_error) : "the disk was too slow for the recording";
+  throw Failure(ExitCode::output, file.string() + " is incomplete: " + why + "; " + std::to_string(status.rows_lost) +
+                                      " rows are lost; record to a faster or larger disk (--record)");
 }
 
 }  // namespace hrt::reach

@@ -58,8 +58,8 @@ class Table {
 struct Tally {
   int reaches = 0;
   int feasible = 0;                   ///< reaches without the flag HRT_COMMAND_UNREACHABLE
-  int feasible_reached = 0;           ///< of these, the ones that ended at the target
-  int feasible_within_tolerance = 0;  ///< of these, the ones with a bearing error of at most tolerance_deg
+  int feasible_reached = 0;           ///< reaches of `feasible` that ended at the target
+  int feasible_within_tolerance = 0;  ///< reaches of `feasible` with a bearing error of at most tolerance_deg
   int unfinished = 0;                 ///< reaches that did not begin or end in time; not in `reaches`
   int skipped = 0;                    ///< reaches that the person skipped; not in `reaches`
 

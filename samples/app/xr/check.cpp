@@ -55,9 +55,10 @@ class Watchdog {
       const auto now = Clock::now();
       const bool in_call = !call_.empty();
       if (in_call && now - call_began_ > limit)
-        end_process(ExitCode::runtime_blocked, "the OpenXR runtime has not returned from " + std::string(call_) +
-                                                   format(" within %g s (--runtime-limit); restart the runtime",
-                                                          static_cast<double>(limit.count()) * 1e-3));
+        end_process(ExitCode::runtime_blocked,
+                    "the OpenXR runtime has not returned from " + std::string(call_) +
+                        format(" within %g s (hrt-reach: --runtime-limit); restart the runtime",
+                               static_cast<double>(limit.count()) * 1e-3));
       if (!is_interrupted()) continue;
       if (!interrupted_at) interrupted_at = now;
       if (in_call && now - *interrupted_at > call_after_signal)

@@ -1,6 +1,7 @@
 #include "samples/app/xr/runtime.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 
 #include "samples/app/base/exit_code.h"
@@ -75,7 +76,7 @@ void XrRuntime::create_instance(const std::vector<std::string>& optional_extensi
   std::vector<const char*> names;
   for (const std::string& name : enabled_) names.push_back(name.c_str());
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
-  std::strncpy(info.applicationInfo.applicationName, "hrt-reach", XR_MAX_APPLICATION_NAME_SIZE - 1);
+  std::strncpy(info.applicationInfo.applicationName, program_invocation_short_name, XR_MAX_APPLICATION_NAME_SIZE - 1);
   info.applicationInfo.applicationVersion = 1;
   info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
   info.enabledExtensionCount = static_cast<std::uint32_t>(names.size());

@@ -270,7 +270,7 @@ void XrHeadlessSession::wait_until_running() {
   while (!running_) {
     if (Clock::now() > give_up)
       fail("the OpenXR runtime did not start the session " + within(limit_) +
-           ": check that its device is worn and connected, or allow more time (--runtime-limit)");
+           ": check that its device is worn and connected, or allow more time (hrt-reach: --runtime-limit)");
     std::this_thread::sleep_for(poll_period);
     poll_events();
   }

@@ -52,7 +52,7 @@ const std::vector<Column> reach_columns{
     {"is_truth", "boolean", "", "true: peak_felt_error_deg is ground truth"},
     {"duration_s", "number", "s", "duration of the motion"},
     {"samples", "integer", "", "number of samples of the reach, including dropouts"},
-    {"dropped", "integer", "", "number of samples without a tracked finger; without OpenXR, also of outliers"},
+    {"dropped", "integer", "", "number of samples without a tracked finger; in simulated data without OpenXR, and of outliers"},
     {"tactile_weight", "number", "", "w_T as estimated by the controller at the end of the reach"},
     {"tracker_noise_m", "number", "m", "SD of the tracker's noise, as estimated by the plugin"},
     {"misfit", "number", "", "largest misfit of the plugin's model (hrt_command::misfit); limit 6"},

@@ -93,9 +93,10 @@ void LibrarySession::record(const std::filesystem::path& file) const {
 void LibrarySession::finish_recording(const std::filesystem::path& file) const {
   hrt_recording_status status = hrt_recording_status_init();
   check(hrt_recording_stop(session_, &status));
-  if (status.system_error != 0 || status.rows_lost != 0)
-    throw Refusal(file.string() + format(": %llu rows were lost: ", static_cast<unsigned long long>(status.rows_lost)) +
-                  std::strerror(status.system_error) + "; free space on the disk and run again");
+  if (status.system_error == 0 && status.rows_lost == 0) return;
+  const char* why = status.system_error != 0 ? std::strerror(status.system_error) : "the disk was too slow";
+  throw Refusal(file.string() + format(": %llu rows were lost: ", static_cast<unsigned long long>(status.rows_lost)) +
+                why + "; free space on the disk and run again");
 }
 
 }  // namespace hrt::experiment
