@@ -92,9 +92,9 @@ TEST(Learning, ADeviationOfOneReach_IsDividedBetweenBiasAndScatter) {
   EXPECT_NEAR(carried(steady, learnt, false, unknown, tuning).mean(PersonState::bias), 3.0 * 16.0 / 16.04, 1e-4);
 }
 
-// In units of their prior SDs, gain and log_rate are x and y. A reach has determined (x + y) / sqrt(2) as -1 +- 0.1, but
-// not (x - y) / sqrt(2), which has the SD 1 of the prior and the mean -2. After a tenth of the information is forgotten,
-// the sum has the mean -90 / (90 + 0.1), and the difference 0.9 x -2.
+// In units of their prior SDs, gain and log_rate are x and y. A reach has determined (x + y) / sqrt(2) as -1 +- 0.1,
+// but not (x - y) / sqrt(2), which has the SD 1 of the prior and the mean -2. After a tenth of the information is
+// forgotten, the sum has the mean -90 / (90 + 0.1), and the difference 0.9 x -2.
 TEST(Learning, ACombinationWithoutInformation_ReturnsToThePrior) {
   const PersonBelief unknown = unknown_person();
   Tuning tuning = without_change();

@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"no_finger", HRT_SETUP_REGISTRATION, [](hrt_sample& s) { s.flags &= HRT_SAMPLE_PLATE_ORIENTATION; },
                 HRT_OBSERVED_NO_FINGER, 0, "tracker"},
         Mistake{"stuck_plate", HRT_SETUP_CALIBRATION, [](hrt_sample& s) { s.plate_orientation_deg = 0.0; },
-                HRT_OBSERVED_PLATE, HRT_SETUP_CALIBRATION, "The plate reports 0 degrees although"},
+                HRT_OBSERVED_PLATE, HRT_SETUP_CALIBRATION, "The plate reports 0 degrees, but"},
         Mistake{"far_away", HRT_SETUP_CALIBRATION, [](hrt_sample& s) { s.finger_position_m[0] += 5.2; },
                 HRT_OBSERVED_FAR, 0, "The finger is 5.2 m from the plate"},
         Mistake{"backwards", HRT_SETUP_CALIBRATION,

@@ -300,9 +300,9 @@ std::string run_all_pairs() {
   EXPECT_LE(max_deg_s, 1.1 * Plate::speed_limit_deg_s);
   EXPECT_LE(max_n, 5.0);
   std::array<char, 200> row{};
-  std::snprintf(row.data(), row.size(), "| %s | %d | %.1f° | %.1f° | %.0f°/s of %.0f | %s |\n", Plate::name, runs,
+  std::snprintf(row.data(), row.size(), "| %s | %d | %.1f° | %.1f° | %.0f°/s (set to %.0f) | %s |\n", Plate::name, runs,
                 before_deg, after_deg, max_deg_s, Plate::speed_limit_deg_s,
-                max_n > 0.0 ? (std::to_string(max_n).substr(0, 4) + " N of 5").c_str() : "not limited");
+                max_n > 0.0 ? (std::to_string(max_n).substr(0, 4) + " N (set to 4)").c_str() : "not limited");
   std::string rows = row.data();
   if (!Plate::refuses_second_host) {
     std::snprintf(row.data(), row.size(), "| %s, only another controller | 1 | | %.1f° | | |\n", Plate::name,
