@@ -29,8 +29,8 @@ class Retargeter {
   const PlateCommand& update(const FingerSample& sample);
 
   /// Moves the targets of the present reach; estimates are kept. Returns the remaining reach: the real target as seen
-  /// from the finger, and the virtual target as seen from where the person will perceive the finger when they respond.
-  /// Before the finger moves, and without positions, both are seen from the start. Requires begin().
+  /// from the finger, and the virtual target as seen from where the person will perceive the finger one reaction time
+  /// later. Before the finger moves, and without positions, both are seen from the start. Requires begin().
   Reach retarget(const PlatePoint& real, const PlatePoint& virtual_place);
 
   /// Advances the paper's controller by one model step, without a clock; the finger moves in `finger_direction_deg`

@@ -20,8 +20,8 @@ class PaperControl {
                double goal_direction_deg);
 
   /// Returns the plate orientation for the end of the first step that a new command can change. Earlier steps end with
-  /// the orientations of `plate` under the commands already given. `centre_deg`: the orientation whose ridge normal is
-  /// the goal, in the half turn of the reach.
+  /// the orientations of `plate` under the commands already given. `centre_deg`: PlateLimits::centre_deg(), the goal
+  /// direction plus the half turns that were chosen for this reach.
   PlateOrientation plan(const ReachEstimator& reach, double aimed_direction_deg, double centre_deg,
                         const PlateModel& plate);
 

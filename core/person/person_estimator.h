@@ -92,7 +92,7 @@ class PersonEstimator {
   double time_s() const { return filter_s_; }
   /// Rest position of the finger, which is the origin of the filter's positions.
   const PlatePoint& origin() const { return begun() ? origin_ : finger_.rest_place(); }
-  /// Last position, observed or predicted.
+  /// Position of the finger: the last tracked one before the onset, the estimate of the filter after it.
   PlatePoint place() const;
   const TrackerNoise& noise() const { return finger_.noise(); }
   const ModelFit& fit() const { return fit_; }

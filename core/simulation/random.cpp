@@ -44,7 +44,7 @@ double polynomial(double x, const Series& coefficients) {
   return value;
 }
 
-// -2 ln(x) for normal x in (0, 1].
+// -2 ln(x) for x in (0, 1] that is not subnormal.
 double minus_two_logarithm(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);  // x = 2^exponent m

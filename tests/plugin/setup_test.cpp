@@ -234,7 +234,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"stuck_plate", HRT_SETUP_CALIBRATION, [](hrt_sample& s) { s.plate_orientation_deg = 0.0; },
                 HRT_OBSERVED_PLATE, HRT_SETUP_CALIBRATION, "The plate reports 0 degrees, but"},
         Mistake{"far_away", HRT_SETUP_CALIBRATION, [](hrt_sample& s) { s.finger_position_m[0] += 5.2; },
-                HRT_OBSERVED_FAR, 0, "The finger is 5.2 m from the plate"},
+                HRT_OBSERVED_FAR, 0, "The finger is 5.2 m from the requested position"},
         Mistake{"backwards", HRT_SETUP_CALIBRATION,
                 [](hrt_sample& s) {
                   s.finger_position_m[0] *= -1.0;

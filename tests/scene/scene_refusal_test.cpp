@@ -88,7 +88,7 @@ constexpr Change refused[] = {
     {"/nodes/2/extras/haptic/role", R"("start")", "node \"Left\": "},
 };
 
-// These changes do not affect nodes with a role.
+// Changes of a node without a role, and a smaller plate.
 constexpr Change accepted[] = {
     {"/nodes/3/rotation", "[0,0,0,2]"},
     {"/nodes/3/scale", "[0,0,0]"},

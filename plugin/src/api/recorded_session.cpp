@@ -204,7 +204,7 @@ void RecordedSession::log_findings(std::uint64_t handle) {
     Text<240> text;
     text << "session " << handle
          << ": in a reach, the registration of the plate was missing, or older or less accurate than the configuration "
-            "allows; run HRT_SETUP_REGISTRATION or HRT_SETUP_CHECK";
+            "allows; run HRT_SETUP_REGISTRATION, or HRT_SETUP_CHECK if it is only too old";
     write_log(HRT_LOG_WARNING, text.c_str(), log_);
     logged_registration_ = true;
   }

@@ -125,8 +125,8 @@ class SerialLine : public Line {
     settings.c_cflag |= CLOCAL | CREAD;
     settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
     if (cfsetspeed(&settings, speed) != 0 || tcsetattr(line_, TCSANOW, &settings) != 0)
-      throw PlateFailure(Fault::line, "does not accept its baud rate with 8 data bits and no parity: " + reason() +
-                                          ". Check that the device is that of the plate");
+      throw PlateFailure(Fault::line, "cannot be set to its baud rate, 8 data bits and no parity: " + reason() +
+                                          ". Check that this is the serial device of the plate");
     tcflush(line_, TCIOFLUSH);
   }
 

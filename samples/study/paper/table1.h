@@ -50,7 +50,7 @@ PercentInterval paper_interval(const Cell& cell);
 /// Returns true if the model's percentage lies within paper_interval().
 bool agrees(const Cell& cell);
 
-/// Gaps that are compared. Section III-A: 10 deg "was chosen because is the one that gives an higher percentage".
+/// Gaps that are simulated, to find the one with most reaches on target. The paper chose 10 deg (section III-A).
 inline constexpr double amplitudes_deg[] = {2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0};
 inline constexpr std::size_t paper_amplitude = 4;  // index of 10 degrees in amplitudes_deg
 

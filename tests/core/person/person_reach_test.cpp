@@ -19,7 +19,7 @@ FingerSample sample_at(std::int64_t time_ns, const PlatePoint& place) {
   return {.time_ns = time_ns, .observation = Observation::position, .position = place};
 }
 
-// A simulated person controlled by PersonReach over an immediate plate, sampled every 10 ms.
+// A simulated person in a PersonReach, with a plate that follows each command immediately; a sample every 10 ms.
 struct Trial {
   explicit Trial(const Person& person, PersonReachConfig config = {.person = unknown_person()},
                  const Reach& towards = ten_degrees_apart, std::int64_t origin_ns = 0)

@@ -13,7 +13,7 @@
 namespace hrt::plate {
 namespace {
 
-// Returns the body of a line without its end; nullopt if the line is not valid.
+// Returns the body of `line`, which has no newline; nullopt if the line is not valid.
 std::optional<std::string> decode(std::string_view line) {
   LineBuffer buffer{};
   LineError error = LINE_OK;

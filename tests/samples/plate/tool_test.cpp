@@ -483,8 +483,7 @@ TEST(PlateFile, IsRefusedIfDamagedOrIncomplete) {
   }
   EXPECT_EQ(refusal("{}"),
             "plate file " + path + " has no checksum; give a file that hrt-plate commission has written");
-  EXPECT_TRUE(has(refusal(with_checksum("{\n")),
-                  "commission the plate again: [json.exception.out_of_range.403] key 'format' not found"));
+  EXPECT_TRUE(has(refusal(with_checksum("{\n")), "lacks a member"));
   EXPECT_THROW(read_plate_file("/nonexistent.json"), std::system_error);
 }
 

@@ -87,7 +87,7 @@ TEST(ReachRecordingFile, LostRowsFailTheRun) {
     FAIL();
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::output);
-    EXPECT_TRUE(has(failure.what(), "reach.csv is incomplete: 3 rows"));
+    EXPECT_TRUE(has(failure.what(), "3 rows are lost"));
   }
 }
 
