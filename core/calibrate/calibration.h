@@ -34,7 +34,7 @@ struct Calibration {
   Interval tactile_weight;
   Interval bias_deg;     ///< goal direction at the middle of the path minus target direction, left positive
   Interval habit_deg;    ///< goal direction at the start of the path minus that at its end, halved
-  Interval max_gap_deg;  ///< largest shift for offsets up to 75 degrees, on the side where it is smaller
+  Interval max_gap_deg;  ///< largest shift for offsets up to 75 degrees: the smaller one of both sides
   double peak_offset_deg = curve_bound_deg;  ///< smallest offset that causes max_gap_deg
   Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2 over the offset t
   Interval curve;                            ///< b of that curve

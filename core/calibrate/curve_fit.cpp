@@ -26,7 +26,7 @@ constexpr double min_log_gain = 0.5;
 constexpr double max_log_gain = 3.6;
 constexpr double max_delay_s = 0.2;
 constexpr double max_goal_delay_s = 0.15;
-// Limits of the slope of the curve and of its change at a knot: wider than those of people.
+// Limits of the slope of the curve and of its change at a knot: wider than the ranges in people.
 constexpr double min_slope = -0.2;
 constexpr double max_slope = 0.8;
 constexpr double max_bend_deg = 20.0;

@@ -32,12 +32,12 @@ struct PersonFit {
   Interval value(const std::function<double(const SlidingPersonModel&)>& number) const;
 };
 
-/// Largest settled offset from motion to ridge normal of a usable slide: beyond it, a person who overshoots crosses 90
-/// degrees. The second limit applies if fewer than 10 slides or 5 angles are within the first.
+/// Largest settled offset from motion to ridge normal of a usable slide: at larger ones, a person who overshoots
+/// crosses 90 degrees. The second limit applies if fewer than 10 slides or 5 angles are within the first.
 inline constexpr double max_offset_deg = 78.0;
 inline constexpr double max_needed_offset_deg = 85.0;
 
-/// Returns the maximum of the curve on the side where it is lower.
+/// Returns the lower one of the maxima of the curve on both sides.
 CurvePeak weaker_peak(const IllusionCurve& curve);
 
 /// Returns, for each slide, whether its settled motion is far enough from the direction of the ridges.

@@ -15,7 +15,7 @@ struct RepeatedValue {
 };
 
 struct RetestDifference {
-  Interval difference;  ///< second minus first with its 95 % interval; known if both values are
+  Interval difference;  ///< second minus first with its 95 % interval; known if both values are known
   double p = 1.0;       ///< p-value of equality; 1 if the difference is unknown
   bool differs = false;
 };

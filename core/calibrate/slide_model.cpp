@@ -55,7 +55,7 @@ class SteeringDelay {
     return Answer{(1.0 - part_) * late_deg + part_ * later_deg, 1.0};
   }
 
-  // At rest, no direction is perceived, and earlier ones have no effect.
+  // At rest, no direction is perceived, and earlier directions have no effect.
   void rest() { felt_ = 0; }
 
  private:

@@ -28,7 +28,7 @@ constexpr double max_deviations = 6.0;
 constexpr double min_outlier_mm = 1.0;
 constexpr std::size_t min_places = 6;
 constexpr std::size_t min_line_places = 4;
-// At the ends of the path, within this fraction of it, rotations of the plate do not count: the finger hardly moves.
+// Within this fraction of the path from either end, rotations of the plate do not count: the finger hardly moves.
 constexpr double end_fraction = 0.02;
 // Minimum length of a part as a fraction of the path.
 constexpr double min_part_fraction = 0.02;

@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Input of one step. Angles are relative to the virtual direction.
+/// Input of one step. Angles are relative to the goal direction, which is the virtual direction in the paper.
 struct MpcProblem {
   double finger_offset_deg;  ///< p_k, finite
   double real_offset_deg;    ///< p_R, finite

@@ -9,7 +9,7 @@ namespace {
 constexpr int max_iterations = 1000;
 
 // Primal active-set method. The constraints that are held as equalities are the pins and links of the path; links join
-// steps to runs. They are linearly independent: a run contains at most one pin, and none if it is linked to t_-1.
+// steps to runs. They are linearly independent: a run contains at most one pin, and none if the run is linked to t_-1.
 class ActiveSet {
  public:
   ActiveSet(const Window& window, WindowPath& path)

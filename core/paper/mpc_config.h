@@ -15,7 +15,7 @@ struct MpcConfig {
   int horizon = 3;                ///< N, steps in the window, 1 to max_horizon
   double perceived_weight = 1.0;  ///< q_perceived, > 0
   double actual_weight = 1.0;     ///< q_actual, >= 0
-  /// L: largest plate offset from the virtual direction, degrees in (0, 90].
+  /// L: largest plate offset from the goal direction (virtual direction plus bias), degrees in (0, 90].
   double plate_bound_deg = 84.5;
   /// R: largest rotation of the plate in one step, degrees > 0; infinity: no limit.
   double plate_rate_bound_deg = std::numeric_limits<double>::infinity();

@@ -35,7 +35,7 @@ inline double felt_direction_deg(double tactile_weight, double plate_orientation
   return tactile_weight * plate_orientation_deg + (1.0 - tactile_weight) * finger_direction_deg;
 }
 
-/// Input of a step. T is the perceived ridge normal (ridge_normal_deg()). Angles are relative to the same direction.
+/// Input of a step. T is the perceived ridge normal (ridge_normal_deg()). All angles are relative to one direction.
 struct ParticipantInput {
   double tactile_weight;         ///< w_T
   double gain;                   ///< K, gain of the perception filter
@@ -76,9 +76,8 @@ inline ParticipantSlopes participant_slopes(const ParticipantInput& input) {
           .by_weight = -input.gain * (input.plate_orientation_deg - input.finger_direction_deg)};
 }
 
-/// Returns the largest feasible gap between the virtual direction theta_V and the real one, for a plate within
-/// `plate_bound_deg`, in (0, 90], of theta_V. In the steady state the person perceives theta_V:
-/// w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5).
+/// Returns the largest feasible gap between the goal G and the real direction for a plate within `plate_bound_deg`, in
+/// (0, 90], of G. In the steady state the person perceives G = w_T T + (1 - w_T) P. `tactile_weight` in (0, 0.5).
 inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
   return plate_bound_deg * tactile_weight / (1.0 - tactile_weight);
 }

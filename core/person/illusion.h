@@ -51,7 +51,7 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg);
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max);
 
 /// Computes the largest feasible gap for a person with this illusion, whether the gap from the real to the goal
-/// direction is feasible, and the plate orientation that sustains it. Directions: finite. `bound_deg`: see max_shift().
+/// direction is feasible, and the plate orientation for this gap. Directions: finite. `bound_deg`: see max_shift().
 GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
                                double bound_deg);
 

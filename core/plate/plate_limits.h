@@ -20,7 +20,7 @@ bool is_valid(const PlateStops& stops);
 
 double clamped(double orientation_deg, const PlateStops& stops);
 
-/// The limit of an orientation. `lower`, `upper`: a bound relative to the virtual direction or the motion, or a stop;
+/// The limit of an orientation. `lower`, `upper`: a bound relative to the goal or to the motion, or a stop;
 /// `rate_down`, `rate_up`: the largest rotation in a step.
 enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
 

@@ -10,7 +10,7 @@
 namespace hrt {
 namespace {
 
-// Limit of the ratio of the touches' spread to the marks' spread; beyond it, positions are in another unit.
+// If the spreads of touches and marks differ by more than this factor, positions are in another unit.
 constexpr double max_unit_ratio = 3.0;
 
 void reject(SetupProblem problem, std::string reason, SetupFit* fit) {

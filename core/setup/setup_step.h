@@ -17,7 +17,7 @@ enum SetupPart : std::uint32_t {
   setup_check = 4,         ///< check of the plate's pose by one touch
   setup_guides = 8,        ///< error of the tracker's frame about the start, from slides along guides
   setup_calibration = 16,  ///< parameters of the user, from slides
-  setup_retest = 32,       ///< as calibration; compared with the former values
+  setup_retest = 32,       ///< calibration again; its result is compared with the former values
 };
 
 enum class Instruction : std::uint32_t {
@@ -51,7 +51,7 @@ struct SetupSample {
   /// True: tracked_mm is in plate coordinates, so no registration is needed.
   bool in_plate = false;
   std::optional<Eigen::Matrix3d> joint_rotation;
-  FingerSample on_plate;  ///< the sample in plate coordinates, converted by the registration so far
+  FingerSample on_plate;  ///< the sample in plate coordinates, by the present registration
   bool off_plate = false;
 };
 

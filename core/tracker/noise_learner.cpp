@@ -11,7 +11,7 @@ namespace {
 // Weights of the assumed noise, as numbers of differences. A rest of few time constants does not show correlated noise.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
-// If the observed noise is below the assumed noise, the assumed correlated part is reduced, to this fraction or more.
+// If the observed noise is below the assumed noise, the assumed correlated part is reduced, at most to this fraction.
 constexpr double min_assumed_share = 0.6;
 // Every eighth difference updates the estimate.
 constexpr int steps_per_estimate = 8;

@@ -124,7 +124,7 @@ TEST_F(PersonTest, PlateIsTurnedBeforeTheMotion) {
   const ReachOutcome ready = run_reach(steady_person());
   const hrt_command& first = ready.commands.front();
   EXPECT_FALSE(has_begun(first));
-  EXPECT_EQ(first.flags & HRT_COMMAND_HELD, 0u) << "hosts do not send a command again that is held";
+  EXPECT_EQ(first.flags & HRT_COMMAND_HELD, 0u) << "hosts need not send held commands";
   EXPECT_GT(first.plate_orientation_deg, 10.0);
   EXPECT_LE(first.plate_orientation_deg, 75.0);
   for (const hrt_command& command : ready.commands) {
@@ -156,7 +156,7 @@ TEST_F(PersonTest, ConfiguredDurationSetsTheTimeToGo) {
     return outcome.commands[i].time_to_go_s + 0.011 * static_cast<double>(i) - 1e-9 * rest_ns;
   };
   EXPECT_NEAR(expected_s(3.0), 3.0, 0.3);
-  EXPECT_NEAR(expected_s(0.0), 3.0, 0.3) << "it is estimated";
+  EXPECT_NEAR(expected_s(0.0), 3.0, 0.3) << "the duration is estimated";
   EXPECT_LT(expected_s(1.5), expected_s(3.0) - 0.3);
 }
 
@@ -331,7 +331,7 @@ TEST_F(PersonTest, DirectionsOnlyGiveTheCommandsOfFixedDirection) {
       EXPECT_EQ(end().duration_s, 0.0);
     }
     EXPECT_TRUE(is_unknown(config_of(session)));
-    EXPECT_NE(config_of(session).person.tactile_weight, 0.2) << "it is carried";
+    EXPECT_NE(config_of(session).person.tactile_weight, 0.2) << "the estimate is carried";
     return commands;
   };
   expect_same(outcome(HRT_GUIDANCE_ARRIVAL), outcome(HRT_GUIDANCE_FIXED_DIRECTION));

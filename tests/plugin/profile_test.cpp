@@ -152,7 +152,7 @@ TEST_F(ConditionsTest, DifferentConditionsLogAWarning) {
   EXPECT_NE(log.text.find("another plate, \"desk 1\", and tracker, \"Ultraleap\";"), std::string::npos) << log.text;
   log.text.clear();
   set(conditions("", ""));
-  EXPECT_EQ(measured().differing, 0u) << "unknown is not another";
+  EXPECT_EQ(measured().differing, 0u) << "an unknown condition does not differ";
   ASSERT_OK(load_profile(profile_with(",\"tactile_weight\":0.2")));
   set(conditions("desk 2", "Quest"));
   EXPECT_EQ(measured().differing, 0u) << "a profile without conditions";

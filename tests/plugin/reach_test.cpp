@@ -54,7 +54,7 @@ TEST_F(ReachTest, EndWithoutASampleIsRejected) {
   expect_error(hrt_reach_end(session, &summary), HRT_ERROR_INSUFFICIENT_DATA,
                "the reach has had no sample; hrt_reach_cancel() ends it");
   const hrt_command command = update(direction_sample(0, 3.0));
-  EXPECT_EQ(command.time_to_go_s, HRT_NOT_MOVING) << "this controller does not estimate it";
+  EXPECT_EQ(command.time_to_go_s, HRT_NOT_MOVING) << "the paper's controller does not estimate this time";
   ASSERT_OK(hrt_reach_end(session, &summary));
   EXPECT_EQ(summary.counts.samples, 1);
   EXPECT_EQ(summary.miss_deg, summary.paper.miss_deg);

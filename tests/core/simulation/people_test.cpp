@@ -74,7 +74,7 @@ TEST(SimulationPeople, Families_HaveTheTraitOfTheirName) {
   EXPECT_EQ(values("clip-60", [](C c) { return c.person.illusion.scale_deg; }), (Values{60.0}));
   EXPECT_EQ(draw("sine-45").person.illusion.family, IllusionFamily::sine);
   EXPECT_EQ(draw("heavy-arm").person.steering, Steering::heavy_arm);
-  EXPECT_EQ(people_controller(draw("latency-45")).tracker_latency_ns, 0) << "the controller does not know it";
+  EXPECT_EQ(people_controller(draw("latency-45")).tracker_latency_ns, 0) << "the controller does not know the latency";
   EXPECT_EQ(people_controller(draw("latency-100")).tracker_latency_ns, 100'000'000);
 }
 

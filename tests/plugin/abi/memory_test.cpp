@@ -200,7 +200,7 @@ TEST(Memory, AllocatorCannotChangeWhileMemoryIsInUse) {
   hrt_host host = hrt_host_init();
   host.log = [](void*, std::uint32_t, const char*) {};
   host.context = &host;
-  EXPECT_OK(hrt_host_set(&host)) << "the allocator stays";
+  EXPECT_OK(hrt_host_set(&host)) << "the allocator is unchanged";
   host.allocate = [](void*, std::size_t size, std::size_t) { return std::malloc(size); };
   host.release = [](void*, void* memory) { std::free(memory); };
   expect_error(hrt_host_set(&host), HRT_ERROR_WRONG_STATE);

@@ -90,7 +90,7 @@ struct Hobby {
        [](HobbyPlate& board) { board.servo.supply = 1.0; }}};
 };
 
-// The stronger model, with the largest effort. It needs no homing, because its orientation is always known. Its
+// The stronger XL330, with the largest effort. It needs no homing, because its orientation is always known. Its
 // emergency stop cuts its supply.
 struct Xl330 {
   using Emulated = EmulatedDynamixel;

@@ -1,4 +1,4 @@
-// The simulated plate behind a pseudo-terminal, which a program commands as it would a built plate.
+// The simulated plate behind a pseudo-terminal, which a program commands like a built plate.
 #include <fstream>
 
 #include "tests/plugin/plate/eventually.h"

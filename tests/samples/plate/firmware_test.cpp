@@ -55,7 +55,7 @@ TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
 }
 
 // After a stop, a servo of any speed turns by at most 2 degrees plus its motion in the dead time of 10 ms, a period
-// of its pulses, and the filter of its sensor. Silence stops it after 300 ms.
+// of its pulses, and the filter of its sensor. Silence of the host stops the servo after 300 ms.
 TEST(Firmware, AStopEndsTheMotionOfTheServo) {
   for (const double speed_deg_s : {30.0, 60.0, 160.0, 250.0}) {
     for (const std::string stop : {"STOP 00100", "HELLO 2", ""}) {
