@@ -90,7 +90,7 @@ HapticProperties haptic_properties(const tinygltf::Value& extras, const std::str
     refuse(where, "{} is {}; allowed: \"plate\", \"real\", \"virtual\" and \"start\"", label("role"), in_quotes(*name));
   for (const auto& [key, value] : values)
     if (std::find(role->keys.begin(), role->keys.end(), key) == role->keys.end())
-      refuse(where, "{} is not a property of the role {}; allowed: {}", label(key), role->name,
+      refuse(where, "{} is not a property of the role {}; allowed after {}: {}", label(key), role->name, prefix,
              fmt::join(role->keys, ", "));
   HapticProperties result{.role = role->role,
                           .name = text("name"),

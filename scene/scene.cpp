@@ -152,7 +152,7 @@ class SceneReader {
         }
       }
       if (is_degenerate(local))
-        node_is_refused(node.matrix.empty() ? "scale is 0 in an axis; set it to another value"
+        node_is_refused(node.matrix.empty() ? "scale is 0 or too small in an axis; set it to another value"
                                             : "matrix has no inverse; allowed: invertible matrices");
       world = world * local;
     }

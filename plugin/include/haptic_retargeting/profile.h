@@ -89,8 +89,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;
 
-/** Copies a profile into the session's configuration. Fields that the profile lacks are reset to their defaults if they
- *  describe the user or correlated noise; other missing fields keep their values. Unknown fields are an error.
+/** Copies a profile into the session's configuration. Of the fields that the profile lacks, person.mean,
+ *  person.covariance and those of correlated noise are reset to their defaults; all others keep their values. Unknown
+ *  fields are an error.
  *
  *  @param text    Profile in UTF-8.
  *  @param length  Bytes of the profile.

@@ -6,7 +6,7 @@
 
 namespace hrt::plugin {
 
-/// Number of bytes of the first character of `text`; 0 if it is invalid. By RFC 3629: shortest forms only, no
+/// Returns the size of the first character of `text` in bytes; 0 if it is invalid. By RFC 3629: shortest forms only, no
 /// surrogates, no code point above U+10FFFF.
 inline std::size_t utf8_character_size(std::string_view text) {
   const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(at < text.size() ? text[at] : 0); };

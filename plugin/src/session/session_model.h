@@ -80,8 +80,9 @@ Illusion illusion_of(const SessionModel& model, double distance_mm);
 
 void forget_contacts(SessionModel* model);
 
-/// Completes `profile`, which is the model `session` with a profile read into it. Restores the session's pose, and its
-/// contacts if the profile has none. Discards contacts of a profile with another pose; adds tracker drift to others.
+/// Completes `profile`, which is the model `session` with a profile read into it. Restores the pose of `session` and,
+/// if the profile has no contacts, the contacts of `session`. Discards contacts of a profile with another pose, and
+/// adds tracker drift to contacts of a profile with the same pose.
 void take_contacts_of_profile(const SessionModel& session, bool has_contacts, SessionModel* profile);
 
 /// Converts the covariance of the plate's pose from and to metres, the unit of files and of the C interface.
