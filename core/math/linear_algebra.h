@@ -22,7 +22,6 @@ Eigen::MatrixXd product(const MatrixView& left, const MatrixView& right);
 /// Returns J^T W J.
 Eigen::MatrixXd congruence(const MatrixView& jacobian, const MatrixView& weight);
 
-/// Returns the inverse of an invertible matrix.
 Eigen::MatrixXd inverse(const MatrixView& square);
 
 /// Solves square x = right.

@@ -52,7 +52,6 @@ class Estimator {
   /// Sets the rest position. Call it before the motion.
   void rest_at(const PlatePoint& place);
 
-  /// Changes the goal of the participant.
   void turn_to(double goal_direction_deg) { goal_direction_deg_ = goal_direction_deg; }
 
   /// Advances the finger by `elapsed_s` >= 0 within a model step.

@@ -40,7 +40,6 @@ class ReachEstimator {
   /// now moves along `direction_deg`. Do not use both step() and observe().
   void step(double direction_deg, const PlateModel& plate);
 
-  /// Changes the goal of the participant.
   void turn_to(double goal_direction_deg);
 
   /// Direction of motion P, estimated or predicted.

@@ -35,7 +35,6 @@ class PlateModel {
       advance_turning(time_ns);
   }
 
-  /// Commands an orientation at the present time.
   void command(double orientation_deg);
 
   /// Sets the orientation to that reported by the device; see reported_orientation_deg().

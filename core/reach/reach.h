@@ -52,8 +52,8 @@ struct PlateHandover {
 
 /// Progress of a reach (reach_end.h).
 struct ReachProgress {
-  bool arrived = false;       ///< the reach is over
-  bool off_target = false;    ///< the reach ended away from the target, or has gone over 60 degrees off its direction
+  bool arrived = false;     ///< the reach is over
+  bool off_target = false;  ///< the reach ended away from the target, or deviates by over 60 degrees from its direction
   bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
 };
 

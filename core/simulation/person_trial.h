@@ -24,12 +24,12 @@ struct PersonOutcome {
 
 /// A sample of a reach, with the ground truth.
 struct PersonMoment {
-  double time_s;      ///< time since the reach began; the finger moves later
+  double time_s;      ///< time since the reach began, with the finger at rest
   PlatePoint finger;  ///< position of the finger
   PlatePoint felt;    ///< perceived position of the finger
   double plate_deg;   ///< plate orientation, without PersonCondition::plate_offset_deg
   PlateCommand command;
-  const PersonFilter* filter;  ///< filter of the controller; null under the paper's
+  const PersonFilter* filter;  ///< filter of the controller; null under the paper's controller
 };
 using PersonWatch = std::function<void(int, const PersonMoment&)>;
 

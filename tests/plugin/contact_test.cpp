@@ -139,7 +139,7 @@ TEST_F(ContactTest, CorrectsPositionsUnderFixedDirection) {
   EXPECT_NEAR(reach_straight_ahead().distance_to_target_m, 0.1 * 1.6 / deg_per_rad, 0.0003);
 }
 
-// The limit is 3.717 times the SD of 2 mm, which is 7.4 mm.
+// A contact contradicts the registration if it moves the target by more than 3.717 prior SDs of 2 mm, or 7.4 mm.
 TEST_F(ContactTest, FlagsAContactThatContradictsTheRegistration) {
   for (const bool contradicts : {false, true}) {
     create(registered());

@@ -49,7 +49,7 @@ class PersonTest : public SessionTest {
     return draw_person(*people_family(family), duration_s, 5, index);
   }
 
-  /// Runs reach `number` of this person, for at most `ended_ns`.
+  /// Runs reach `number` of this person, until `ended_ns` at the latest.
   ReachOutcome run_reach(const PersonCondition& condition, std::uint32_t number = 0, double duration_s = 0.0,
                          std::int64_t ended_ns = std::numeric_limits<std::int64_t>::max()) {
     hrt_reach_config config =

@@ -66,7 +66,7 @@ TEST_F(PlausibilityTest, DirectionsInRadiansAreFlaggedAndLogged) {
       EXPECT_EQ((end().flags & HRT_COMMAND_IMPLAUSIBLE) != 0, in_command);
       return in_command;
     };
-    EXPECT_FALSE(is_flagged()) << "one may be a small angle";
+    EXPECT_FALSE(is_flagged()) << "a single target may be at a small angle";
     add(HRT_TARGET_VIRTUAL, -10.0 * unit);
     EXPECT_EQ(is_flagged(), is_mistake);
     destroy();

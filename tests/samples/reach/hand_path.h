@@ -31,7 +31,7 @@ struct Place {
 inline const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
                                          {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
 
-/// Attitude of the hand: rotations about its right, its back and its pointing direction, in this order, in degrees.
+/// Attitude of the hand, in degrees: rotations about its right, its back and its pointing direction.
 struct Attitude {
   double raised = 0.0;
   double turned = 0.0;

@@ -18,7 +18,7 @@ namespace {
 
 using plate::PtyPlate;
 
-// A plate is a line or the file of hrt-plate commission; any other name is rejected before the device is opened.
+// A serial line or the file of hrt-plate commission names a plate; other names are rejected without opening a device.
 TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {
   for (const char* device : {"serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0", "plate.json", "C:\\lab\\plate.json"}) {
     const auto choice = parse_plate(device);

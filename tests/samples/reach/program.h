@@ -38,7 +38,6 @@ Outcome run_scripted(const std::string& script, const std::vector<std::string>& 
 /// Arguments for a person's reach to the bottle on a simulated plate, followed by `more`.
 std::vector<std::string> person_and(const std::vector<std::string>& more = {});
 
-/// Expects a text on the error output.
 inline void expect_said(const Outcome& outcome, const std::string& text) { EXPECT_TRUE(has(outcome.err, text)); }
 inline void expect_said(const Outcome& outcome, std::initializer_list<const char*> texts) {
   EXPECT_TRUE(has(outcome.err, texts));

@@ -38,6 +38,6 @@ for (const lacking of [[], optional, ...optional.map((each) => [each])]) test(
       globalThis.drawFrame(1000 / 90);
     }
   });
-  await page.locator("#words", { hasText: /^The finger ended (4|5)\.\d degrees from the cylinder\.$/ }).waitFor({ state: "attached" });  // straight ahead, 5 degrees from it
+  await page.locator("#words", { hasText: /^The finger ended (4|5)\.\d degrees from the cylinder\.$/ }).waitFor({ state: "attached" });  // it moved straight ahead
   await frames(page, 11, 2);
 }, { motion: true, viewport: { width: 500, height: 400 }, script: without(lacking), folder, link: "", ready: enter }));
