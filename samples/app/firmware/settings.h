@@ -60,7 +60,7 @@ int32_t settings_lower_limit(const Settings* settings);
 int32_t settings_upper_limit(const Settings* settings);
 
 /** Speed of the motion, in hundredths of a degree a second. Without a sensor it is at most 60 degrees a second, which
- * every hobby servo can follow: the pulse would be ahead of a slower servo, which would continue after a stop. */
+ * every hobby servo can follow. A servo that lagged behind the pulse would continue to turn after a stop. */
 int32_t settings_speed(const Settings* settings);
 
 bool settings_has_feedback(const Settings* settings);

@@ -35,8 +35,8 @@ class Prompt {
   void listen();
   /// Returns the next key, if one was pressed. A key interrupts the text that is being spoken.
   std::optional<char> key();
-  /// Asks on the terminal until a number in [low, high] is entered. Returns nothing without a terminal. Throws
-  /// Interrupted after a signal.
+  /// Asks on the terminal until a number in [low, high] is entered. Returns nothing without a terminal, or before
+  /// listen(). Throws Interrupted after a signal.
   std::optional<double> ask_number(const std::string& question, double low, double high);
 
   /// Waits until all texts are spoken, at most 30 s; a signal ends the wait.

@@ -45,7 +45,7 @@ class FingerRecord {
   std::array<Seen, 2> seen_;
 };
 
-/// Waits until one of the hands rests its fingertip at the start, and returns that hand. Throws Failure
+/// Waits until the fingertip of a hand has been at the start for settle_ns, and returns this hand. Throws Failure
 /// (ExitCode::no_hand) after the time limit of the context.
 Hand await_finger_at_start(RunContext& context);
 

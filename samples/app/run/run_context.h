@@ -55,7 +55,7 @@ struct RunContext {
 constexpr double tip_height_m = 0.008;         ///< height above the plate of the joint, which is inside the finger
 constexpr double lifted_height_m = 0.025;      ///< a fingertip higher than this does not touch the plate
 constexpr double start_radius_m = 0.015;       ///< distance within which a finger is at the start
-constexpr XrDuration settle_ns = 300'000'000;  ///< duration without motion after which a finger is at rest
+constexpr XrDuration settle_ns = 300'000'000;  ///< time after which a finger counts as at rest or off the plate
 
 /// Identity pose: a plate space at this pose has world coordinates.
 constexpr XrPosef world{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};

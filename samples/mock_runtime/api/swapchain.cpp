@@ -25,9 +25,9 @@ void require_possible(const XrSwapchainCreateInfo& info, const Session& session)
                 info.usageFlags);
   require_size(info.width, max_image_size, "width");
   require_size(info.height, max_image_size, "height");
-  require_size(info.sampleCount, UINT32_MAX, "sampleCount");
-  require_size(info.arraySize, UINT32_MAX, "arraySize");
-  require_size(info.mipCount, UINT32_MAX, "mipCount");
+  require_valid(info.sampleCount > 0 && info.arraySize > 0 && info.mipCount > 0,
+                "sampleCount is {}, arraySize is {} and mipCount is {}; none may be 0", info.sampleCount,
+                info.arraySize, info.mipCount);
   require_valid(info.faceCount == 1 || info.faceCount == 6, "faceCount is {}; must be 1 or 6", info.faceCount);
   const auto mips = static_cast<int>(std::bit_width(std::max(info.width, info.height)));
   require(info.mipCount <= static_cast<std::uint32_t>(mips), XR_ERROR_FEATURE_UNSUPPORTED,

@@ -215,7 +215,8 @@ std::string text(const CoverageStudy& study) {
       "a set-up, {} s each.\n"
       "known: % of people for whom the calibration determines the value\n"
       "cover: % of the known 95 % intervals that contain the true value, and the 95 % interval of this percentage\n"
-      "error: mean of estimate minus true value; width: mean width of the interval\n\n"
+      "error: mean of estimate minus true value; width: mean width of the interval\n"
+      "w: tactile weight; t: angle between the motion and the ridge normal\n\n"
       "{:14}  {:34}  {:34}  {:34}  {:34}\n{:14}",
       options.people, options.slides, options.duration_s, "", "w_T", "bias, deg", "habit, deg", "largest gap, deg", "");
   for (int i = 0; i < quantities; ++i) page += "  known cover           error  width ";
