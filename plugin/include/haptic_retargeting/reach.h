@@ -277,9 +277,9 @@ typedef struct hrt_reach_paper {
 /** Result of a reach. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  /** Warnings. UNREACHABLE, CONTACTS, NOT_AT_START and IMPLAUSIBLE are those of the last command; MISFIT and
-   *  REGISTRATION are set if any command had them; OFF_TARGET and MISS_UNKNOWN refer to the end of the motion; FAULT to
-   *  this summary. */
+  /** Warnings. UNREACHABLE, NOT_AT_START and IMPLAUSIBLE are those of the last command; MISFIT and REGISTRATION are set
+   *  if any command had them; CONTACTS includes a contact during this reach; OFF_TARGET and MISS_UNKNOWN refer to the
+   *  end of the motion; FAULT to this summary. */
   hrt_command_flags flags;
   /** Bearing of the last position; 0 with HRT_COMMAND_MISS_UNKNOWN. If samples have directions only, the direction of
    *  the last step. @ccw */

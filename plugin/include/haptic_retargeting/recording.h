@@ -60,8 +60,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_start(hrt_session session, const 
 HRT_NODISCARD HRT_API hrt_result hrt_recording_get_status(hrt_session session,
                                                           hrt_recording_status* out_status) HRT_NOEXCEPT;
 
-/** Waits until the operating system has accepted all rows so far, so that they survive a crash of the process. The file
- *  stays open. The call may wait for the disk.
+/** Waits until the operating system has accepted all rows so far, so that they survive a crash of the process, or until
+ *  a write has failed. The file stays open. The call may wait for the disk.
  *
  *  @param out_status  State of the recording.  @return WRONG_STATE without a recording.
  *  @threadsafety [one-thread] */

@@ -321,7 +321,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_
 /** @flags HRT_STATE State of a session, from hrt_session_get(). 0: idle, but the real or the virtual target is missing,
  *  so that no reach can begin. */
 typedef uint32_t hrt_session_state;
-#define HRT_STATE_READY UINT32_C(1)      /**< there is a real and a virtual target, and no reach is in progress */
+#define HRT_STATE_READY UINT32_C(1)      /**< there is a real and a virtual target; a reach can begin */
 #define HRT_STATE_REACHING UINT32_C(2)   /**< a reach is in progress */
 #define HRT_STATE_SETTING_UP UINT32_C(4) /**< a set-up is in progress: no reach can begin */
 #define HRT_STATE_RECORDING UINT32_C(8)  /**< the calls of the session are recorded */

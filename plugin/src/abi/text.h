@@ -18,7 +18,7 @@ inline constexpr std::size_t max_number = 32;
 /// Writes the shortest text that reads back as the same finite number. Returns its length.
 std::size_t write_number(double number, char (&out)[max_number]);
 
-/// Reads `text` as a number: digits with at most one point, with or without sign and exponent; or inf, nan. Returns
+/// Reads `text` as a number: digits with at most one point, with or without minus and exponent; or inf, nan. Returns
 /// false and does not change `*out` if `text` has any other form, or if the number is too large for a double.
 bool read_number(std::string_view text, double* out);
 

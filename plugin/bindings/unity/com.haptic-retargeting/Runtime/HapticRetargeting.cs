@@ -89,7 +89,7 @@ namespace Hrt
 
         public bool IsSettingUp { get; private set; }
 
-        /// <summary>The last command of the last reach.</summary>
+        /// <summary>The last command, of this reach or else of the previous one.</summary>
         public Command LastCommand { get; private set; }
 
         /// <summary>Set this to false while the finger is not tracked and its Transform is outdated.</summary>
