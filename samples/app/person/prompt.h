@@ -17,7 +17,7 @@ namespace hrt::app {
 class Prompt {
  public:
   /// `speak_with`: speech program and its arguments; empty: no speech. `before_print` receives the text before it is
-  /// printed, to clear the status line. `texts`: maps texts to those that say() uses instead. Throws as Speech().
+  /// printed, to clear the status line. `texts`: maps texts to those that say() uses instead. Throws as Speech() does.
   Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
          std::map<std::string, std::string> texts = {});
 

@@ -113,7 +113,7 @@ void Live::route() {
                }));
   server_->Post("/([0-9a-f]+)/keys", handler([this](const Request& request, Response& response, bool has_keys) {
                   if (!has_keys) return void(response.status = refused);
-                  // If no text is requested, each character would act as a key: 's' would stop the plate.
+                  // While no text is requested, each character of a text would act as a key: 's' stops the plate.
                   if (request.body.size() > 1 && !shown_.load()->value("is_typing", false))
                     return void(response.status = not_now);
                   const std::scoped_lock lock(mutex_);

@@ -54,7 +54,7 @@ std::string fit_text(const Table1& table) {
                           group.name.substr(10),
                           std::max(group.paper_interval()->low - group.mean_percent(),
                                    group.mean_percent() - group.paper_interval()->high));
-  return page + "79 % of 50 trials is not a whole number of trials; it is used as the paper prints it.\n\n";
+  return page + "The paper prints 79 % for one cell, which would be 39.5 of 50 trials; the comparison uses 79 %.\n\n";
 }
 
 std::string claims_text(const Table1& table) {
