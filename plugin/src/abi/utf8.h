@@ -1,4 +1,3 @@
-// Checks of UTF-8 in arguments.
 #pragma once
 
 #include <cstddef>

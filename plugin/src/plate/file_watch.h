@@ -1,4 +1,3 @@
-// Compares the behaviour of a plate with its plate file.
 #pragma once
 
 #include <deque>

@@ -1,4 +1,3 @@
-// Latest value of one thread, which other threads read without a lock.
 #pragma once
 
 #include <array>
@@ -9,9 +8,9 @@
 
 namespace hrt::plate {
 
-/// Value that one thread writes and any number of threads read. A reader always gets a complete value: if the number
-/// of a slot shows that the slot was overwritten during the copy, the reader copies the latest slot. This happens only
-/// if the writer wrote `slots` - 1 values during one copy.
+/// Value that one thread writes and any number of threads read without a lock. A reader always gets a complete value:
+/// if the number of a slot shows that the slot was overwritten during the copy, the reader copies the latest slot. This
+/// happens only if the writer wrote `slots` - 1 values during one copy.
 template <class Value>
 class Snapshot {
   static_assert(std::is_trivially_copyable_v<Value>);

@@ -26,7 +26,6 @@ enum class Adaptation : std::uint8_t {
   carried  ///< also used in the following reaches
 };
 
-/// Size of the plate, and the height above it that counts as a lift.
 struct PlateSurface {
   double radius_m = 0.0;         ///< > 0
   double lift_height_m = 0.015;  ///< a finger that is tracked higher than this above the plate is lifted, > 0

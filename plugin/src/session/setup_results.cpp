@@ -31,7 +31,6 @@ Interval believed(const SessionModel& model, PersonState::Index trait) {
   return interval_about(person.mean(trait), trait_sd(person, trait));
 }
 
-// Writes an accepted registration into the model: pose, scale, uncertainty and time.
 void apply_registration(const Registration& found, std::int64_t time_ns, SessionModel* model) {
   Eigen::Quaterniond q(found.rotation);
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();

@@ -39,7 +39,6 @@ std::optional<std::string> unstuffed(std::string_view bytes) {
   return plain;
 }
 
-// Decodes a packet from the header to the CRC.
 std::optional<Packet> decoded(std::string_view bytes) {
   const std::size_t crc_at = bytes.size() - crc_size;
   if (little_endian(crc16_umts(bytes.data(), crc_at), 2) != bytes.substr(crc_at)) return std::nullopt;
