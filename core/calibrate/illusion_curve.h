@@ -38,7 +38,7 @@ struct CurvePeak {
 };
 CurvePeak curve_peak(const IllusionCurve& curve, double sign);
 
-/// Returns the change of the slope at this offset, times the spacing; the larger of the changes on both sides.
+/// Returns the larger of the absolute changes of the slope at `offset_deg` and at -`offset_deg`, times the spacing.
 double curve_bend_deg(const IllusionCurve& curve, double offset_deg);
 
 /// The nearest curve of the form weight t - curve t (t / 75)^2, by least squares at the knots.

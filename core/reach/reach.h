@@ -90,7 +90,7 @@ struct PlateCommand {
   bool unreachable = false;                ///< the gap is not feasible for this person
   bool optimal = true;        ///< false: the solver reached its iteration limit; the command is within its bounds
   bool misfit = false;        ///< the model does not describe the motion: the estimates are not reliable
-  bool off_target = false;    ///< the predicted end is over `near_deg` off the target, or ReachProgress has this flag
+  bool off_target = false;    ///< the reach will probably end, or has ended, over `near_deg` off
   bool resting = false;       ///< the finger rests within the reach, or is lifted; not under the paper's controller
   bool arrived = false;       ///< the reach is over (reach_end.h)
   bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
@@ -151,8 +151,8 @@ struct ReachSummary {
   double nis = 0.0;                                   ///< largest value in a PlateCommand
   bool unreachable = false;                           ///< value in the last PlateCommand
   bool misfit = false;                                ///< true if any PlateCommand had this flag
-  bool off_target = false;               ///< the end is over `near_deg` off the target, or ReachProgress has this flag
-  bool registration_doubtful = false;    ///< true if any PlateCommand had this flag
+  bool off_target = false;                            ///< the reach probably ended over `near_deg` off the target
+  bool registration_doubtful = false;                 ///< true if any PlateCommand had this flag
   bool contacts_disagree = false;        ///< as in the last PlateCommand, or after the contact of this reach
   bool not_at_start = false;             ///< value in the last PlateCommand
   bool miss_unknown = false;             ///< no motion was observed

@@ -22,7 +22,7 @@ constexpr double expected_sd_mm = 1.0;
 constexpr double expected_count = 6.0;
 // SD of the errors that all slides to an object share: position of the finger at the guide's end, and tracker.
 constexpr double hold_sd_mm = 0.8;
-// Prior SD of an entry of the matrix D (core/plate/touched_frame.h).
+// Prior SD, in this fit, of the entries of the matrix that corrects the tracker's frame.
 constexpr double stretch_sd = 0.05;
 
 }  // namespace

@@ -248,8 +248,8 @@ double SlidingPerson::felt_shift_deg(double offset_deg, double travel_mm) {
 void SlidingPerson::steer(double motion_deg) {
   const double noise_deg = noise_sd_deg_ * draws_.normal();
   const bool predicts = person_.steering == Steering::predictive;
-  // A predictive person knows the own direction without delay, so that only the shift and the bias are delayed. An own
-  // path that the hand follows without delay causes neither an error nor a correction.
+  // A predictive person knows the direction of motion without delay: only the shift and own_bias_deg are delayed. An
+  // own path that the hand follows without delay causes neither an error nor a correction.
   const double followed_deg = person_.own_path.lags ? 0.0 : own_deg_;
   const double answered_deg = (predicts ? felt_deg_ - motion_deg : felt_deg_) - followed_deg;
   // At rest, no direction of motion is perceived, and the person does not steer.

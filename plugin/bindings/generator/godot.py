@@ -15,7 +15,7 @@ _RECORDS = ("hrt_command", "hrt_reach_summary", "hrt_gap", "hrt_setup_step", "hr
             "hrt_recording_status")
 # Fields that are neither Dictionary keys nor properties. Set-ups of a node use the default marks.
 _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
-# Enumerations without constants, because methods return Godot's own errors.
+# Enumerations without constants: methods return Godot's own errors, and messages go to Godot's log.
 _NO_CONSTANTS = ("HRT_ERROR", "HRT_LOG")
 _ACRONYMS = {"MPC"}
 # Methods in error texts whose names are neither the verb of a call (hrt_reach_end: end) nor its verb and noun

@@ -286,8 +286,10 @@ typedef struct hrt_session_config {
   hrt_adaptation adaptation;
   /** Options. @default 0 */
   hrt_session_flags flags;
-  /** Plate orientation under HRT_CONTROL_FIXED_PLATE. If the stops do not allow it, the plate turns to the nearest
-   *  allowed one that differs by a multiple of 180 degrees. @range -180 to 180 @default 0 @ccw */
+  /** Plate orientation under HRT_CONTROL_FIXED_PLATE. Of the orientations with the same ridges (which differ by
+   * multiples
+   *  of 180 degrees) and within the stops, the plate turns to the one nearest to its present orientation. @range -180
+   * to 180 @default 0 @ccw */
   double fixed_plate_orientation_deg;
   /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gap of
    *  every pair. The default is on the mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */

@@ -26,7 +26,7 @@ struct Fingertip {
   std::array<double, 3> position_m{};  ///< in plate coordinates
   /// Rotation from the joint's axes to the plate's, quaternion x, y, z, w; unset if the runtime does not report it.
   std::optional<std::array<double, 4>> rotation;
-  bool lifted = false;  ///< the finger is above the plate; a dropout has neither `lifted` nor `tracked`
+  bool lifted = false;  ///< the touch frame reports no touch; a hand above the plate is `tracked`
 };
 
 /// Motion of the runtime's reference spaces when the user recentres the view (XrEventDataReferenceSpaceChangePending):

@@ -12,7 +12,8 @@ constexpr XrVersion min_vulkan = XR_MAKE_VERSION(1, 0, 0), max_vulkan = XR_MAKE_
 VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   require_pointer(vulkan, "vulkanInstance");
   GraphicsSetup& setup = instance.graphics;
-  require_valid(setup.get_proc_addr != nullptr, "there is no Vulkan instance; call xrCreateVulkanInstanceKHR first");
+  require_valid(setup.get_proc_addr != nullptr,
+                "vulkanInstance must be one that xrCreateVulkanInstanceKHR has created");
   const auto enumerate =
       reinterpret_cast<PFN_vkEnumeratePhysicalDevices>(setup.get_proc_addr(vulkan, "vkEnumeratePhysicalDevices"));
   std::uint32_t count = 1;

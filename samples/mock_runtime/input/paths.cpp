@@ -28,7 +28,6 @@ void require_well_formed(std::string_view path) {
                    "each component must have one or more of a-z, 0-9, '-', '_' and '.', and not periods only");
     begin = end + 1;
   }
-  require_format(!path.ends_with('/'), "must not end with a slash");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct PlateSettings {
 
 struct WorldSettings {
   std::uint64_t seed = 1;
-  std::vector<PersonSettings> participants = {{}};  ///< element n modulo their number makes reach n, from 0
+  std::vector<PersonSettings> participants = {{}};  ///< reach n, from 0, is made by element n % size()
   TrackerSettings tracker;
   PlateDynamics servo;
   std::optional<PlateSettings> plate;

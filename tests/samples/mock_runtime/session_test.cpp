@@ -147,8 +147,8 @@ class MockRecenter : public MockRuntime {
 };
 
 // Derived by hand: LOCAL is 1.2 m above STAGE. Its new origin is 0.5 m ahead of the old one and rotated left by 90
-// degrees, so that the old direction ahead is to the right in the new space. The hand, fixed in the room, is 0.25 m
-// ahead of the new origin.
+// degrees, so that the old direction ahead is to the right in the new space. The hand, fixed in the room, is
+// 0.25 m from the new origin in the old direction ahead.
 TEST_F(MockRecenter, LocalMovesAtTheChangeTimeAndTheHandDoesNot) {
   begin_with(R"({"events": [{"frame": 2, "do": "recenter", "position_m": [0, 0, -0.5], "yaw_deg": 90,
                              "delay_ms": 100}],

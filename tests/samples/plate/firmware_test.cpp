@@ -180,8 +180,8 @@ TEST_F(FirmwareLogic, AcceptsASensorOffsetAndAStartBeyondTheLimits) {
   }
 }
 
-// The servo's supply fails while the plate turns, is stuck, or holds, and returns. With pulses, the servo would then
-// turn at its full speed of 250 degrees a second.
+// The servo's supply fails while the plate turns, is stuck or holds. Later the supply returns: if the board still sent
+// pulses, the servo would then turn at its full speed of 250 degrees a second.
 TEST_F(FirmwareLogic, ALostSupplyEndsThePulses) {
   const std::function<void()> moments[] = {[&] { set(80.0, 400ms); },
                                            [&] {

@@ -197,7 +197,7 @@ public:
 	/** For C++: returns the session for calls of the C headers, with the value 0 on failure. After a call that changes the
 	 *  configuration, call TakeFromSession(). */
 	hrt_session GetSession();
-	/** Copies changes that C calls have made to the settings. If the plate's pose has changed, moves the component there. */
+	/** Copies what C calls have changed in the session's configuration into Settings. If the plate's pose has changed, moves the component there. */
 	void TakeFromSession();
 
 	virtual void OnComponentDestroyed(bool bDestroyingHierarchy) override;
