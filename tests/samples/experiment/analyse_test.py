@@ -358,7 +358,7 @@ def test_a_whole_study():
         assert len(answers) == 8 * (2 + 2) and set(answers.when) == {"before", "block 1", "block 2"} and "By Hand" in report, answers
         # The plate rotates at least as much without a gap.
         still, bent = (float(re.search(f"{name} a gap (\\d+)°", report)[1]) for name in ("without", "with"))
-        assert still >= bent > 20 and f" under {names[1]}: their ratio is " in report, (still, bent)
+        assert still >= bent > 20 and f"bend in condition {names[1]}: " in report, (still, bent)
         every = analysis.read_table(data / "export/trials.csv")
         assert set(every.answer[every.kind == "reaches"].dropna()) <= {"N/A", "nein"}
         trials = every[(every.kind == "reaches") & (every.is_catch == 0) & (every.end == "counted")]
