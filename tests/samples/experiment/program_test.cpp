@@ -99,7 +99,7 @@ double await_turning(plate::PtyPlate& device) {
   return before;
 }
 
-// Expects that the plate rests and rejects commands within 100 ms of the key, by the plate's clock.
+// Expects that the plate rejects commands within 100 ms of the key, and rests within 150 ms, by the plate's clock.
 void expect_stopped(plate::PtyPlate& device, const std::function<void()>& press) {
   struct Seen {
     plate::HobbyPlate::Time time;
@@ -123,7 +123,7 @@ void expect_stopped(plate::PtyPlate& device, const std::function<void()>& press)
   const Ms until_stop = followed.time - pressed.time, until_rest = moved.time - pressed.time;
   std::printf("stopped after %.0f ms, at rest after %.0f ms\n", until_stop.count(), until_rest.count());
   EXPECT_LT(until_stop, 100ms);
-  EXPECT_LT(until_rest, 100ms);
+  EXPECT_LT(until_rest, 150ms);
 }
 
 std::string journal_of(const TemporaryFolder& folder) { return read_file(folder / "data/sub-01/ses-01/journal.jsonl"); }
