@@ -97,7 +97,7 @@ TEST(GodotNode, ErrorsUseTheNamesOfScripts) {
   EXPECT_EQ(error("remove_target", std::array<Value, 1>{int64_t{5}}).find("remove_target: "), 0u);
   begin_reach(node);
   EXPECT_EQ(error("update", std::array<Value, 2>{Vector3{0, 0, 0.05}, 0.5}),
-            "called with (Vector3, float); it is update(world_position: Vector3, time_ns: int)");
+            "called with (Vector3, float); allowed: update(world_position: Vector3, time_ns: int)");
   EXPECT_EQ(error("end", {}), "end: the reach has had no sample; cancel() ends it");
   node.call(method("update"), std::array<Value, 2>{Vector3{0, 0, 0.05}, int64_t{5}});
   EXPECT_NE(error("touched_real_target", {}).find("the plate is not registered (SESSION_REGISTERED)"),

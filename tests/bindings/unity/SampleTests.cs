@@ -29,7 +29,7 @@ namespace Hrt.HostTests
             sample.expectedHash = new TextAsset { text = File.ReadAllText(Path.Combine(bindings, "reach.hash")) };
             sample.Message("Start")();
             StringAssert.EndsWith("as on every host", logged.Single());
-            StringAssert.IsMatch(@"the hand ended [0-9]\.[0-9] mm from the real target, [01]\.[0-9]{2} degrees beside it",
+            StringAssert.IsMatch(@"the hand ended [0-9]\.[0-9] mm from the real target, [01]\.[0-9]{2} degrees off its bearing",
                                  logged.Single());
             StringAssert.StartsWith("log: ", logged.Single());
 
