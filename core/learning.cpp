@@ -86,6 +86,7 @@ double habit_variance_deg2(const PersonBelief& before, const PersonBelief& steer
 // returns to the prior. Without this, small errors of the model would add up in such a combination over many reaches.
 PersonBelief forgotten(const PersonBelief& unknown, const PersonBelief& known, const Tuning& tuning) {
   using Matrix = PersonBelief::Matrix;
+  // hrt::inverse() would allocate memory.
   const auto inverse = [](const Matrix& matrix) -> Matrix { return matrix.llt().solve(Matrix::Identity()); };
   PersonBelief::Vector fraction;
   for (int i = 0; i < T::traits; ++i) fraction(i) = tuning.traits[i].forgotten;

@@ -17,7 +17,8 @@ constexpr double min_assumed_share = 0.6;
 constexpr int steps_per_estimate = 8;
 // Upper limit of each part of the noise: larger differences are a motion.
 constexpr double max_noise_mm = 4.0;
-// During a motion, the distance of a position from the line through its neighbours counts as at most three SDs.
+// During a motion, the distance of a position from the line through the previous and the next one counts as at most
+// three SDs.
 constexpr double max_departure_deviations = 3.0;
 // Lower limit of each part, since without noise a filter would attribute every deviation to the person.
 constexpr double min_part_mm = 0.02;
@@ -86,7 +87,8 @@ void NoiseLearner<Point>::learn(const RecentPlaces<Point>& places, int rested) {
   update();
 }
 
-// Uses the distance of a position from the line through its neighbours, which a uniform motion does not change.
+// Uses the distance of a position from the line through the previous and the next one, which a uniform motion does not
+// change.
 template <class Point>
 void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
   if (known_ || places.count() < 3) return;

@@ -135,7 +135,7 @@ typedef uint32_t hrt_setup_problem;
 #define HRT_PROBLEM_NONE UINT32_C(0)          /**< no problem */
 #define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than about 0.4 s */
 #define HRT_PROBLEM_TOO_SLOW UINT32_C(2)      /**< the slide took more than 8 s */
-#define HRT_PROBLEM_STOPPED UINT32_C(3)       /**< the finger rested too early, or beside the path */
+#define HRT_PROBLEM_STOPPED UINT32_C(3)       /**< the finger rested too early, or off the path */
 #define HRT_PROBLEM_LEFT_PLATE UINT32_C(4)    /**< the finger was lifted, or moved over the rim */
 #define HRT_PROBLEM_LOST UINT32_C(5)          /**< the tracker lost the finger */
 #define HRT_PROBLEM_MOVED UINT32_C(6)         /**< the plate turned during the slide */

@@ -53,7 +53,7 @@ TEST(NoiseLearner, TwoPositions_GiveTheHandCalculatedVariance) {
   EXPECT_EQ(learner.noise().white_mm, TrackerNoise{}.white_mm) << "one difference does not change the estimate";
 }
 
-// The middle position is 3 mm from the line through its neighbours. The variance is 9 / 1.5 mm^2 across this line and 0
+// The middle position is 3 mm from the line through the other two. The variance is 9 / 1.5 mm^2 across this line and 0
 // along the line; the mean is 3 mm^2.
 TEST(NoiseLearner, ABentMotion_GivesTheHandCalculatedVariance) {
   RecentPlaces<PlatePoint> places;
