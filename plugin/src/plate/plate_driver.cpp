@@ -124,7 +124,7 @@ void PlateDriver::run() noexcept {
     fail(Fault::internal, "cannot be operated: memory is exhausted. Free memory, and open the plate again");
   } catch (const std::exception& error) {
     plugin::Text<200> text;
-    text << "cannot be operated: " << error.what();
+    text << "cannot be operated: " << error.what() << ". Open the plate again";
     fail(Fault::internal, text.c_str());
   } catch (...) {
     fail(Fault::internal, "cannot be operated: an unknown exception occurred. Open the plate again");

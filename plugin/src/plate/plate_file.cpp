@@ -36,7 +36,7 @@ std::string hash_of(std::string_view text) {
 // A C stream, because the locale of the host affects C++ streams.
 using OpenFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
-// Opens a file without blocking, also if it is a pipe, which is then empty or cannot be read.
+// Opens a file. On POSIX systems, does not wait for a writer if the file is a named pipe.
 std::FILE* open_to_read(const std::string& path) {
 #if defined(_WIN32)
   return _wfopen(plugin::path_of(path.c_str()).c_str(), L"rb");
@@ -51,7 +51,8 @@ std::string content_of(const std::string& path) {
   std::string text(max_bytes + 1, '\0');
   if (file) text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   if (!file || std::ferror(file.get()) != 0)
-    throw std::system_error(errno, std::generic_category(), "plate file " + path + " cannot be read");
+    throw std::system_error(errno, std::generic_category(),
+                            "plate file " + path + " cannot be read; check its name and its permissions");
   if (text.size() > max_bytes)
     refuse(path, "has more than 1000000 bytes; give a file that hrt-plate commission has written");
   return text;

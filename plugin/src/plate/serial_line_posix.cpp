@@ -56,7 +56,8 @@ class SerialLine : public Line {
  public:
   SerialLine(const std::string& device, int baud)
       : line_(open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
-    if (line_ < 0) throw PlateFailure(Fault::line, "cannot be opened: " + reason());
+    if (line_ < 0)
+      throw PlateFailure(Fault::line, "cannot be opened: " + reason() + ". Check its name, cable and permissions");
     try {
       set_up(speed_of(baud));
     } catch (...) {

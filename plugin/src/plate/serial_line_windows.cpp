@@ -17,10 +17,10 @@ constexpr std::size_t max_unsent = 1024;
 
 std::string reason() { return "Windows error " + std::to_string(GetLastError()); }
 
-// Returns the full name of a device, without which COM10 and higher numbers cannot be opened.
+// Returns the name with the prefix \\.\, without which Windows does not open COM10 and higher numbers.
 std::wstring full_name(const std::string& device) {
   const int size = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, device.c_str(), -1, nullptr, 0);
-  if (size <= 0) throw PlateFailure(Fault::line, "cannot be opened: its name is not valid UTF-8");
+  if (size <= 0) throw PlateFailure(Fault::line, "cannot be opened: its name is not valid UTF-8. Pass it as UTF-8");
   std::wstring name(static_cast<std::size_t>(size), L'\0');
   MultiByteToWideChar(CP_UTF8, 0, device.c_str(), -1, name.data(), size);
   name.pop_back();
@@ -84,7 +84,7 @@ HANDLE opened(const std::string& device) {
   const DWORD error = GetLastError();
   if (error == ERROR_ACCESS_DENIED || error == ERROR_PIPE_BUSY)
     throw PlateFailure(Fault::line, "is in use by another program. Close that program");
-  throw PlateFailure(Fault::line, "cannot be opened: " + reason());
+  throw PlateFailure(Fault::line, "cannot be opened: " + reason() + ". Check its name and cable");
 }
 
 class SerialLine : public Line {

@@ -103,7 +103,8 @@ TEST(WindowsLine, ReportsADeviceThatIsNotALine) {
     EXPECT_EQ(hrt_plate_close(plate), HRT_OK);
     return message;
   };
-  EXPECT_EQ(failure_of("serial:COM99"), "the plate at COM99 cannot be opened: Windows error 2");
+  EXPECT_EQ(failure_of("serial:COM99"),
+            "the plate at COM99 cannot be opened: Windows error 2. Check its name and cable");
   EXPECT_EQ(failure_of("serial:NUL"), "the plate at NUL is not a serial line; name a serial device, such as COM3");
 }
 

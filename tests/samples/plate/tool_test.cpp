@@ -88,7 +88,7 @@ testing::AssertionResult is_in_guide(const std::string& printed, const std::stri
 TEST(PlateTool, FindsThePlate) {
   HobbyPlate board;
   const Outcome outcome = expect_exit(0, run_with(board, {"find"}));
-  EXPECT_TRUE(has(outcome.out, {"/nonexistent cannot be opened: No such file or directory\n",
+  EXPECT_TRUE(has(outcome.out, {"/nonexistent cannot be opened: No such file or directory. Check its name",
                                 "serial:board: protocol 2, firmware 1.1.0, serial number 000007\n"}));
   HobbyPlate mute({.answers = false});
   const Outcome none = expect_exit(1, run_with(mute, {"find"}));

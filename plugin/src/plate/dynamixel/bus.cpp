@@ -111,7 +111,8 @@ void Bus::discard_late_answer() {
 }
 
 std::string Bus::describe(const Packet& request, StatusError error) {
-  const std::string reason = std::string(": ") + name_of(error);
+  const std::string reason =
+      std::string(": ") + name_of(error) + ". Switch the servo's supply off and on, and open the plate again";
   if (request.instruction == Instruction::ping) return "refuses a ping" + reason;
   const std::string address = std::to_string(number_at(request.parameters, 0, 2));
   return (request.instruction == Instruction::read ? "refuses a read of address " : "refuses a write to address ") +

@@ -19,7 +19,8 @@ func test_refusals() -> void:
 			"open of a wrong name")
 	check_equal(plate.open_device("serial:/nonexistent"), OK, "open")
 	check_equal(eventually(plate, "state", HapticRetargeting.PLATE_STATE_FAILED).fault, HapticRetargeting.PLATE_FAULT_LINE, "fault")
-	var why := "the plate at /nonexistent cannot be opened: No such file or directory"
+	var why := ("the plate at /nonexistent cannot be opened: No such file or directory. "
+			+ "Check its name, cable and permissions")
 	check_equal(plate.get_device_report().message, why, "message")
 	check_equal(refused(why, plate.turn_device.bind(10.0)), ERR_UNAVAILABLE, "a turn of a failed device")
 	check_equal(plate.turn_device(10.0), ERR_UNAVAILABLE, "a repeated error, which is logged once")
