@@ -9,10 +9,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double slow_fraction = 0.8;    // a plate below this fraction of the speed in the file deviates
-constexpr auto deviates_after = 1s;      // allowed duration of a motion, and of an error at rest
+constexpr auto deviates_after = 1s;      // allowed duration of a motion, and after it of an error at rest
 constexpr double late_s = 0.04;          // a plate whose lateness exceeds this time deviates
 constexpr double min_travel_deg = 90.0;  // travel after which the lateness is reliable
-constexpr auto max_pause = 50ms;         // motion during a longer pause of the host is not observed
+constexpr auto max_pause = 50ms;         // motion between two updates further apart is not compared
 
 }  // namespace
 
@@ -34,8 +34,8 @@ void FileWatch::update(Time now, const Device& device, std::optional<double> com
               device.limits().speed_deg_s < slow_fraction * file_.speed_deg_s || is_late;
 }
 
-// Estimates the lateness as the slope of the plate's lag over its speed v, by least squares. The lag v |v| / (2 a) that
-// is due to the acceleration a is subtracted first.
+// Estimates the lateness, in seconds, as the slope of the plate's lag behind the model over the model's speed v, by
+// least squares. The lag v |v| / (2 a), which the acceleration a in the file explains, is subtracted first.
 void FileWatch::compare_with_model(Time now, const Device& device) {
   const std::optional<double> present_deg = device.orientation_deg();
   const bool paused = now - updated_ > max_pause;

@@ -31,7 +31,7 @@ class FileWatch {
 
   PlateFile file_;
   std::optional<double> command_deg_;
-  Time command_changed_, near_command_at_;  // times of the last change of the command and of the last position near it
+  Time command_changed_, near_command_at_;  // near_command_at_: time of the last update without an error at rest
   bool deviates_ = false;
   // Model of a plate that behaves as in the file, and sums that estimate how much later than the model the plate moves.
   std::deque<Command> pending_;

@@ -12,7 +12,7 @@
 using namespace hrt::plugin;
 using hrt::plate::PlateDriver;
 
-// Layout of the first version of the structs, which must never change.
+// Applications are compiled with this layout. A later version may only append fields to a struct.
 static_assert(sizeof(hrt_plate_options) == 16);
 static_assert(sizeof(hrt_plate_report) == 480);
 static_assert(offsetof(hrt_plate_report, description) == 96);
@@ -31,7 +31,7 @@ hrt_result read_options(const hrt_plate_options* given, hrt_plate_options* optio
   return check_fields(*options);
 }
 
-// Path of a device name, without its kind and options: "/dev/ttyACM0" of "serial:/dev/ttyACM0?id=1".
+// Returns "/dev/ttyUSB0" for "dynamixel:/dev/ttyUSB0?id=1".
 std::string path_of(std::string_view device) {
   const std::string_view rest = device.substr(device.find(':') + 1);
   return std::string(rest.substr(0, rest.find('?')));

@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto update_period = 5ms;  // longest time until a new command is sent
+constexpr auto update_period = 5ms;  // longest wait for the device until the next command is read
 constexpr double arrived_deg = 5.0;  // a plate that is nearer to its command has reached it
 constexpr double no_command = std::numeric_limits<double>::quiet_NaN();
 
@@ -33,8 +33,8 @@ void count_forks() {
 #endif
 }
 
-// Serial line whose wait() throws if the plate is closed while it is being opened. After the opening, wait() does not
-// throw, because closing sends the STOP command.
+// Serial line whose wait() throws if the plate is closed while it is being opened. A plate that is open is closed
+// without this exception, because the destructor of the device still sends a stop.
 class InterruptibleLine : public Line {
  public:
   InterruptibleLine(std::unique_ptr<Line> line, std::function<bool()> is_interrupted)
@@ -54,7 +54,7 @@ class InterruptibleLine : public Line {
   std::function<bool()> is_interrupted_;
 };
 
-// Writes a text for the host. Replaces control characters by '?', and truncates the text after a complete character.
+// Writes a text into a field of the report. Replaces control characters by '?', and cuts off what does not fit.
 template <std::size_t size, class... Parts>
 void write_text(char (&to)[size], const Parts&... parts) {
   plugin::Text<size> text;
@@ -153,7 +153,7 @@ void PlateDriver::update_command(Device& device, Time now) {
   } else if (now - last_call_ > std::chrono::nanoseconds(options_.host_timeout_ns) && !host_is_silent_) {
     host_is_silent_ = true;
     double before = wanted_deg_.load();
-    wanted_deg_.compare_exchange_strong(before, no_command);  // has no effect if a command arrives at this moment
+    wanted_deg_.compare_exchange_strong(before, no_command);  // keeps a command that arrives at this moment
   }
   const double wanted_deg = wanted_deg_.load(std::memory_order_acquire);
   if (!std::isnan(wanted_deg)) {

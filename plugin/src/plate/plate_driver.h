@@ -1,4 +1,3 @@
-// Driver of a plate. A thread of its own communicates with the device, so that calls of the host never wait.
 #pragma once
 
 #include <atomic>
@@ -18,12 +17,13 @@
 
 namespace hrt::plate {
 
-/// Driver of one plate. Calls are allowed from any thread; set(), stop() and report() take no lock, allocate nothing
-/// and make no system call.
+/// Driver of one plate. A thread of the driver communicates with the device. set(), stop() and report() may be called
+/// on any thread, take no lock, allocate nothing and make no system call, except that report() reads the monotonic
+/// clock.
 class PlateDriver {
  public:
-  /// Starts to open the device. Messages name `path`; `file` has the measured properties of the plate. Throws
-  /// std::system_error if no thread can be started.
+  /// Starts to open the device. Messages name `path`. `file` is nullopt for a plate that was not opened by a plate
+  /// file. Throws std::system_error if no thread can be started.
   PlateDriver(DeviceMaker maker, LineOpener opener, std::string path, std::optional<PlateFile> file,
               const hrt_plate_options& options);
   /// Stops the plate and waits for the thread, at most half a second. In the child of a fork, only releases memory.
@@ -59,11 +59,10 @@ class PlateDriver {
   std::string path_;
   std::optional<PlateFile> file_;
   hrt_plate_options options_;
-  std::uint32_t forks_;  // forks that count_forks() had counted when the plate was opened
+  std::uint32_t forks_;  // value of the counter of forks when the plate was opened
 
-  // Written by the host: wanted orientation (NaN: hold the present one), and a counter of its calls.
-  std::atomic<double> wanted_deg_;
-  mutable std::atomic<std::uint32_t> calls_{0};
+  std::atomic<double> wanted_deg_;               // NaN: hold the present orientation
+  mutable std::atomic<std::uint32_t> calls_{0};  // calls of set(), stop() and report()
   std::atomic<bool> is_closing_{false};
 
   // Used only by the thread of the driver.
@@ -71,7 +70,7 @@ class PlateDriver {
   std::uint32_t calls_seen_ = 0;
   Time last_call_;
   bool host_is_silent_ = false;
-  bool is_holding_ = true;    // the plate has no command
+  bool is_holding_ = true;    // the plate has no command, or was stopped
   bool has_arrived_ = false;  // the plate has reached a command since it was opened
   std::optional<FileWatch> watch_;
 

@@ -13,7 +13,7 @@ struct PlateGreeting {  // answer to HELLO
   double min_deg;
   double max_deg;
   double speed_deg_s;
-  double latency_ms;  ///< time from a line to the servo's motion
+  double latency_ms;  ///< time from the receipt of a command to the motion
   bool is_measured;   ///< true: a sensor measures the orientation; false: it is assumed from the commands
 };
 struct PlateReport {
@@ -46,13 +46,13 @@ struct PlateTest {
 using PlateMessage = std::variant<PlateGreeting, PlateReport, PlateStopped, PlateBooted, PlateInfo, PlateRefusal,
                                   PlateSetting, PlateSaved, PlateTest>;
 
-/// Returns the bytes of a line with this body; empty if the line would be longer than LINE_SIZE.
+/// Returns the bytes of a line with this body; empty if the line would be longer than LINE_SIZE (64) bytes.
 std::string encode_line(const std::string& body);
 
 /// Parses the body of a line of the plate. Returns nullopt if the body is not in the protocol.
 std::optional<PlateMessage> parse_plate_message(std::string_view body);
 
-/// Returns the body of SET or HOME. @p orientation_deg is -360 to 360.
+/// Returns the body of the command `word`, SET or HOME. `orientation_deg` is from -360 to 360.
 std::string motion_body(double orientation_deg, std::uint16_t sequence, std::string_view word = "SET");
 /// Appends a number of five digits: the sequence number of BEAT or STOP, or the token of the host.
 std::string with_number(std::string_view body, std::uint16_t number);

@@ -19,7 +19,7 @@ constexpr auto silence_limit = 500ms;
 constexpr int probes = 11;  // heartbeats that measure the round trip
 constexpr auto probe_limit = 100ms;
 
-// The failures of a plate that has stopped, in the order of StopReason from `limit` on.
+// Failure and text for each StopReason from `limit` on, in their order.
 constexpr auto first_failure = static_cast<std::size_t>(StopReason::limit);
 constexpr std::pair<Fault, const char*> stop_failures[] = {
     {Fault::limits, "has refused an angle beyond its limits. Open the plate again, to read its present limits"},
@@ -211,7 +211,7 @@ void PlateLink::handle_stop(StopReason reason) {
   throw PlateFailure(fault, text);
 }
 
-// Counts refused lines, some of which were damaged in transmission. A plate that requests a greeting has restarted.
+// A plate that sends `ERROR greeting` has restarted: it has forgotten the greeting.
 void PlateLink::handle_refusal(const PlateRefusal& refusal) {
   ++refusals_;
   if (refusal.why == "session") throw PlateFailure(Fault::line, second_program_text);

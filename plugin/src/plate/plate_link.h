@@ -13,15 +13,14 @@
 
 namespace hrt::plate {
 
-/// Plate with the line protocol. The speed of limits() is the reported speed, or the observed speed if that is lower;
-/// the latency is the reported latency plus half of the measured round trip. The constructor, the destructor (up to
-/// 0.1 s), wait() and functions that call ask() wait. When the plate fails, a function stops the plate, if it is still
-/// connected, and throws PlateFailure. All calls are made on one thread.
+/// Plate with the line protocol. limits() has the speed that the plate reports, or the observed speed if that is lower,
+/// and the latency that the plate reports plus half of the measured round trip. The destructor waits up to 0.1 s.
+/// Functions throw PlateFailure if the plate fails. All calls are made on one thread.
 class PlateLink : public Device, public BoardSettings {
  public:
-  /// Waits up to five seconds for the answer to HELLO, because boards restart when their serial line is opened.
-  /// Measures the round trip. Moves nothing. With Start::passive, a pressed emergency stop or a missing supply is not a
-  /// failure.
+  /// Greets the plate and measures the round trip; does not move the plate. Waits up to five seconds for the answer,
+  /// because boards restart when their serial line is opened. With Start::passive, a pressed emergency stop or a
+  /// missing supply is not a failure.
   explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
   ~PlateLink() override;  ///< stops the plate if it is still connected
   PlateLink(const PlateLink&) = delete;
@@ -57,7 +56,8 @@ class PlateLink : public Device, public BoardSettings {
   void save_settings() override;
   double sensor_reading() override;
 
-  /// Sends `body`. Passes messages to `handler` until it returns true; if this takes `limit`, throws PlateFailure.
+  /// Sends `body`, waits, and passes each message of the plate to `handler` until it returns true. Throws PlateFailure
+  /// after `limit`.
   void ask(const std::string& body, const std::function<bool(const PlateMessage&)>& handler,
            std::chrono::milliseconds limit = std::chrono::milliseconds(1000));
 
@@ -94,7 +94,7 @@ class PlateLink : public Device, public BoardSettings {
   bool is_answered_ = false;
   Line::Time received_at_, reported_;
   Line::Time sent_at_;
-  std::chrono::milliseconds heartbeat_period_{50};  // half of the longest period that the protocol allows
+  std::chrono::milliseconds heartbeat_period_{50};  // the protocol allows up to 100 ms
 };
 
 }  // namespace hrt::plate

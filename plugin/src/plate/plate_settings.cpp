@@ -1,4 +1,4 @@
-// Functions of PlateLink for hrt-plate, which read and change the settings of a board.
+// The functions of PlateLink with which hrt-plate reads and changes the settings of a board.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double min_pulse_us = 500.0, max_pulse_us = 2500.0;
-constexpr double max_zero_step_us = 20.0;  // limit of the firmware while the servo gets pulses
+constexpr double max_zero_step_us = 20.0;  // the firmware refuses a larger change while the servo gets pulses
 
 std::string shown(double value) {
   std::array<char, 32> text{};
@@ -36,7 +36,7 @@ std::vector<std::string> PlateLink::details() {
   ask("CONF", [&](const PlateMessage& message) {
     const auto* setting = std::get_if<PlateSetting>(&message);
     if (setting != nullptr) lines.push_back("setting " + setting->name + " " + shown(setting->value));
-    return setting != nullptr && setting->name == "serial";  // the last setting
+    return setting != nullptr && setting->name == "serial";  // the firmware sends this setting last
   });
   ask("TEST", [&](const PlateMessage& message) {
     const auto* test = std::get_if<PlateTest>(&message);
@@ -52,7 +52,8 @@ void PlateLink::begin_measurement() {
 }
 
 std::chrono::nanoseconds PlateLink::sensor_filter() const {
-  // The firmware adds an eighth of the difference every millisecond: the time constant is 1 ms / ln(8/7).
+  // Every millisecond, the firmware changes the filtered value by an eighth of its difference from the reading: the
+  // time constant is 1 ms / ln(8/7).
   return greeting_->is_measured ? 7489us : 0us;
 }
 
@@ -115,7 +116,6 @@ double PlateLink::pulse_setting(const std::string& name) {
 
 double PlateLink::zero_deg() { return pulse_setting("zero") / pulse_setting("span") * 180.0; }
 
-// Moves orientation 0 in small steps, because the firmware refuses a larger step while the servo gets pulses.
 void PlateLink::set_zero(double zero_deg) {
   double at_us = pulse_setting("zero");
   const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);

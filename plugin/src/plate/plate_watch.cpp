@@ -17,9 +17,10 @@ constexpr auto report_limit = 500ms;
 constexpr double limit_slack_deg = 3.0;  // tolerance of a sensor
 constexpr double moving_deg = 10.0;      // a plate that is farther from its command has to move
 constexpr auto stuck_limit = 1000ms;
-constexpr double moved_deg = 1.0;  // least motion in stuck_limit; of a plate below 4 deg/s, its travel in 0.25 s
-constexpr auto max_pause = 250ms;  // motion during a longer pause of the host is not observed
-// A speed is measured over a part of a motion that has at least min_run_deg and min_motion, or lasts max_motion.
+constexpr double moved_deg = 1.0;  // least motion within stuck_limit of a plate that is faster than 4 deg/s
+constexpr auto max_pause = 250ms;  // motion between two reports further apart is not evaluated
+// A speed is measured over a part of a motion: at least min_run_deg in at least min_motion, or the travel in
+// max_motion.
 constexpr double min_run_deg = 20.0;
 constexpr auto min_motion = 60ms, max_motion = 1000ms;
 
@@ -47,7 +48,7 @@ void PlateWatch::note_stop() {
 }
 
 void PlateWatch::note_report(Time time, std::optional<double> known_deg) {
-  // After a pause of the host, the reports of the pause arrive together: their times are unknown.
+  // The reports that the plate sent during a pause of this process are received together: their times are unknown.
   if (time - reported_ > max_pause) {
     motion_.clear();
     moved_.reset();

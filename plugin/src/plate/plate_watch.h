@@ -1,4 +1,3 @@
-// Detects a plate that sends no reports, is stuck or is beyond its limits, and measures the plate's speed.
 #pragma once
 
 #include <chrono>
@@ -10,16 +9,17 @@
 
 namespace hrt::plate {
 
-/// Monitor of one plate. It reads no clock: the caller passes times, which must not decrease. One thread.
+/// Detects a plate that sends no reports, is stuck or is beyond its limits, and measures the plate's speed. Reads no
+/// clock: the caller passes times, which must not decrease. All calls are made on one thread.
 class PlateWatch {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   PlateWatch(const PlateGreeting& greeting, Time now) : greeting_(greeting), reported_(now) {}
 
-  /// Notes a command: from now on the plate must turn to this orientation.
+  /// From this call on, a plate that does not turn to this orientation is stuck.
   void note_command(double orientation_deg);
-  /// Notes a stop: from now on the plate need not move.
+  /// From this call on, the plate need not move.
   void note_stop();
   /// Notes a report; nullopt: the orientation is unknown. Throws PlateFailure if the plate is stuck or beyond its
   /// limits.
@@ -27,7 +27,7 @@ class PlateWatch {
   /// Throws PlateFailure if no report has arrived for half a second. Call it regularly.
   void check(Time now) const;
 
-  /// Highest speed over 20 degrees of one motion, or over one second; nullopt before the first motion.
+  /// Highest speed over 20 degrees or one second of a motion; nullopt if no such motion was observed.
   std::optional<double> speed_deg_s() const { return speed_deg_s_; }
 
  private:
@@ -43,7 +43,7 @@ class PlateWatch {
   bool has_reported_ = false;
   std::optional<double> command_deg_;
   std::deque<Position> motion_;    // positions of one motion towards the command, without a stop
-  std::optional<Position> moved_;  // position at which the plate last moved while it had to move
+  std::optional<Position> moved_;  // last position at which expect_motion() observed a motion
   std::optional<double> speed_deg_s_;
 };
 
@@ -53,7 +53,7 @@ class RoundTrips {
   using Time = PlateWatch::Time;
 
   void sent(Time time, std::uint16_t sequence);
-  /// Notes an echo. Returns false if this host has not sent the number, or if a later number was already echoed.
+  /// Notes an echo. Returns false if the number is not one of the last 64 sent, or if a later number was echoed before.
   bool echoed(Time time, std::uint16_t sequence);
   /// Median; nullopt before the first echo.
   std::optional<std::chrono::nanoseconds> median() const { return median_; }

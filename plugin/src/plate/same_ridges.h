@@ -1,4 +1,3 @@
-// Orientations at which the plate has the same pattern of ridges.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +6,8 @@
 namespace hrt::plate {
 
 /// The pattern of the ridges repeats every 180 degrees. Returns, of the orientations in [min_deg, max_deg] with the
-/// same pattern as `orientation_deg`, the one nearest to `from_deg`. If the range has none, returns the nearest limit.
+/// same pattern as `orientation_deg`, the one nearest to `from_deg`. If the range has none, returns the limit that is
+/// nearest to an orientation with this pattern.
 inline double nearest_with_same_ridges(double min_deg, double max_deg, double orientation_deg, double from_deg) {
   const double half_turns = std::ceil((min_deg - orientation_deg) / 180.0);
   const double lowest_deg = orientation_deg + 180.0 * half_turns;  // lowest orientation that is not below the range

@@ -18,7 +18,7 @@ namespace hrt::plate {
 namespace {
 
 constexpr std::size_t max_unsent = 1024;
-constexpr int max_reads = 16;  // limit for a device that sends endlessly
+constexpr int max_reads = 16;  // per receive(), so that it returns if a device sends without pause
 
 std::string reason() { return std::strerror(errno); }
 
@@ -67,7 +67,7 @@ class SerialLine : public Line {
     replace(0, line_ + 1);
   }
 
-  // Waits up to 0.1 s for unsent bytes, then drops them: close() on Linux would wait for up to half a minute.
+  // Waits up to 0.1 s until the bytes are sent, then drops the rest: close() on Linux would wait up to half a minute.
   ~SerialLine() override {
     int unsent = 0;
     for (int i = 0; i < 10 && ioctl(line_, TIOCOUTQ, &unsent) == 0 && unsent > 0; ++i) poll(nullptr, 0, 10);

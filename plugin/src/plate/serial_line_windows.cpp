@@ -1,4 +1,4 @@
-// Serial line of Windows: a COM port, or a named pipe of a virtual machine.
+// Serial line on Windows: a COM port, or a named pipe, which a virtual machine may offer in place of a port.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
@@ -27,7 +27,7 @@ std::wstring full_name(const std::string& device) {
   return name.starts_with(L"\\\\") ? name : L"\\\\.\\" + name;
 }
 
-// One overlapped read or write, which runs while the driver continues.
+// One read or write that runs in the background (overlapped I/O).
 class Transfer {
  public:
   Transfer() { state_.hEvent = CreateEventW(nullptr, TRUE, FALSE, nullptr); }

@@ -8,9 +8,9 @@
 
 namespace hrt::plate {
 
-/// Value that one thread writes and any number of threads read without a lock. A reader always gets a complete value:
-/// if the number of a slot shows that the slot was overwritten during the copy, the reader copies the latest slot. This
-/// happens only if the writer wrote `slots` - 1 values during one copy.
+/// Value that one thread writes and any number of threads read without a lock. The writer fills several slots in turn.
+/// A reader whose slot was overwritten during the copy copies the latest slot instead, so that it gets a complete
+/// value.
 template <class Value>
 class Snapshot {
   static_assert(std::is_trivially_copyable_v<Value>);
@@ -22,7 +22,7 @@ class Snapshot {
     const std::uint64_t number = latest_.load(std::memory_order_relaxed) + 1;
     Slot& slot = slots_[number % slots];
     slot.number.store(0, std::memory_order_relaxed);
-    // A reader that sees one of these words also sees the number 0 (release, acquire).
+    // A reader that loads one of the new words also sees that the number has changed (release, acquire).
     for (std::size_t i = 0; i < words.size(); ++i) slot.words[i].store(words[i], std::memory_order_release);
     slot.number.store(number, std::memory_order_release);
     latest_.store(number, std::memory_order_release);

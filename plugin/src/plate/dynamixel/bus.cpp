@@ -10,10 +10,11 @@ using namespace std::chrono_literals;
 constexpr auto silence_limit = 500ms;
 constexpr auto wait_step = 5ms;  // interval between two reads of the serial line
 constexpr int max_tries = 10;
-// Largest answer, in bytes, whose round trip is measured: a longer one takes more time than the answer to a command.
+// Round trips are measured only for answers with at most this number of parameter bytes: a longer answer takes more
+// time than the answer to a command, which has none.
 constexpr std::size_t max_timed = 4;
 
-// Size of the parameters of an answer without an error.
+// Returns the number of parameter bytes in the answer to `request`, if the answer has no error.
 std::size_t size_of_answer(const Packet& request) {
   constexpr std::size_t model_and_firmware = 3;
   if (request.instruction == Instruction::ping) return model_and_firmware;
@@ -91,7 +92,7 @@ bool Bus::has_missed_answer() {
   return true;
 }
 
-// Drops a partial packet, whose length may be damaged. Otherwise the next answers would be read as its parameters.
+// Drops a partial packet. If its length field is damaged, it would otherwise take the next answers for its parameters.
 void Bus::abandon_request() {
   is_answered_ = true;
   reader_.drop_partial();
@@ -101,7 +102,7 @@ void Bus::check_silence() const {
   if (silent_since_ && line_->now() - *silent_since_ > silence_limit) throw PlateFailure(Fault::silent, silent_text);
 }
 
-// Waits until a late answer can no longer arrive. Otherwise it would be taken for the answer to the next request.
+// Waits, and drops an answer that arrives late. It would otherwise be taken for the answer to the next request.
 void Bus::discard_late_answer() {
   abandon_request();
   for (const auto end = line_->now() + answer_limit; line_->now() < end;) {

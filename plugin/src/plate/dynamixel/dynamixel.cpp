@@ -1,5 +1,5 @@
 // Device: an XL330 servo under the plate. Position 2048, the middle of a turn of the servo, is orientation 0. The horn
-// points up, so that counter-clockwise is positive.
+// points up, so that counter-clockwise seen from above is positive.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,17 +16,17 @@ namespace {
 using namespace std::chrono_literals;
 using namespace dynamixel;
 
-constexpr double stop_deg = 360.0;   // limit of the driver: one turn in each direction; the servo counts turns
+constexpr double stop_deg = 360.0;   // limit of the driver; the servo can turn further
 constexpr double slack_deg = 3.0;    // tolerance beyond stop_deg
 constexpr auto ping_limit = 3s;      // adapters and servos need time after the serial line is opened
 constexpr int probes = 11;           // reads that measure the round trip
-constexpr auto servo_latency = 2ms;  // latency of the servo itself, whose control loop runs every millisecond
+constexpr auto servo_latency = 2ms;  // assumed latency of the servo, whose control loop runs every millisecond
 // Profile velocity at rest: 1.4 degrees a second, so that a goal of another program moves the plate slowly.
 constexpr std::int64_t resting_units = 1;
 constexpr auto rest_time = 100ms;   // a plate that has not moved for this time is at rest
 constexpr double rest_deg = 1.0;    // largest distance from the goal at rest
-constexpr double still_deg = 0.5;   // largest motion of a plate at rest: noise of its sensor
-constexpr int polls_per_check = 8;  // every eighth poll reads torque_enable, which is at a distant address
+constexpr double still_deg = 0.5;   // a smaller change of the measured position is noise of the sensor
+constexpr int polls_per_check = 8;  // every eighth poll reads torque_enable instead of the other entries
 
 struct Settings {
   std::uint8_t id;
@@ -127,7 +127,7 @@ class Servo : public Device {
             value("hardware error ", hardware_error, "")};
   }
 
-  // The servo reports the position of its shaft plus the homing offset.
+  // The servo reports the position of its shaft plus the homing offset, so the shaft is at -offset at orientation 0.
   double zero_deg() override {
     finish_exchange();
     return static_cast<double>(-bus_.read(homing_offset)) * deg_per_step;
@@ -147,8 +147,8 @@ class Servo : public Device {
     repeat_motion();
   }
 
-  void save_zero() override { stop(); }                      // the servo has stored the offset already
-  void begin_measurement() override { poll_period_ = 0ms; }  // the profile still limits the speed
+  void save_zero() override { stop(); }                      // set_zero() has stored the offset in the servo
+  void begin_measurement() override { poll_period_ = 0ms; }  // the profile velocity still limits the speed
   double report_step_deg() const override { return deg_per_step; }
   std::chrono::nanoseconds sensor_filter() const override { return 0ns; }
 
@@ -199,7 +199,8 @@ class Servo : public Device {
     bus_.write(goal_current, effort_);
   }
 
-  // The servo replaces the goal by its present position when the torque is switched on.
+  // When the torque is switched on, the servo replaces the goal by its present position. The goal is therefore read
+  // back.
   void start_holding() {
     has_torque_command_ = true;
     bus_.write(motion, motion_of(resting_units, step_of(*orientation_deg_)));
@@ -208,7 +209,7 @@ class Servo : public Device {
     motion_in_servo_ = bus_.read(motion);
   }
 
-  // Value of the entry `motion`: profile velocity and goal, which one request writes.
+  // Returns a value of the entry `motion`.
   static std::int64_t motion_of(std::int64_t profile_units, std::int64_t goal) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(goal) << 32U |
                                      static_cast<std::uint64_t>(profile_units));
@@ -253,8 +254,8 @@ class Servo : public Device {
     }
   }
 
-  // Returns the request of the next poll: the entries from the watchdog to the voltage, or in every eighth poll
-  // torque_enable instead, or after begin_measurement() only the position.
+  // Requests the entries from the watchdog to the voltage, or in every eighth poll torque_enable. After
+  // begin_measurement(), requests only the position.
   Packet poll_request() {
     if (poll_period_ == 0ms) return bus_.read_request(present_position);
     if (++polls_ % polls_per_check == 0) return bus_.read_request(torque_enable);
@@ -302,7 +303,7 @@ class Servo : public Device {
     watch_->note_report(reported_, orientation_deg_);
   }
 
-  // Resets the watchdog, which has expired during a pause of the host: the servo has stopped, and accepts no goal.
+  // Starts the servo's watchdog again after it has expired. Until then, the servo does not move and refuses goals.
   void recover_from_watchdog() {
     bus_.write(bus_watchdog, 0);
     bus_.write(profile_velocity, resting_units);
@@ -331,7 +332,8 @@ class Servo : public Device {
     bus_.send(bus_.write_request(motion, motion_of(profile_units, goal)));
   }
 
-  // Extrapolates the present position from the last report, and sets it as the goal: the plate does not turn back.
+  // Sets the present position as the goal. It is extrapolated from the last report, so that the plate does not turn
+  // back.
   void send_stop() {
     next_ = Next::poll;
     if (!orientation_deg_) return;
@@ -386,11 +388,11 @@ class Servo : public Device {
   std::optional<PlateWatch> watch_;
   std::optional<double> orientation_deg_;
   std::optional<int> goal_step_;
-  std::optional<std::int64_t> motion_in_servo_;  // profile and goal that the servo has; nullopt after a lost answer
+  std::optional<std::int64_t> motion_in_servo_;  // value of the entry `motion`; nullopt: not known
   enum class Next { poll, turn, stop } next_ = Next::poll;
-  bool is_fast_ = false;     // the servo has the profile of a motion, not that of rest
-  double rested_deg_ = 0.0;  // position from which the plate has not moved
-  Line::Time rested_since_;  // time since which the plate has not moved
+  bool is_fast_ = false;     // the last profile velocity that was sent is not resting_units
+  double rested_deg_ = 0.0;  // the plate has stayed within still_deg of this position since rested_since_
+  Line::Time rested_since_;
   bool has_torque_command_ = false;
   std::chrono::milliseconds poll_period_{20};
   Line::Time reported_;

@@ -12,9 +12,9 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view header = "\xFF\xFF\xFD\x00"sv;
 constexpr std::string_view pattern = "\xFF\xFF\xFD"sv;  // within a packet, encode() inserts another FD after it
-constexpr std::size_t before_instruction = 7;           // header, id, length
+constexpr std::size_t before_instruction = 7;           // bytes of header, id and length
 constexpr std::size_t crc_size = 2;
-constexpr std::size_t min_length = 3;  // instruction and CRC
+constexpr std::size_t min_length = 3;  // one byte for the instruction, two for the CRC
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); }
 
