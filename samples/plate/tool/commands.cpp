@@ -174,7 +174,7 @@ int run_commission(Options& options, const Environment& env) {
     options.device = found.front().name;
   }
   if (const std::string why = why_not_writable(options.out); !why.empty())
-    throw std::runtime_error("cannot write " + options.out + ": " + why);
+    throw std::runtime_error("cannot write " + options.out + ": " + why + ". Name another file with --out");
   const Measurements found = commission([&] { return open(options.device, env, Start::hold); }, dialogue_in(env));
   env.out << text_of(found);
   write_file(options.out, file_of(found, full_name(options.device), today()));

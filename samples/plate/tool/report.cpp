@@ -68,7 +68,8 @@ std::string file_of(const Measurements& found, const std::string& device, const 
 
 void write_file(const std::filesystem::path& file, const std::string& content) {
   if (const int error = write_whole_file(file, content); error != 0)
-    throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(error));
+    throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(error) +
+                             ". Name another file with --out");
 }
 
 }  // namespace hrt::plate
