@@ -20,8 +20,8 @@ enum {
   LEAD_MS = 30,
   MIN_LEAD_MILLIDEG = 2000,
   FAST_LEAD_MILLIDEG = 60000,
-  HELD_MILLIDEG = 1000, /* a stop changes the pulse only if the servo is farther than this from the pulse, */
-  AT_REST_MS = 1000,    /* and only if the pulse has changed within this time */
+  HELD_MILLIDEG = 1000, /* a stop does not change the pulse of a servo that is nearer to its pulse */
+  AT_REST_MS = 1000,    /* a stop does not change a pulse that has not moved for this time */
   BLOCKED_MS = 500,     /* a servo that moves by less than MOVED_MILLIDEG in this time at the largest lead is stuck */
   MOVED_MILLIDEG = 3000,
   MAX_SETTLE_MILLIDEG = 6000, /* largest motion away from the first pulse, which is at the measured position */
@@ -57,7 +57,8 @@ static void keep_within_limits(Plate* plate) {
 
 static bool is_settled(const Plate* plate) { return plate->pulses && plate->settle_ms == 0; }
 
-/* Moves a pulse that is ahead of the servo back to the measured position, so that the servo stops. */
+/* Ends the motion of the pulse. First moves a pulse that is ahead of a servo with a sensor back to the measured
+ * position, so that the servo stops there. */
 static void hold(Plate* plate) {
   const bool may_turn = is_settled(plate) && plate->at_rest_ms < AT_REST_MS;
   if (may_turn && is_measured(plate) &&
@@ -203,7 +204,8 @@ static void start_session(Plate* plate, uint16_t session) {
   plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
 }
 
-/* Changes a setting, unless this would change a present pulse by more than TRIM_TICKS or put it beyond the limits. */
+/* Changes a setting. Refuses a value that is invalid, or that would change a present pulse by more than TRIM_TICKS or
+ * put it beyond the limits. */
 static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
   const Settings before = plate->settings;
   const uint16_t pulse = plate_pulse_ticks(plate);
@@ -330,7 +332,7 @@ static LineError execute_hello(Plate* plate, char* rest) {
   return LINE_OK;
 }
 
-/* Removes the token of the session from the end of a body. Returns false if the body does not end with this token. */
+/* Removes the token of the session, if it has one, from the end of a body. Returns false if the token is missing. */
 static bool remove_token(const Plate* plate, char* body) {
   if (plate->session == 0) return true;
   char* end = body;

@@ -53,7 +53,7 @@ typedef enum PlateStop {
   PLATE_STOP_COUNT
 } PlateStop;
 
-/** State of one plate. Tests may read it; only the functions change it. */
+/** State of one plate. Only the functions below change it, except loop_ms. */
 typedef struct Plate {
   const PlateBoard* board;
   Settings settings;
@@ -67,7 +67,7 @@ typedef struct Plate {
   int32_t step_microdeg;       /**< largest change of the pulse in a millisecond */
   int32_t max_lead_millideg;   /**< largest angle by which the pulse may be ahead of the measured orientation */
   bool pulses;                 /**< the servo gets pulses */
-  bool homed;                  /**< the servo has had the time to reach position_microdeg */
+  bool homed;                  /**< the first pulse was at the measured position, or the homing has ended */
   uint16_t settle_ms;          /**< remaining time for the servo to reach the orientation of its first pulses */
   int32_t reading_256ths;      /**< smoothed reading of the sensor, times 256; negative before the first reading */
   int32_t measured_millideg;   /**< orientation at reading_256ths */
@@ -109,7 +109,7 @@ void plate_tick(Plate* plate, const PlateInputs* inputs);
 /** Notifies the firmware that the board has written the settings. `whole`: EEPROM returned the same bytes. */
 void plate_saved(Plate* plate, bool whole);
 
-/** True if the orientation is known: from a sensor, or because the plate was homed and has had pulses since. */
+/** True if a sensor measures the orientation, or if the plate was homed and has had pulses since. */
 bool plate_orientation_is_known(const Plate* plate);
 
 /** Orientation in thousandths of a degree: measured with a sensor, otherwise the orientation of the pulse. */

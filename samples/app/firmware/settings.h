@@ -14,11 +14,11 @@ enum { PULSE_MIN_US = 500, PULSE_MAX_US = 2500 };
 /** Settings of a plate. settings.c has their names in CONF lines, their ranges and their defaults. */
 typedef enum Setting {
   SETTING_ZERO_US,     /**< width of the pulse at orientation 0 */
-  SETTING_SPAN_US,     /**< change of the pulse width over 180 degrees; negative: the servo turns clockwise */
+  SETTING_SPAN_US,     /**< change of the pulse width over 180 degrees; negative: longer pulses turn clockwise */
   SETTING_MIN_DEG,     /**< lower limit of the orientation */
   SETTING_MAX_DEG,     /**< upper limit of the orientation */
   SETTING_SPEED_DEG_S, /**< speed of the motion */
-  SETTING_LATENCY_MS,  /**< time from a line to the servo's motion: half of the pulse period and the dead time */
+  SETTING_LATENCY_MS,  /**< time from a command to the servo's motion: half of the pulse period and the dead time */
   SETTING_ADC_AT_MIN,  /**< reading of the sensor at the lower limit */
   SETTING_ADC_AT_MAX,  /**< reading at the upper limit; equal to that at the lower limit if there is no sensor */
   SETTING_EMERGENCY,   /**< 1: the emergency stop's contact must be closed; 0: there is no emergency stop */
@@ -64,7 +64,8 @@ int32_t settings_upper_limit(const Settings* settings);
 int32_t settings_speed(const Settings* settings);
 
 bool settings_has_feedback(const Settings* settings);
-/** Orientation in thousandths of a degree, -360000 to 360000, at the sensor's reading reading_16ths / 16. */
+/** Orientation in thousandths of a degree, -360000 to 360000, at the sensor's reading reading_16ths / 16. Requires
+ * settings_has_feedback(). */
 int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16ths);
 
 #ifdef __cplusplus
