@@ -64,7 +64,7 @@ static bool send(const char* line, uint8_t length) {
 /* Servo pulses. The compare unit sets and clears pin OC1A itself, so that the delay of an interrupt does not move an
  * edge. The interrupt after each edge prepares the next edge, which is at least 500 us later. */
 
-static volatile uint16_t wanted_ticks; /* width of the next pulse; 0: no pulse */
+static volatile uint16_t wanted_ticks; /* width of the next pulse, in half microseconds; 0: no pulse */
 
 ISR(TIMER1_COMPA_vect) {
   static uint16_t width_ticks = 0;
@@ -106,7 +106,7 @@ static void start_clock(void) {
   TCCR0B = _BV(CS01) | _BV(CS00);
 }
 
-/* Settings in EEPROM: two copies, so that a power failure at any time leaves a complete copy. */
+/* Settings in EEPROM: two copies, so that a power failure during a save leaves one of them complete. */
 
 enum { COPIES = 2, COPY_BYTES = 128 };
 
@@ -169,7 +169,7 @@ static void start_inputs(void) {
   ADCSRA = _BV(ADEN) | _BV(ADIE) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
 }
 
-/* Readings of A0 (sensor) and A1 (half of the servo's supply). A conversion of both starts every millisecond. */
+/* Readings of A0 (sensor) and A1 (half of the servo's supply), converted every millisecond. -1: no reading yet. */
 static volatile int16_t readings[2] = {-1, -1};
 
 ISR(ADC_vect) {

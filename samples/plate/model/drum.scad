@@ -1,4 +1,4 @@
-// Wall between deck and board.
+// Wall between the deck and the wooden board under the plate.
 
 module drum_outline(hole_mm) {
   difference() {

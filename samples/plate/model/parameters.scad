@@ -90,7 +90,7 @@ cup_radius_mm = 9;
 cup_width_mm = 14;
 cup_lip_mm = 1;
 strip_channel_mm = 18;
-// Direction of the object to which the strip leads.
+// Direction, from the start, of the object to which the strip leads.
 strip_direction_deg = 0;
 strip_wall_mm = 3;
 strip_mm = 6;
@@ -146,7 +146,7 @@ post_radius_mm = 5;
 post_x_mm = 28;
 post_y_mm = [14, -34];
 mount_mm = 5;
-mount_recess_mm = sensor_room_mm > 0 ? 3 : 2;  // screws of 50 or 30 mm
+mount_recess_mm = sensor_room_mm > 0 ? 3 : 2;  // for screws of 50 mm with a sensor, of 30 mm without
 // Wide holes, in which the mount is moved until the shaft is on the axis. Washers cover them.
 post_hole_mm = 4;
 post_washer_mm = 7.6;
@@ -204,13 +204,11 @@ object_bottom_z = crest_z + object_gap_mm;
 head_bottom_z = object_bottom_z + object_height_mm;
 head_top_z = head_bottom_z + head_mm;
 
-// Layer from one height to another.
 module layer(bottom_z, top_z) {
   assert(top_z > bottom_z, str("a layer from ", bottom_z, " to ", top_z, " mm has no height"));
   translate([0, 0, bottom_z]) linear_extrude(height = top_z - bottom_z) children();
 }
 
-// Disc, or hole, with this diameter.
 module disc(diameter_mm, corners = facets) circle(d = diameter_mm, $fn = corners);
 
 function at_direction(radius_mm, direction_deg) =
@@ -232,7 +230,6 @@ module holes(diameter_mm, circle_mm, count) {
   around(circle_mm / 2, [for (i = [0:count - 1]) i * 360 / count]) disc(diameter_mm, hole_facets);
 }
 
-// Conditions for parts that work after printing.
 assert(ridge_spacing_mm > ridge_width_mm, "ridge_spacing_mm must be above ridge_width_mm");
 assert(ridge_width_mm > 0 && ridge_height_mm > 0, "ridge_width_mm and ridge_height_mm must be above 0");
 assert(dimple_depth_mm < dimple_diameter_mm / 2, "dimple_depth_mm must be below half of dimple_diameter_mm");

@@ -1,6 +1,6 @@
-"""Parts of the model, as the target plate_model writes them, their screws, and intersections of a line with a part.
+"""Reads the parts and tables that the target plate_model writes, and intersects the parts with lines.
 
-Needs numpy. Millimetres: +X to the user's right, +Y along the mid-line, z = 0 on the plate's face.
+Needs numpy. Lengths are in millimetres: +X to the user's right, +Y along the mid-line, z = 0 on the plate's face.
 """
 import collections
 import json
@@ -32,7 +32,8 @@ class Solid:
             near &= (self.low[:, side] <= point[side]) & (point[side] <= self.high[:, side])
         a = self.triangles[near] - np.asarray(point, float)
         b, c = np.roll(a, -1, axis=1), np.roll(a, -2, axis=1)
-        # Twice the areas of the point with each side, seen along the axis: the weights of the corners.
+        # Twice the areas of the triangles that the point forms with each side, seen along the axis. They are the
+        # weights of the corners in the interpolation.
         areas = b[..., u] * c[..., v] - c[..., u] * b[..., v]
         hit = (areas > 0).all(axis=1) | (areas < 0).all(axis=1)
         return np.sort((areas[hit] * a[hit][..., axis]).sum(axis=1) / areas[hit].sum(axis=1) + point[axis])

@@ -34,7 +34,7 @@ struct Options {
   Emulation emulation;
 };
 
-// Returns the device name for the argument of a command, which may be the path of a board's serial device alone.
+// Returns the device name for an argument of the command line, which may lack the kind "serial:".
 std::string full_name(const std::string& name) { return name.find(':') == std::string::npos ? "serial:" + name : name; }
 
 std::unique_ptr<Device> open(const std::string& name, const Environment& env, Start start) {
@@ -46,7 +46,7 @@ struct Found {
   std::string description;
 };
 
-// Tries all kinds of devices at a serial device, and returns the first that answers.
+// Returns the first device that answers at `path`. Tries all kinds of devices, unless `path` begins with a kind.
 std::optional<Found> find_at(const std::string& path, const Environment& env) {
   std::vector<std::string> names;
   if (path.find(':') != std::string::npos) {
@@ -65,7 +65,7 @@ std::optional<Found> find_at(const std::string& path, const Environment& env) {
   return std::nullopt;
 }
 
-// Finds all plates. Moves nothing, but boards restart when their line is opened.
+// Does not move the plates that it finds, but many boards restart when their line is opened.
 std::vector<Found> find_all(const std::vector<std::string>& paths, const Environment& env) {
   std::vector<Found> found;
   std::string tried;

@@ -1,4 +1,3 @@
-// Commands of hrt-plate.
 #pragma once
 
 #include <functional>
@@ -13,18 +12,18 @@
 
 namespace hrt::plate {
 
-/// Functions of the computer that the commands use.
+/// Access of hrt-plate to serial devices and to the operator. Tests replace it.
 struct Environment {
   std::function<std::vector<std::string>()> devices;  ///< paths of the serial devices of this computer
-  LineOpener open;                                    ///< opens a serial line; throws PlateFailure
-  std::function<Input()> read;                        ///< reads a line of the operator; does not block
+  LineOpener open;
+  std::function<Input()> read;  ///< reads a line of the operator; does not block
   std::ostream& out;
   std::ostream& err;
   /// Simulates a plate until the program is interrupted; null on systems other than Linux.
   std::function<void(const Emulation&, const std::function<Input()>&, std::ostream&)> emulate;
 };
 
-/// Runs a command line; returns the exit code. Throws std::runtime_error if a file cannot be written.
+/// Runs a command line of hrt-plate and returns the exit code. Throws std::runtime_error if a file cannot be written.
 int run_tool(int argc, const char* const* argv, const Environment& env);
 
 }  // namespace hrt::plate

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 using Opener = std::function<std::unique_ptr<Device>()>;
 
-constexpr double scale_deg = 30.0;  // the scale is read at this orientation and at its negative, with first_span_us
+constexpr double scale_deg = 30.0;  // the operator reads the scale at this orientation and at its negative
 constexpr double first_span_us = 2000.0, first_limit_deg = 45.0;  // settings before the servo is measured
 constexpr double max_limit_deg = 95.0;
 constexpr double scale_error = 0.007;  // relative standard error of 60 degrees on the scale, read to whole degrees
@@ -25,9 +25,10 @@ constexpr double max_lag_deg = 0.5;
 constexpr int bends = 9;                 // number of the settings bend_0 to bend_8: the nonlinearity of the sensor
 constexpr double max_bend_deg = 5.0;     // a larger nonlinearity shows that the sensor is mounted wrongly
 constexpr double stop_margin_deg = 2.0;  // distance of the limits from the stops
-// Errors (relative, except min_play_deg) that the standard errors of the fits do not include, found with 200 simulated
-// plates. The residual nonlinearity affects the first degrees of a step, which determine the acceleration. The counts
-// of the sensor and a servo's position within its dead band affect the play; the counts of an encoder affect the speed.
+// Errors that the standard errors of the fits do not include, found with 200 simulated plates; relative, except
+// min_play_deg. A hobby servo: error of the acceleration, due to the residual nonlinearity of its sensor; error of the
+// backlash, due to the resolution of the sensor and the dead band. An XL330: error of the acceleration; error of the
+// latency, relative to the ramp; error of the speed, due to the resolution of the encoder.
 constexpr double bend_error = 0.45, min_play_deg = 0.06;
 constexpr double acceleration_error = 0.16, ramp_error = 0.04, encoder_error = 0.00018;
 constexpr double speed_fraction = 0.9;  // speed setting, as a fraction of the speed of the servo
@@ -74,7 +75,8 @@ double read_scale(Device& device, const Dialogue& dialogue, double orientation_d
 SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue& dialogue) {
   ask(device, dialogue,
       "Keep your hands off the plate: it is homed slowly, then turns to two orientations. Press Enter to start.");
-  // Sets the smaller reading first, so that the present reading stays between the two settings.
+  // Equal settings declare that there is no sensor. Until then the present reading stays between them, because the
+  // smaller one is set first.
   const bool rises = board.setting("adc_most") > board.setting("adc_least");
   for (const char* name : {rises ? "adc_least" : "adc_most", rises ? "adc_most" : "adc_least"})
     board.change_setting(name, 0);
@@ -105,7 +107,7 @@ SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue
   return {reading_above - per_deg * above_deg, per_deg};
 }
 
-// Turns the plate and returns its mean orientation from 0.3 to 0.6 s later, also if it does not reach the command.
+// Commands an orientation, and returns the mean orientation from 0.3 to 0.6 s later, also if the plate is blocked.
 double orientation_after_step(Device& device, double orientation_deg) {
   device.turn_to(orientation_deg);
   for (const auto end = device.now() + 300ms; device.now() < end;) device.wait(10ms);
@@ -118,8 +120,8 @@ double orientation_after_step(Device& device, double orientation_deg) {
   return sum_deg / count;
 }
 
-// Steps outwards until the plate does not follow, or to the limit. A stop that is reached within a step is detected in
-// the next step, and in the last step by a small lag.
+// Steps from first_limit_deg towards limit_deg, and returns the orientation stop_margin_deg before the first stop. A
+// stop is detected by a lag of half a step or, in the last step, of max_lag_deg.
 double find_stop(Device& device, double limit_deg) {
   const double sign = limit_deg < 0.0 ? -1.0 : 1.0;
   const int count = static_cast<int>(std::ceil((std::abs(limit_deg) - first_limit_deg) / stop_step_deg));
@@ -207,7 +209,8 @@ Measurements commission(const Opener& open, const Dialogue& dialogue) {
         Fault::device,
         format("turns at %.0f deg/s, but its profile velocity is set to %.0f deg/s. Do not use this servo",
                found.speed_deg_s.value, found.limits.speed_deg_s));
-  const double ramp_ms = 500.0 * found.speed_deg_s.value / found.acceleration_deg_s2.value;  // part of the latency
+  // Half of the duration of the acceleration, which fit_steps() has subtracted to obtain the latency.
+  const double ramp_ms = 500.0 * found.speed_deg_s.value / found.acceleration_deg_s2.value;
   if (!has_settings) {
     widen(found.acceleration_deg_s2, acceleration_error * found.acceleration_deg_s2.value);
     widen(found.latency_ms, ramp_error * ramp_ms);

@@ -1,4 +1,3 @@
-// Dialogue with the operator who commissions a plate.
 #pragma once
 
 #include <functional>
@@ -17,12 +16,12 @@ struct Input {
   bool ended = false;               ///< the input has ended
 };
 
+/// Dialogue of hrt-plate with its operator.
 struct Dialogue {
   std::function<Input()> read;  ///< does not block
   std::function<void(const std::string&)> print;
 };
 
-/// Thrown if the input ends before the last answer.
 struct InputEnded : std::runtime_error {
   InputEnded() : std::runtime_error("the input ended before the last answer") {}
 };

@@ -32,7 +32,7 @@ std::chrono::milliseconds limit_of_turn(const Device& device, double orientation
   return settle_limit + std::chrono::milliseconds(std::llround(turn_s * 1000.0));
 }
 
-// Range of the sweep: that of the plate, at most one turn.
+// Range of the sweep: that of the plate, within -180 to 180.
 std::pair<double, double> sweep_range_deg(const DeviceLimits& limits) {
   return {std::max(-180.0, limits.min_deg), std::min(180.0, limits.max_deg)};
 }
@@ -47,7 +47,7 @@ Measured backlash_of(const std::vector<SweepPoint>& sweep) {
   return mean_of(differences_deg);
 }
 
-// SD of several returns to 0 from the same side.
+// Returns the SD of several returns to 0 from the same side, and the standard error of this SD.
 Measured repeatability_of(Device& device, double away_deg) {
   std::vector<double> returned_deg;
   for (int i = 0; i < returns; ++i) {
@@ -76,8 +76,8 @@ Step step_to(Device& device, double from_deg, double orientation_deg) {
   return step;
 }
 
-// Measures the response to ten steps, which begin at ten times within the pulse period. A short turn before each step
-// takes up the play of the gears.
+// Measures the response to ten steps, which begin at different phases of the pulse period of a hobby servo. A short
+// turn before each step, in its direction, takes up the play of the gears.
 void measure_steps(Device& device, Measurements& found) {
   const double half_deg = std::min(max_step_deg / 2.0, 0.9 * std::min(found.limits.max_deg, -found.limits.min_deg));
   const double filter_s = std::chrono::duration<double>(device.sensor_filter()).count();
@@ -87,7 +87,7 @@ void measure_steps(Device& device, Measurements& found) {
   for (int i = 0; i < steps; ++i) {
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     settle_at(device, -sign * half_deg);
-    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // each step starts at another fraction of a count
+    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // each step starts between other counts of the sensor
     const double from_deg = settle_at(device, -sign * (half_deg - run_up_deg - aside_deg));
     while ((device.now() - first) % frame > 1ms) device.wait(1ms);
     for (const auto begin = device.now() + frame * i / steps; device.now() < begin;) device.wait(1ms);
@@ -109,14 +109,14 @@ std::vector<SweepPoint> sweep(Device& device) {
   const double min_deg = low_deg, max_deg = high_deg;
   const int count = std::max(4, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
   const auto visit = [&](int i, bool upwards) {
-    // Unequal distances, so that the points are at different fractions of a count of the sensor.
+    // The distances are unequal, so that the points are spread over the counts of the sensor.
     const double aside = i == 0 || i == count ? 0.0 : 0.5 * (std::fmod(0.618 * i, 1.0) - 0.5);
     const double commanded_deg = min_deg + (max_deg - min_deg) * (i + aside) / count;
     found.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
   };
   for (int i = 0; i <= count; ++i) visit(i, true);
   for (int i = count - 1; i >= 0; --i) visit(i, false);
-  // The first and the last point were approached from above.
+  // The first and the last point have the same orientation, and were approached from the same side, above.
   if (const double slip_deg = found.back().reported_deg - found.front().reported_deg; std::abs(slip_deg) > max_slip_deg)
     throw PlateFailure(
         Fault::device,
@@ -183,8 +183,8 @@ Measurements measure(Device& device, const std::function<void(const std::string&
   device.begin_measurement();
   measure_steps(device, found);
   settle_at(device, 0.0);
-  for (Measured* place : {&found.error_deg, &found.backlash_deg, &found.repeatability_deg})
-    place->deviation = std::max(place->deviation, device.report_step_deg() / std::sqrt(12.0));
+  for (Measured* angle : {&found.error_deg, &found.backlash_deg, &found.repeatability_deg})
+    angle->deviation = std::max(angle->deviation, device.report_step_deg() / std::sqrt(12.0));
   return found;
 }
 

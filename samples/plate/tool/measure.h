@@ -27,7 +27,7 @@ std::vector<SweepPoint> sweep(Device& device);
 struct Measurements {
   std::string device;                ///< result of Device::description()
   std::vector<std::string> details;  ///< result of Device::details()
-  DeviceLimits limits{};             ///< limits that the device reports
+  DeviceLimits limits{};             ///< limits of the device, with the speed that commission() has set
   std::chrono::nanoseconds round_trip{};
   std::vector<SweepPoint> sweep;
   Measured error_deg;     ///< mean of reported minus commanded orientation in the sweep; `deviation`: SD of a point
@@ -45,14 +45,14 @@ void turn_and_wait(Device& device, double orientation_deg);
 /// time. Throws PlateFailure if it does not come to rest within the duration of the turn plus three seconds.
 double settle_at(Device& device, double orientation_deg);
 
-/// Moves the plate through its range for up to three minutes, in which hands must be kept off. Passes a line to `print`
-/// at each stage. Throws PlateFailure, also if the plate has no sensor.
+/// Measures a plate, which moves through its range for up to three minutes: keep hands off. Passes a line to `print` at
+/// each stage. Throws PlateFailure if the plate fails, has no sensor, or does not come to rest.
 Measurements measure(Device& device, const std::function<void(const std::string&)>& print);
 
-/// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, finds direction
-/// and span of the servo, readings and nonlinearity of the sensor, and stops, and saves them in the plate; other
-/// devices need no settings. `open` opens the device, and may be called several times. Throws PlateFailure if a
-/// quantity cannot be measured, and InputEnded.
+/// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, and saves in the
+/// plate: direction and span of the servo, readings and nonlinearity of the sensor, stops, speed and latency. `open`
+/// opens the device, and may be called several times. Throws PlateFailure if a quantity cannot be measured, and
+/// InputEnded.
 Measurements commission(const std::function<std::unique_ptr<Device>()>& open, const Dialogue& dialogue);
 
 std::string text_of(const Measurements& found);

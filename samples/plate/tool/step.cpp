@@ -41,9 +41,9 @@ std::optional<Ramp> ramp_of(const Step& step) {
   return Ramp{speed_deg_s, (t - x / speed_deg_s) / n};
 }
 
-// Log likelihood of an onset and an acceleration, for an unknown SD of the noise. The model is a constant acceleration
-// minus an equal acceleration that starts at full speed. The number of samples is reduced, because the filter
-// correlates successive samples.
+// Log likelihood of an onset and an acceleration, for an unknown SD of the noise. The model is the filtered response to
+// a constant acceleration minus the response to an equal one that starts when the plate has reached its full speed. The
+// likelihood counts fewer than n samples, because the filter correlates successive samples.
 double likelihood(const Step& step, const Ramp& ramp, double onset_s, double acceleration_deg_s2, double filter_s) {
   const double full_s = ramp.speed_deg_s / acceleration_deg_s2;
   double n = 0.0, squares = 0.0, last_s = 0.0;
@@ -70,9 +70,9 @@ Measured mean_of(const std::vector<double>& values) {
 }
 
 // The line through the ramp is delayed by the time constant of the filter and by half of the duration of the
-// acceleration, so that only the acceleration is unknown. Few samples depend on the acceleration, fewer for a slower
-// plate. Therefore one acceleration is fitted to all steps. Acceleration and onset are means over all candidates of the
-// acceleration, weighted by likelihood, so that the standard errors include the uncertainty of the acceleration.
+// acceleration, so that only the acceleration is unknown. One acceleration is fitted to all steps, because few samples
+// of a step depend on it. Acceleration and onset are means over all candidates of the acceleration, weighted by
+// likelihood, so that the standard errors include the uncertainty of the acceleration.
 std::optional<StepsFit> fit_steps(const std::vector<Step>& steps, double filter_s) {
   std::vector<Ramp> ramps;
   std::vector<double> starts_s, speeds_deg_s;

@@ -12,7 +12,7 @@ struct Measured {
   double deviation = 0.0;
 };
 
-/// Returns the mean of values with its standard error.
+/// Returns the mean of at least two values, with its standard error.
 Measured mean_of(const std::vector<double>& values);
 
 /// Report during a step: time since the command, and angle from the start in the direction of the step.
