@@ -26,7 +26,7 @@ def read_study(file):
 
 
 def read_table(file):
-    """Reads a table of hrt-experiment export. Names such as "NA", "null", "0" and "True" are text; empty fields are nan."""
+    """Reads a table of hrt-experiment export. In the columns of NAMES, "NA", "null", "0" and "True" are text. Empty fields are nan."""
     names = NAMES + (["answer"] if file.name in ("trials.csv", "questionnaires.csv") else [])
     return pandas.read_csv(file, encoding="utf-8", dtype={name: str for name in names}, keep_default_na=False, na_values=[""])
 
@@ -50,8 +50,8 @@ def sign_flip(differences, seed, flips=FLIPS, direction="two-sided"):
 
 
 def student(values, level=0.95, direction="two-sided"):
-    """Returns p of Student's t test that the mean is 0, and the ends of the interval of the mean; one end is infinite if there is a direction.
-    Returns nan if more than half of the people have the same value, such as 0 or 100 %, because the test is invalid then."""
+    """Returns p of Student's t test that the mean is 0, and the ends of the confidence interval of the mean; one end is infinite if there is a
+    direction. p is nan for fewer than two values, and if more than half of them are equal, such as 0 or 100 %, which makes the test invalid."""
     if len(values) < 2:
         return math.nan, -math.inf, math.inf
     if pandas.Series(values).round(9).value_counts().iloc[0] > max(1, len(values) / 2):
@@ -115,12 +115,12 @@ def registered(study):
 
 
 def counted(trials):
-    """Returns the valid trials with a gap."""
+    """Returns the valid trials of the blocks of reaches, without catch trials."""
     return trials[(trials.kind == "reaches") & (trials.is_catch == 0) & (trials.end == "counted")]
 
 
 def means_of(trials, measure):
-    """Returns the mean of each participant (row) and condition (column)."""
+    """Returns the mean of `measure` for each participant (row) and condition (column)."""
     return trials.groupby(["participant", "condition"])[measure].mean().unstack()
 
 
@@ -186,8 +186,8 @@ def excluded(study, trials):
 
 def psychometric(trials):
     """Fits a Weibull function of the delivered bend to the correct answers of all participants, by maximum likelihood. Returns threshold (scale) and
-    slope (nan if they are outside of the delivered bends and of slopes from 0.5 to 10), and p of Pearson's chi-squared test of the fit over six bins of
-    the bend."""
+    slope (nan at a limit: the delivered bends, slopes from 0.5 to 10), p of Pearson's chi-squared test of the fit, the at most six bins of the bend
+    on which the test is based, and the fitted function."""
     asked = trials[trials.is_right.notna() & (trials.bend_deg > 0)]
     share = lambda x, bend: 0.5 + (0.5 - LAPSES) * (1 - numpy.exp(-((bend / numpy.exp(x[0])) ** numpy.exp(x[1]))))
     loss = lambda x: -scipy.stats.bernoulli.logpmf(asked.is_right, share(x, asked.bend_deg)).sum()

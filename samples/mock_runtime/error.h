@@ -38,7 +38,7 @@ void require(bool holds, XrResult otherwise, fmt::format_string<Args...> why, Ar
   if (!holds) throw Error{otherwise, fmt::format(why, std::forward<Args>(args)...)};
 }
 
-/// Throws XR_ERROR_VALIDATION_FAILURE unless `holds`: the result of most arguments that are out of range.
+/// Throws XR_ERROR_VALIDATION_FAILURE, the result for most invalid arguments, unless `holds`.
 template <typename... Args>
 void require_valid(bool holds, fmt::format_string<Args...> why, Args&&... args) {
   require(holds, XR_ERROR_VALIDATION_FAILURE, why, std::forward<Args>(args)...);

@@ -1,4 +1,4 @@
-// OpenXR headers with the platforms that this runtime supports.
+// OpenXR headers with the declarations for Vulkan and for timespec.
 #pragma once
 
 #include <vulkan/vulkan_core.h>

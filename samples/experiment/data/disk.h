@@ -15,14 +15,14 @@ using Step = std::function<void(const char*)>;
 /// File operations of a session. On failure they throw Refusal with the file and the system's reason.
 class Disk {
  public:
-  /// `syncs`: if false, omits fdatasync(), for tests that end the process but not the computer.
+  /// `syncs`: if false, omits fdatasync() and fsync(), for tests that end the process but not the computer.
   explicit Disk(Step step = {}, bool syncs = true) : step_(std::move(step)), syncs_(syncs) {}
 
   /// Creates a file with this content atomically, and syncs it. Returns false, without a change, if the file exists.
   bool create(const std::filesystem::path& file, std::string_view content) const;
   /// Appends to an open file and syncs it.
   void append(int file, const std::filesystem::path& name, std::string_view content) const;
-  /// Syncs a file that another writer has written.
+  /// Syncs a file that was not written by this class, such as a recording of the plugin.
   void sync(const std::filesystem::path& file) const;
   void make_folder(const std::filesystem::path& folder) const;
 
@@ -39,7 +39,6 @@ class Disk {
   bool syncs_;
 };
 
-/// Returns the content of the file. Throws Refusal if it cannot be read.
 std::string content_of(const std::filesystem::path& file);
 
 /// Returns the SHA-256 (FIPS 180-4) of the text, in hexadecimal.

@@ -25,7 +25,7 @@ std::int64_t utc_from(const std::string& text) {
   int ms = 0;
   if (std::sscanf(text.c_str(), "%d-%d-%dT%d:%d:%d.%dZ", &time.tm_year, &time.tm_mon, &time.tm_mday, &time.tm_hour,
                   &time.tm_min, &time.tm_sec,
-                  &ms) != 7)  // NOLINT(cert-err34-c): the line's CRC was right
+                  &ms) != 7)  // NOLINT(cert-err34-c): parse() has checked the CRC, so no number is out of range
     return 0;
   time.tm_year -= 1900;
   time.tm_mon -= 1;

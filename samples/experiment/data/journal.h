@@ -3,7 +3,7 @@
 //   {"number":7,"utc":"2026-11-24T17:10:53.123Z","monotonic_ns":123,"event":"reach","data":{...},"crc":"89abcdef"}
 //
 // `crc` is CRC-32 (IEEE 802.3) of the line before `,"crc"`. A line that a failed write has cut remains in the file; the
-// next line is then the event "closed" of the same start of the program, or "opened" of a later start.
+// next line is then the event "closed" of the same run of the program, or "opened" of a later run.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,7 @@ struct Condition {
   std::vector<std::pair<std::string, double>> config = {};  ///< names and values of fields of hrt_session_config
 };
 
-/// Virtual and real target, as seen from the start.
+/// Virtual and real target, as seen from the start. Directions are measured from the mid-line, left positive.
 struct Pair {
   std::string name;
   double virtual_deg;
@@ -87,7 +87,7 @@ struct Design {
   double catch_share;
   unsigned practice_trials;
   bool calibrates;
-  std::string question;  ///< asked after each reach; empty: none
+  std::string question;  ///< asked after each valid reach, except in noticeability; empty: none
   std::vector<std::string> answers;
   Validity validity;
   double break_minutes;

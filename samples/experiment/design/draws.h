@@ -9,7 +9,6 @@
 
 namespace hrt::experiment {
 
-/// Purpose of a draw.
 enum class Use : std::uint32_t { letters, orders, trials, returns, intervals, person, noise, answers };
 
 /// Numbers on which a draw depends; 0 for those on which it does not depend.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr unsigned max_tries = 10'000;
 
-// True if no pair comes more than max_run times in a row, and no catch trial is first or follows another catch trial.
+// True if no catch trial is first or follows another catch trial, and, with `has_pairs`, no pair comes more than
+// max_run times in a row.
 bool is_legal(const std::vector<PlannedTrial>& trials, unsigned max_run, bool has_pairs) {
   unsigned run = 0;
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -43,7 +44,7 @@ Block made(BlockKind kind, std::vector<PlannedTrial> trials, const Design& desig
 }
 
 // Returns the trials of a block, not yet in random order. Catch trials are assigned to the conditions in turn, from
-// index `first` on, so that all conditions get equally many.
+// index `first` on.
 std::vector<PlannedTrial> trials_of(const Design& design, const std::vector<unsigned>& conditions, unsigned first) {
   std::vector<PlannedTrial> trials;
   for (const unsigned condition : conditions)
@@ -71,7 +72,8 @@ std::vector<unsigned> permuted(unsigned count, Use use, const Place& place) {
 
 unsigned index_in_design(const Design& design, unsigned participant) { return (participant - 1) % design.participants; }
 
-// Returns the level of a participant, by permuted blocks with one participant per level, balanced over time.
+// Returns the index of a participant's level. With n levels, n consecutive participants have n different levels, in
+// random order.
 unsigned level_for(const Design& design, unsigned participant) {
   const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   const unsigned index = index_in_design(design, participant);

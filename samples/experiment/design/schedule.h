@@ -29,7 +29,7 @@ struct Schedule {
 };
 
 /// Returns orders in which each of `count` conditions directly precedes each other condition equally often (Williams
-/// 1949): `count` orders if `count` is even, twice as many if it is odd.
+/// 1949): `count` orders if `count` is 1 or even, otherwise twice as many.
 std::vector<std::vector<unsigned>> williams_orders(unsigned count);
 
 /// Returns the schedule of a participant, whose number is counted from 1.
@@ -42,8 +42,8 @@ std::string plan_text(const Design& design, const Schedule& schedule);
 /// Returns the name of a kind of block, as it is written to files.
 std::string name_of(BlockKind kind);
 
-/// Returns the name of a condition before unblinding: its letter, or the kind of a block whose condition the design
-/// reveals.
+/// Returns the name of a condition before unblinding: its letter; for practice and noticeability, the kind of the
+/// block.
 std::string blinded_name(const Design& design, unsigned participant, BlockKind kind, unsigned condition);
 
 /// Returns a summary of the design: trials, minutes, balance, order of each participant by letters.

@@ -31,8 +31,7 @@ std::string random_token() {
   return text;
 }
 
-// Compares in constant time.
-bool is_same(const std::string& a, const std::string& b) {
+bool equal_in_constant_time(const std::string& a, const std::string& b) {
   int difference = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) difference |= a[i] ^ b[i];
   return difference == 0;
@@ -75,11 +74,12 @@ void Live::route() {
     response.status = refused;
     return httplib::Server::HandlerResponse::Handled;
   });
-  // The token decides whether the page has keys.
+  // The token in the address decides whether the page has keys.
   const auto handler = [this](auto handle) {
     return [this, handle](const Request& request, Response& response) {
       const std::string token = request.matches[1];
-      const bool has_keys = is_same(token, keys_token_), looks = is_same(token, look_token_);
+      const bool has_keys = equal_in_constant_time(token, keys_token_);
+      const bool looks = equal_in_constant_time(token, look_token_);
       if (!has_keys && !looks) return void(response.status = not_found);
       response.set_header("Cache-Control", "no-store");
       handle(request, response, has_keys);
@@ -189,7 +189,7 @@ void Live::moment(const app::RunContext& context, const app::TargetPair& pair, c
     facts["path"] = facts["felt"] = "";
     finger_m_ = felt_m_ = moment.position_m;
   }
-  // For each step of the finger of at least 2 mm, the perceived path has a step of this length in the perceived
+  // For each step of the finger of at least 2 mm, the perceived path has a step of equal length in the perceived
   // direction.
   constexpr double min_step_m = 0.002;
   const double step_m = app::distance_along_plate_m(moment.position_m, finger_m_);

@@ -36,9 +36,10 @@ class Live {
   nlohmann::json facts;
   /// Publishes a copy of `facts` to the open pages without blocking.
   void show() { shown_.store(std::make_shared<const nlohmann::json>(facts)); }
-  /// Call in every frame. `registered`: time at which the plate's pose was last set or checked.
+  /// Updates the facts about the plate and the checks every 100 ms, and publishes them. Call in every frame.
+  /// `registered`: time at which the plate's pose was last set or checked.
   void frame(app::RunContext& context, XrTime time, std::optional<Clock::time_point> registered);
-  /// Call in every frame of a reach.
+  /// Extends the true and the perceived path in `facts`; `is_first` begins new paths. Call in every frame of a reach.
   void moment(const app::RunContext& context, const app::TargetPair& pair, const app::Moment& moment, bool is_first);
   /// Returns the next key that was pressed on a page, if any.
   std::optional<char> key();

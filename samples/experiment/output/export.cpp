@@ -39,7 +39,6 @@ struct Table {
   std::vector<Column> columns;
 };
 
-// Columns of a reach, in trials.csv and attempts.csv.
 const std::vector<Column> reach_columns{
     {"virtual_deg", "number", "deg", "direction of the virtual target from the start, left positive"},
     {"real_deg", "number", "deg", "direction of the real target from the start, left positive"},
@@ -53,7 +52,7 @@ const std::vector<Column> reach_columns{
     {"duration_s", "number", "s", "duration of the motion"},
     {"samples", "integer", "", "number of samples of the reach, including dropouts"},
     {"dropped", "integer", "",
-     "number of samples without a tracked finger; in simulated data without OpenXR, and of outliers"},
+     "number of samples without a tracked finger; in simulated data without OpenXR, outliers are included"},
     {"tactile_weight", "number", "", "w_T as estimated by the controller at the end of the reach"},
     {"tracker_noise_m", "number", "m", "SD of the tracker's noise, as estimated by the plugin"},
     {"misfit", "number", "", "largest misfit of the plugin's model (hrt_command::misfit); limit 6"},
@@ -230,7 +229,7 @@ void add_events(const Design& design, const State& state, const std::vector<Even
                                    {"answer", data["answers"][i]},
                                    {"utc", utc}});
     } else if (event.name == "attempt" || event.name == "reach") {
-      if (event.name == "attempt" && !attempt.is_null()) add("attempts.csv", attempt);  // interrupted
+      if (event.name == "attempt" && !attempt.is_null()) add("attempts.csv", attempt);  // the interrupted attempt
       if (event.name == "attempt") {
         attempt = data;
         const unsigned block = data.at("block"), trial = data.at("trial");

@@ -27,7 +27,7 @@ struct Part {
   double distance_m;
   double radius_m;
   Condition condition;
-  unsigned index;  // index of the condition
+  unsigned index;  // index of the condition in the design
 };
 
 json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&start_m)[3]) {
@@ -52,8 +52,9 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
           {"flags", summary.flags}};
 }
 
-// Returns the bearing of the end of a reach.
-double end_deg(const json& part) { return part.at("real_deg").get<double>() + part.at("miss_deg").get<double>(); }
+double bearing_of_end_deg(const json& part) {
+  return part.at("real_deg").get<double>() + part.at("miss_deg").get<double>();
+}
 
 // Returns the reason for which the reach is invalid; empty: valid.
 std::string invalid_reason(const Validity& rules, const ReachOutcome& outcome) {
@@ -80,8 +81,8 @@ class SessionRun {
                  [&subject] { return subject.now(); }),
         state_(state_of(design, schedule_, place.participant, journal_.events())) {}
 
-  // Runs the session and returns how it ended. Unless the program crashes, the journal then has the event "closed" or
-  // "end" with a reason.
+  // Runs the session and returns how it ended. The journal of an opened session then has the event "closed" or "end"
+  // with a reason, also after an exception, if the journal can be written.
   std::string run() {
     try {
       const std::string how = run_tasks();
@@ -314,8 +315,8 @@ class SessionRun {
     return blinded_name(design_, state_.participant, block.kind, block.trials[task.trial].condition);
   }
 
-  // Returns the reaches of a trial. For noticeability, draws which of two reaches is bent, and selects a gap that is
-  // feasible for the participant.
+  // Returns the reaches of a trial. For noticeability, draws which of two reaches is bent, and selects the gap: 0 in a
+  // catch trial, otherwise at most the largest feasible gap, if the set-up has determined it.
   std::vector<Part> parts_of(const Task& task, json& about) const {
     const Block& block = schedule_.blocks[task.block];
     const PlannedTrial& planned = block.trials[task.trial];
@@ -402,12 +403,12 @@ class SessionRun {
     if (about.contains("bent") && reach["counts"]) {
       const json &bent = reach["parts"][about["bent"].get<std::size_t>()],
                  &other = reach["parts"][1 - about["bent"].get<std::size_t>()];
-      reach["bend_deg"] = std::abs(end_deg(bent) - end_deg(other));
+      reach["bend_deg"] = std::abs(bearing_of_end_deg(bent) - bearing_of_end_deg(other));
     }
     log("reach", std::move(reach));
   }
 
-  // Writes NAME.json for an attempt: study, participant, attempt, library version, hashes of the files in use.
+  // Writes the file STEM.json of an attempt: study, participant, attempt, library version, hashes of the files in use.
   void describe(const std::string& stem, json about) const {
     about["study"] = design_.title;
     about["study_sha256"] = design_.sha256;
@@ -472,7 +473,7 @@ class SessionRun {
   Journal journal_;
   State state_;
   bool is_open_ = false;
-  std::optional<unsigned> instructed_block_;  // last block whose instruction was given
+  std::optional<unsigned> instructed_block_;
 };
 
 }  // namespace

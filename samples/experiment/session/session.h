@@ -25,7 +25,7 @@ std::filesystem::path folder_of(const SessionPlace& place);
 void freeze(const Design& design, const std::filesystem::path& study, const Disk& disk);
 
 /// Runs or resumes the session; has no effect if the session has ended. Returns "done", "stopped", or "left" (the
-/// experimenter quit; the session can be resumed). Throws Refusal with the reason of a failure.
+/// experimenter quit; the session can be resumed). Throws an exception with the reason of a failure.
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk);
 
 }  // namespace hrt::experiment

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t frame_ns = 11'111'111, settle_ns = 300'000'000, limit_ns = 30'000'000'000;
 constexpr double max_speed_deg_s = 400.0;
 constexpr std::int64_t latency_ns = 30'000'000;
-constexpr double notice_slope = 2.0;  // slope of the psychometric function of an answer
+constexpr double notice_slope = 2.0;  // slope of the Weibull function in answer()
 
 // Simulated person of core/simulation at the reach of index `number`.
 class Person {
@@ -160,9 +160,10 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
   return outcome;
 }
 
-// The probability that the participant notices the bend is a psychometric function of the perceived-direction error. A
-// participant who notices the bend answers with the reach of the larger error, or with the first answer to the question
-// after a single reach; otherwise with a guess, or with the last answer.
+// The participant guesses with the probability lapse_share of the design. Otherwise, the probability of noticing the
+// bend is a Weibull function of the perceived-direction error. After two reaches, a participant who notices the bend
+// names the reach with the larger error, otherwise guesses. After one reach, the answer is the first one, otherwise the
+// last.
 unsigned SimulatedSubject::answer(const std::string&, const std::vector<std::string>& answers,
                                   const std::vector<double>& felt_deg, unsigned number) {
   Stream draw(Use::answers, place(number));

@@ -10,7 +10,6 @@ namespace hrt::experiment {
 
 class SimulatedSubject : public Subject {
  public:
-  /// Draws the simulated person from `seed` and the participant's number.
   SimulatedSubject(const Design& design, unsigned participant, std::uint64_t seed);
 
   Now now() override { return now_; }

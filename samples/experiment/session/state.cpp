@@ -41,7 +41,8 @@ void State::end_trial(TrialRecord::End of_trial) {
   rest_due = block < schedule.blocks.size();
 }
 
-// Records a reach. If the reach is invalid, inserts its trial at a random later position of the block.
+// Records a reach. If the reach is invalid, inserts its trial at a random later position of the block, or ends the
+// trial as missing after the last allowed attempt.
 void State::apply_reach(const Event& event) {
   TrialRecord& record = trials[block][pending.front()];
   record.reach = event.data;
@@ -90,7 +91,7 @@ void State::apply(const Event& event) {
   boot = boot_now;
   last = now;
   if (event.name == "opened") {
-    is_open = false;  // the attempt was interrupted
+    is_open = false;  // an attempt that has no reach yet was interrupted
     is_placed = false;
     registers = data.at("registers");
   } else if (event.name == "consent") {

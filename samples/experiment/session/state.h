@@ -1,4 +1,4 @@
-// The state of a session, computed from its journal alone.
+// The state of a session, computed from the design and the journal.
 #pragma once
 
 #include <optional>
@@ -64,7 +64,7 @@ struct State {
   unsigned reaches = 0;  ///< number of ended reaches, valid or not
   unsigned presented = 0;
   unsigned refused_in_a_row = 0;
-  std::vector<std::string> profiles;  ///< profile of each condition after its last reach; empty: the set-up's profile
+  std::vector<std::string> profiles;  ///< by condition: profile after the last valid reach; empty: profile of the set-up
   app::QuestPlus quest;               ///< posterior of all answers, for the threshold
   std::vector<app::QuestPlus> quest_runs;  ///< interleaved runs, which select the gaps
   std::string end;                         ///< "done" or "stopped"; empty: the session has not ended
@@ -79,7 +79,6 @@ struct State {
   void begin_block(unsigned number);
 };
 
-/// Returns the state after the events of a journal.
 State state_of(const Design& design, const Schedule& schedule, unsigned participant, const std::vector<Event>& events);
 
 }  // namespace hrt::experiment

@@ -75,7 +75,7 @@ class Subject {
 
   /// Returns the marks for registration by touch; nullopt if the pose of the plate is simulated.
   virtual std::optional<hrt_setup_config> marks() const { return std::nullopt; }
-  /// Applies the pose that was found by touches. Returns the registration.
+  /// Applies the pose that was found by touches. Returns the registration as a text, which verify() reads.
   virtual std::string registered(const hrt_session_config&) { return {}; }
   /// Checks the registration by one touch. Returns the distance from the registered mark, metres; nullopt if the plate
   /// has moved.

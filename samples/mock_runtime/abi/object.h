@@ -1,5 +1,5 @@
-// Objects behind the application's handles. They form a tree: an instance owns its sessions, a session its spaces and
-// swapchains. Destroying an object destroys its descendants.
+// Objects behind the application's handles. They form a tree: an instance owns its sessions and action sets, a session
+// its spaces, swapchains and hand trackers. Destroying an object destroys its descendants.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -25,8 +25,8 @@ class Object {
   Object* parent() const { return parent_; }
   std::uint64_t id() const { return id_; }
 
-  /// XR_SUCCESS, or XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST after a loss. Calls with this object or one of its
-  /// descendants then return that error, except calls that destroy objects.
+  /// XR_SUCCESS, or XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST after a loss. Registry::get() throws that error for
+  /// this object and its descendants.
   XrResult lost = XR_SUCCESS;
 
  private:
@@ -68,7 +68,7 @@ class Registry {
     return object;
   }
 
-  /// Returns the object of a handle even if it is lost, for functions that destroy objects.
+  /// Returns the object of a handle even if it is lost. Throws XR_ERROR_HANDLE_INVALID.
   template <typename T, typename Handle>
   T& get_even_lost(Handle handle) const {
     const auto found = objects_.find(id_of(handle));

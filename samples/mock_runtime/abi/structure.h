@@ -10,7 +10,8 @@
 
 namespace hrt::mock {
 
-/// Required value of the member `type` of an OpenXR structure, and the structure's name; null for other types.
+/// Value that the member `type` of an OpenXR structure must have, and the structure's name, which is null for a C++
+/// type that is not an OpenXR structure.
 struct StructureType {
   XrStructureType type = XR_TYPE_UNKNOWN;
   const char* name = nullptr;

@@ -25,7 +25,6 @@ void require_any_attached(const Session& session) {
           "no action set is attached to the session; call xrAttachSessionActionSets first");
 }
 
-// Returns an action that is attached to the session.
 Action& attached_action(const Session& session, XrAction handle) {
   auto& action = runtime().registry.get<Action>(handle);
   require_attached(session, action.action_set());
@@ -133,7 +132,7 @@ void xrEnumerateBoundSourcesForAction(Session& session, const XrBoundSourcesForA
   two_call(std::array<XrPath, 0>{}, capacity, count, sources);
 }
 
-// Returns the text of the path, whichever components the application requests: no source is bound to an action.
+// Returns the text of the path, since the runtime has no devices with localized names. `whichComponents` is ignored.
 void xrGetInputSourceLocalizedName(Session& session, const XrInputSourceLocalizedNameGetInfo* info,
                                    std::uint32_t capacity, std::uint32_t* count, char* buffer) {
   std::string name = session.instance().paths.text(info->sourcePath);

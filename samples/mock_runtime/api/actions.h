@@ -29,7 +29,6 @@ class Action : public Object {
   XrActionType action_type;
 };
 
-/// Throws XR_ERROR_ACTION_TYPE_MISMATCH unless the action is of this type.
 void require_type(const Action& action, XrActionType type);
 
 }  // namespace hrt::mock

@@ -1,5 +1,5 @@
-// Wrapper of every entry point: holds the lock, injects faults, resolves handles, checks pointers, converts exceptions
-// to results and logs the call.
+// Wrapper of every function in functions.h: holds the lock of the runtime, injects faults, resolves handles, checks
+// pointers, converts exceptions to results and logs the call.
 #pragma once
 
 #include <mutex>
@@ -16,7 +16,8 @@
 
 namespace hrt::mock {
 
-// Overloads that map the type of a handle to the parameter type of an implementation, a reference to the object.
+// Overloads without definition, which map the type of an argument to the type of the implementation's parameter: a
+// handle to a reference to its object, any other type to itself.
 #define HRT_MOCK_OBJECT(Handle, Type) \
   class Type;                         \
   std::type_identity<Type&> parameter_for(Handle);
@@ -59,7 +60,7 @@ struct Implementation<returns, XrResult (*)(Args...), handles> {
 HRT_MOCK_FUNCTIONS(HRT_MOCK_DECLARE)
 #undef HRT_MOCK_DECLARE
 
-/// Number of the calling thread. Threads are numbered from 1 in the order in which they first call the runtime.
+/// Number of the calling thread. Threads are numbered from 1 in the order in which they first call this function.
 inline std::uint32_t thread_number(Runtime& shared) {
   static thread_local const std::uint32_t number = ++shared.threads;
   return number;
@@ -83,8 +84,8 @@ concept Optional =
     std::same_as<Struct, XrFrameWaitInfo> || std::same_as<Struct, XrFrameBeginInfo> ||
     std::same_as<Struct, XrSwapchainImageAcquireInfo> || std::same_as<Struct, XrSwapchainImageReleaseInfo>;
 
-/// Checks that pointers are not null and that structures have their types. Not checked here: strings, which the
-/// implementation checks, and the arguments after a capacity (a uint32_t), which two_call() checks.
+/// Checks that pointers are not null, unless they are Optional, and that structures have their types. Not checked here:
+/// strings, which the implementation checks, and the arguments after a capacity (a uint32_t), which two_call() checks.
 template <typename... Args>
 void require_arguments(const Args&... args) {
   bool after_capacity = false;
@@ -138,8 +139,8 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
   }
 
  private:
-  // Delays or blocks the call without the lock, or throws the error that the script sets. A blocked call is logged
-  // first, since it never returns.
+  // Blocks the call, or delays it and then throws the error that the script sets, if any. The lock is released
+  // meanwhile. A blocked call is logged first, since it never returns.
   static void inject(Runtime& shared, const CallFault& fault, std::unique_lock<std::mutex>& lock, CallRecord record) {
     if (fault.blocks) {
       record.result = XR_TIMEOUT_EXPIRED;

@@ -36,7 +36,7 @@ void xrWaitFrame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* st
   fire_due_events();
   Session& session = running_session(handle);
   ++session.frames.since_begin;
-  // A session with graphics gains focus with its first frame.
+  // A session with graphics gains focus with its first frame after xrBeginSession.
   const bool draws = session.graphics != nullptr;
   if (draws && session.state() == XR_SESSION_STATE_READY) session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (draws && session.frames.since_begin == 1) session.go_to(XR_SESSION_STATE_FOCUSED);

@@ -1,4 +1,5 @@
-// XR_KHR_vulkan_enable2: the runtime chooses the Vulkan device and creates the application's Vulkan objects.
+// XR_KHR_vulkan_enable2: the runtime chooses the physical device, and creates the application's VkInstance and
+// VkDevice.
 #include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/session.h"
 
@@ -8,7 +9,7 @@ namespace {
 // Supported versions of Vulkan. All functions that the runtime uses exist in 1.0.
 constexpr XrVersion min_vulkan = XR_MAKE_VERSION(1, 0, 0), max_vulkan = XR_MAKE_VERSION(1, 4, 0);
 
-// Chooses the first physical device that Vulkan enumerates.
+// Returns the first physical device that Vulkan enumerates, and stores it in `instance`.
 VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   require_pointer(vulkan, "vulkanInstance");
   GraphicsSetup& setup = instance.graphics;
@@ -26,7 +27,7 @@ VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   return setup.physical_device = device;
 }
 
-// Returns the Vulkan function that creates the object that `info` describes.
+// Checks `info`, and returns the Vulkan function `name`, which creates the object that `info` describes.
 template <typename Function, typename Info>
 Function fetch_creator(const Info& info, VkInstance vulkan, const char* name) {
   require_system(info.systemId);

@@ -11,7 +11,8 @@
 namespace hrt::mock {
 namespace {
 
-// Returns the index of an extension. Throws XR_ERROR_EXTENSION_NOT_PRESENT.
+// Returns the index of an extension in `extensions`. Throws XR_ERROR_EXTENSION_NOT_PRESENT if the runtime does not
+// offer the extension.
 std::size_t find_extension(const char* name) {
   require_pointer(name, "an element of enabledExtensionNames");
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
@@ -92,7 +93,7 @@ void xrResultToString(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRIN
 void xrStructureTypeToString(Instance&, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
   const std::string name = name_of(value);
   std::string text = (name.starts_with("XR_") ? "" : "XR_UNKNOWN_STRUCTURE_TYPE_") + name;
-  text.resize(std::min<std::size_t>(text.size(), XR_MAX_STRUCTURE_NAME_SIZE - 1));  // newer headers have longer names
+  text.resize(std::min<std::size_t>(text.size(), XR_MAX_STRUCTURE_NAME_SIZE - 1));  // new headers have longer names
   std::strcpy(buffer, text.c_str());
 }
 

@@ -15,15 +15,14 @@ namespace hrt::mock {
 /// Id of the only system, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
 
-/// Vulkan objects and functions that the application passes before it creates a session.
+/// Results of the functions of XR_KHR_vulkan_enable2, which xrCreateSession needs.
 struct GraphicsSetup {
-  bool requirements_requested = false;  ///< xrGetVulkanGraphicsRequirements2KHR has been called
-  PFN_vkGetInstanceProcAddr get_proc_addr = nullptr;
-  VkInstance instance = nullptr;
-  VkPhysicalDevice physical_device = nullptr;  ///< result of xrGetVulkanGraphicsDevice2KHR
+  bool requirements_requested = false;                ///< xrGetVulkanGraphicsRequirements2KHR has been called
+  PFN_vkGetInstanceProcAddr get_proc_addr = nullptr;  ///< that of the application
+  VkInstance instance = nullptr;                      ///< result of xrCreateVulkanInstanceKHR; null if it failed
+  VkPhysicalDevice physical_device = nullptr;         ///< result of xrGetVulkanGraphicsDevice2KHR
 };
 
-/// The instance; at most one exists.
 class Instance : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_INSTANCE;
@@ -50,10 +49,7 @@ class Instance : public Object {
   ExtensionSet extensions_;
 };
 
-/// Throws XR_ERROR_SYSTEM_INVALID unless `system` is the only system.
 void require_system(XrSystemId system);
-
-/// Throws XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED unless the type is stereo.
 void require_view_configuration(XrViewConfigurationType type);
 
 /// Recommended and largest width and height of an image in pixels, and the field of view of both eyes in rad.

@@ -1,4 +1,4 @@
-// Start of the runtime: negotiation with a loader, and xrGetInstanceProcAddr, which looks up all other functions.
+// Start of the runtime: negotiation with a loader, and xrGetInstanceProcAddr.
 #include "samples/mock_runtime/abi/negotiation.h"
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 namespace hrt::mock {
 namespace {
 
-// Reads the script before xrCreateInstance, so that the script can inject a fault into that call. The negotiation has
-// no text for a mistake in the script; xrCreateInstance reports it.
+// Reads the script before xrCreateInstance, so that the script can inject a fault into that call. After a mistake in
+// the script, the negotiation succeeds and xrCreateInstance fails with its reason.
 void load_script() {
   Runtime& shared = runtime();
   const std::lock_guard lock(shared.mutex);
   shared.script_error.clear();
   shared.log.open();
   try {
-    // A loader negotiates for every instance. An unchanged script is not applied again, so the counts of calls continue
-    // and each of its faults occurs once per process.
+    // A loader negotiates for every instance. An unchanged script is not applied again, so that the counts of calls
+    // continue and a fault of an earlier instance does not recur.
     const std::string text = script_from_environment();
     if (text != shared.script_text) shared.apply(text);
   } catch (const Error& error) {

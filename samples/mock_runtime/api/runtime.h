@@ -13,13 +13,14 @@ namespace hrt::mock {
 struct Runtime {
   /// Held during every call, except while xrWaitFrame waits or the script delays or blocks the call.
   std::mutex mutex;
-  /// Wakes xrWaitFrame: notified when a frame begins, an event of the script occurs, or a session ends or is destroyed.
+  /// Wakes xrWaitFrame: notified when a frame begins, an event of the script occurs, a session ends, or a session or an
+  /// instance is destroyed.
   std::condition_variable_any frame_begun;
   Registry registry;
   Object* instance = nullptr;    ///< the existing instance, or null
   const Clock* clock = nullptr;  ///< clock of the instance, or null
   CallLog log;
-  std::uint32_t threads = 0;  ///< number of threads that have called the runtime
+  std::uint32_t threads = 0;  ///< number of threads that have called thread_number()
   Script script;
   std::string script_text;     ///< JSON text of `script`; empty before the first script is read
   Faults faults;               ///< faults of the script, with counts of calls

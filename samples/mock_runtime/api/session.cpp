@@ -9,7 +9,8 @@ namespace hrt::mock {
 
 namespace {
 
-// Returns the board of a plate whose servo has this speed and latency, a sensor, and stops at -90 and 90 degrees.
+// Returns a simulated plate whose servo has this speed and latency, within the limits of the firmware, and stops at -90
+// and 90 degrees.
 plate::HobbyPlate::Traits board_of(const PlateDynamics& servo) {
   constexpr double min_speed_deg_s = 1.0, max_speed_deg_s = 1000.0, max_latency_ms = 200.0;  // limits of the firmware
   constexpr double immediate_deg_s2 = 1e6;
@@ -44,7 +45,7 @@ Session::Session(Instance* instance, const Script& script, std::shared_ptr<Graph
       created_(instance->clock.now()),
       world_(world_of(script.world), created_) {
   const std::uint64_t number = runtime().sessions + 1;
-  std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(events_),
+  std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(pending_events_),
                [&](const ScriptEvent& event) { return event.session == 0 || event.session == number; });
   if (!has_board(script.world)) return;
   board_.emplace(board_of(script.world.servo));
@@ -97,11 +98,11 @@ void Session::fire_due_events() {
     return event.frame > 0 ? frame_number >= event.frame : elapsed >= event.time_ns;
   };
   std::vector<ScriptEvent> due;
-  std::copy_if(events_.begin(), events_.end(), std::back_inserter(due), is_due);
-  std::erase_if(events_, is_due);
+  std::copy_if(pending_events_.begin(), pending_events_.end(), std::back_inserter(due), is_due);
+  std::erase_if(pending_events_, is_due);
   for (const ScriptEvent& event : due) {
     event.execute(*this);
-    runtime().frame_begun.notify_all();  // the event may have ended the session for which a call waits
+    runtime().frame_begun.notify_all();  // a waiting xrWaitFrame must return if the event is lose_session
   }
 }
 

@@ -20,8 +20,8 @@ struct FrameLoop {
   std::int64_t waited_number = 0;          ///< number of the latest frame that xrWaitFrame returned
   std::int64_t begun_number = 0;           ///< number of the latest frame that has begun
   std::int64_t since_begin = 0;            ///< frames that xrWaitFrame returned since xrBeginSession
-  XrTime next_start = 0;                   ///< start of the next frame interval
-  XrTime last_display = 0;                 ///< predicted display time of the latest frame
+  XrTime next_start = 0;                   ///< start of the next frame interval; 0 before the first frame
+  XrTime last_display = 0;                 ///< display time of the latest frame, unless the script replaces it
   std::optional<XrTime> scripted_display;  ///< display time that the script sets for the next frame
 };
 
@@ -33,7 +33,6 @@ struct Recenter {
   bool pose_valid;             ///< the application receives the pose
 };
 
-/// A session; at most one exists.
 class Session : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SESSION;
@@ -50,14 +49,14 @@ class Session : public Object {
   XrSessionState state() const { return state_; }
   /// Queues an event with the present state.
   void report_state();
-  /// Enters LOSS_PENDING, or, if the session is running, another state by way of the states in between. No effect if
-  /// the loss of the session is pending.
+  /// Enters LOSS_PENDING directly, and SYNCHRONIZED, VISIBLE, FOCUSED or STOPPING by way of the states in between. No
+  /// effect if the loss is pending, or if the session is not running and `state` is not LOSS_PENDING.
   void go_to(XrSessionState state);
-  /// Executes the script's event session_state. EXITING means that the user ends the application.
+  /// Executes the event session_state of the script. EXITING means that the user ends the application: the session goes
+  /// to STOPPING, and enters EXITING after xrEndSession.
   void change_state(XrSessionState state);
   void recenter(const Recenter& change);
 
-  /// Executes the events of the script that are due in this session.
   void fire_due_events();
 
   const std::shared_ptr<GraphicsDevice> graphics;  ///< null for a headless session
@@ -72,7 +71,7 @@ class Session : public Object {
  private:
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   XrTime created_;
-  std::vector<ScriptEvent> events_;  // pending events
+  std::vector<ScriptEvent> pending_events_;
   World world_;
   std::optional<plate::PtyPlate> board_;  // board of the plate, if the script gives the plate a terminal
   std::optional<plate::PtyLink> board_link_;
@@ -82,10 +81,9 @@ class Session : public Object {
 /// Returns the graphics device of a new session; null for a headless one. Throws an Error for an invalid binding.
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info);
 
-/// Throws XR_ERROR_SESSION_NOT_RUNNING unless the session is running.
 void require_running(const Session& session);
 
-/// Executes the events of the script that are due, in the existing session.
+/// Executes the events of the script that are due in the existing session, if any.
 void fire_due_events();
 
 }  // namespace hrt::mock

@@ -74,7 +74,7 @@ XrResult xrGetReferenceSpaceBoundsRect(Session& session, XrReferenceSpaceType ty
   return bounded ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
 }
 
-// Velocities in the chain have no valid bit: the runtime does not compute them.
+// The runtime computes no velocities: an XrSpaceVelocity in the chain receives no valid bit.
 void xrLocateSpace(Space& space, Space& base, XrTime time, XrSpaceLocation* location) {
   require_valid(space.parent() == base.parent(), "space and baseSpace belong to different sessions");
   require_time(time);

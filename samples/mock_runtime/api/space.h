@@ -39,7 +39,6 @@ class Space : public Object {
 /// Returns the space of a handle. Throws XR_ERROR_VALIDATION_FAILURE if the space belongs to another session.
 Space& space_of(const Session& session, XrSpace handle);
 
-/// Throws XR_ERROR_VALIDATION_FAILURE unless `hand` is left or right.
 void require_hand(XrHandEXT hand);
 
 class HandTracker : public Object {

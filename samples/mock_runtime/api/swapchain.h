@@ -15,7 +15,7 @@ class Swapchain : public Object {
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  // These functions throw XR_ERROR_CALL_ORDER_INVALID unless they are called in this order.
+  // An image is acquired, waited for and released, in this order; otherwise XR_ERROR_CALL_ORDER_INVALID is thrown.
   std::uint32_t acquire();
   void wait();
   void release();
@@ -31,14 +31,15 @@ class Swapchain : public Object {
   bool waited_ = false;                 // the oldest acquired image has been waited for
 };
 
-/// Throws an Error if a composition layer is invalid.
+/// Throws an Error if a composition layer is invalid. In a headless session, checks only type and space of the layers.
 void require_layers(const XrFrameEndInfo& info, const Session& session);
 
 /// Returns the image of an eye (0 left, 1 right) in the first projection layer; black if there is no such layer.
-/// Requires valid layers.
+/// Requires that require_layers() accepts `info`.
 Picture picture_of_eye(const XrFrameEndInfo& info, std::uint32_t eye);
 
-/// Writes the pictures of a frame that ends, if the script selects the frame.
+/// Writes the pictures of both eyes to the folder HRT_MOCK_PICTURES, if the variable is set and the script, or by
+/// default an interval of 30 frames, selects the frame.
 void write_pictures(const XrFrameEndInfo& info, Session& session);
 
 }  // namespace hrt::mock

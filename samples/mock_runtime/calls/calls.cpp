@@ -47,8 +47,11 @@ void CallLog::open() {
   if (path.empty()) return;
   file_.reset(std::fopen(path_.c_str(), "a"));
   if (file_ == nullptr) {
-    std::fprintf(stderr, "mock runtime: HRT_MOCK_CALL_LOG: %s cannot be written: %s. Calls are not logged\n",
-                 path_.c_str(), std::strerror(errno));
+    std::fprintf(
+        stderr,
+        "mock runtime: HRT_MOCK_CALL_LOG: %s cannot be written: %s. Calls are not logged; set the variable to a "
+        "writable file\n",
+        path_.c_str(), std::strerror(errno));
     return;
   }
   std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // line by line: the log survives a crash of the application

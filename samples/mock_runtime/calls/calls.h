@@ -1,4 +1,4 @@
-// Faults that the script injects into calls, and the log of all calls.
+// Faults that the script injects into calls, and the log of calls.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -19,7 +19,7 @@ namespace hrt::mock {
 
 struct CallFault {
   FunctionId function;
-  std::uint64_t session;           ///< session whose calls count, from 1; 0: all calls of the process
+  std::uint64_t session;           ///< number of the session whose calls count, from 1; 0: calls in every session count
   std::uint64_t call;              ///< first affected call, counted from 1
   std::uint64_t count;             ///< number of consecutive affected calls
   std::chrono::nanoseconds delay;  ///< real-time delay before the call
@@ -42,23 +42,22 @@ class Faults {
  private:
   struct Counted {
     CallFault fault;
-    std::uint64_t calls;  // number of calls so far
+    std::uint64_t calls;
   };
   std::vector<Counted> faults_;
 };
 
-/// Name of a function, such as "xrWaitFrame".
 const char* name_of(FunctionId function);
 std::optional<FunctionId> find_function(std::string_view name);
 
-/// Returns the error of OpenXR with a name such as "XR_ERROR_RUNTIME_FAILURE".
+/// Returns the error code with a name such as "XR_ERROR_RUNTIME_FAILURE"; nullopt for other names.
 std::optional<XrResult> find_error(std::string_view name);
 
 struct CallRecord {
   XrTime time;
   const char* function;
   XrResult result;
-  std::string why;           ///< reason of the error; empty on success
+  std::string why;           ///< reason of an error; may be empty
   std::uint32_t thread = 0;  ///< number of the calling thread, from 1
 };
 
@@ -66,7 +65,6 @@ class CallLog {
  public:
   /// Opens the file that the environment variable HRT_MOCK_CALL_LOG names. Prints an error if it cannot be opened.
   void open();
-  /// Writes a line to the file, if one is open.
   void write(const CallRecord& record);
 
  private:

@@ -1,4 +1,3 @@
-// XrPath values and their texts.
 #pragma once
 
 #include <openxr/openxr.h>

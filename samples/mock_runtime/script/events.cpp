@@ -21,7 +21,7 @@ std::function<void(Session&)> read_hand_event(const Json& event) {
     return [hand, by_m = Eigen::Vector3d(read_vector(event["by_mm"]) * 1e-3)](Session& session) {
       session.world().jump(hand, by_m);
     };
-  using Fault = std::pair<void (World::*)(XrHandEXT, bool), bool>;  // sets or ends a fault of a hand
+  using Fault = std::pair<void (World::*)(XrHandEXT, bool), bool>;  // function, and true to begin the fault
   static const Names<Fault> faults{{"lose_tracking", {&World::lose_tracking, true}},
                                    {"regain_tracking", {&World::lose_tracking, false}},
                                    {"freeze", {&World::freeze, true}},

@@ -18,7 +18,6 @@ namespace hrt::mock {
 
 class Session;
 
-/// An event that occurs in a session, at a frame or at a time.
 struct ScriptEvent {
   std::uint64_t session;  ///< number of the session, from 1; 0: every session
   std::int64_t frame;     ///< number of the frame, from 1; 0: the event occurs at time_ns
@@ -28,13 +27,13 @@ struct ScriptEvent {
 
 struct Script {
   Clock::Kind clock = Clock::Kind::manual;
-  XrDuration frame_period = 11'111'111;  ///< 90 Hz
+  XrDuration frame_period = 11'111'111;  ///< in ns; the default is that of 90 Hz
   bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
   bool stage = true;                     ///< false: the runtime has no STAGE space
   bool hand_tracking = true;             ///< value in XrSystemHandTrackingPropertiesEXT
   std::int64_t picture_interval = 0;     ///< interval between pictures in frames; 0: not set
-  bool has_picture_events = false;       ///< an event of the script takes a picture
-  ExtensionSet withheld;                 ///< extensions that the script removes from the runtime
+  bool has_picture_events = false;
+  ExtensionSet withheld;  ///< extensions that the script removes from the runtime
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;

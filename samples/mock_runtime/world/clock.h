@@ -30,7 +30,7 @@ class Clock {
 
  private:
   Kind kind_;
-  XrTime manual_now_ = 1'000'000'000;  // 1 s: times that are not positive are invalid
+  XrTime manual_now_ = 1'000'000'000;  // 1 s, because OpenXR does not allow the time 0
 };
 
 }  // namespace hrt::mock

@@ -7,7 +7,7 @@ namespace hrt::mock {
 namespace {
 
 constexpr XrDuration millisecond_ns = 1'000'000;
-// A participant perceives no direction in the first 50 ms of the motion or at less than 10 mm/s.
+// peak_felt_error_deg() omits the first 50 ms of the motion and slow motion, in which people perceive no direction.
 constexpr double min_elapsed_s = 0.05;
 constexpr double min_speed_mm_s = 10.0;
 // Largest angle between the plate orientation and the direction of motion for outermost_direction_deg().

@@ -41,7 +41,7 @@ class Reach {
   /// Direction of motion: P in the paper.
   double true_direction_deg() const { return person_.direction_deg(); }
   double perceived_direction_deg() const { return goal_direction_deg_ + person_.felt_error_deg(); }
-  /// Largest perceived-direction error so far, while the finger moves.
+  /// Largest magnitude of the perceived-direction error so far, except at the onset and in slow motion.
   double peak_felt_error_deg() const { return peak_felt_error_deg_; }
   bool done() const { return person_.done(); }
   /// Time at which the finger came to rest. Requires that the reach is done.
@@ -53,7 +53,7 @@ class Reach {
   Person simulated_;
   SlidingPerson person_;
   double goal_direction_deg_;
-  XrTime onset_;                       // time at which the motion begins
+  XrTime onset_;
   std::vector<Eigen::Vector2d> path_;  // positions at the start and after each millisecond
   double peak_felt_error_deg_ = 0.0;
 };

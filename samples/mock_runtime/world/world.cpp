@@ -129,7 +129,7 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
 Pose World::head(XrTime time) const {
   if (settings_.head.empty()) return local_space_in_world();
   Pose head = pose_at(settings_.head, head_lost_at_.value_or(time) - start_);
-  head.position_m = local_space_in_world() * head.position_m;  // without rotation, since LOCAL has none
+  head.position_m = local_space_in_world() * head.position_m;  // the axes of LOCAL are initially those of the world
   return head;
 }
 

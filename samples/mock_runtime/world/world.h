@@ -46,14 +46,14 @@ class Origins {
 
 class World {
  public:
-  /// Creates a world at the time `start`.
   World(const WorldSettings& settings, XrTime start);
 
   /// Sets the pose of the plate frame: origin at the centre of rotation, +Y normal, -Z mid-line away from the user.
   void place_plate(const Pose& plate) { plate_ = plate; }
   bool plate_is_placed() const { return plate_.has_value(); }
 
-  /// Sets the seed of all later random numbers and the number of the next reach.
+  /// Sets the seed of later reaches and of the tracker noise, and the number of the next reach, which selects the
+  /// participant.
   void set_seed(std::uint64_t seed, std::uint32_t next_reach);
 
   void command_plate(double orientation_deg) { servo_.command(orientation_deg); }
@@ -67,7 +67,8 @@ class World {
   /// Returns the present position of the index tip joint in plate coordinates. Requires that the hand has a reach.
   Eigen::Vector3d true_index_tip_m(XrHandEXT hand) const;
 
-  /// These functions begin (true) or end (false) a fault of the tracker, or add to the reported position.
+  /// These functions begin (true) or end (false) a fault of the tracker; jump() adds to the reported position, in world
+  /// coordinates.
   void lose_tracking(XrHandEXT hand, bool lost) { at(hand).lost = lost; }
   void freeze(XrHandEXT hand, bool frozen);
   void lose_rotation(XrHandEXT hand, bool lost) { at(hand).rotation_lost = lost; }
