@@ -1,4 +1,4 @@
-// Headless Chromium that renders in software, and a page whose clock is stopped; used by picture.mjs and the tests.
+// Headless Chromium that renders in software, and a replacement of a page's clock; used by picture.mjs and the tests.
 import { chromium } from "playwright-core";
 
 export function launch(...more) {
@@ -6,7 +6,8 @@ export function launch(...more) {
     "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more] });
 }
 
-/** Runs in the page: a frame is drawn when drawFrame() is called, and no time passes between frames. */
+/** Runs in the page. After it, performance.now() and the callbacks of requestAnimationFrame() advance only by
+ *  drawFrame(). */
 export function stopTime() {
   let now_ms = 0, waiting = [];
   performance.now = () => now_ms;

@@ -1,4 +1,4 @@
-// Draws the animation of the README: a visitor steers the dot to the glass, then the hand is shown.
+// Draws reveal.gif, the animation of README.md: a scripted visitor steers the dot to the glass, then the hand is shown.
 //   usage: node picture.mjs FOLDER_OF_THE_PAGE reveal.gif
 import { writeFile } from "node:fs/promises";
 import { join, resolve } from "node:path";

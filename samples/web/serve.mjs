@@ -6,11 +6,11 @@ import { extname, join } from "node:path";
 
 const [, , folder, port = "8737"] = process.argv;
 if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
-  console.error(`serve.mjs: port "${port}"; a whole number from 0 (any free one) to 65535 is needed`);
+  console.error(`serve.mjs: port "${port}": use a whole number from 0 (any free port) to 65535`);
   process.exit(2);
 }
 
-// Serves only the files of the page's folder. A browser that accepts Brotli receives the compressed copies.
+// Files of other types are not served. A browser that accepts Brotli receives the compressed copy, if there is one.
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
                 ".txt": "text/plain; charset=utf-8", ".wasm": "application/wasm", ".glb": "model/gltf-binary", ".gif": "image/gif" };
 const names = new Set(await readdir(folder));
@@ -29,7 +29,7 @@ const server = createServer(async (request, response) => {
   }
 });
 server.on("error", (error) => {
-  console.error(`serve.mjs: port ${port}: ${error.message}`);
+  console.error(`serve.mjs: port ${port}: ${error.message}; use another port, or 0 for any free one`);
   process.exit(1);
 });
 server.listen(Number(port), "127.0.0.1", () => console.log(`Open http://127.0.0.1:${server.address().port}/ (Ctrl-C stops)`));

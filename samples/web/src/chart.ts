@@ -1,6 +1,6 @@
-// The strip chart of one reach: plate orientation; the finger's true and perceived direction; the controller's estimate of the
-// tactile weight with its 95 % interval. The cursor reads values, a drag zooms. A table has the same values, for visitors who do
-// not see the chart.
+// The strip chart of one reach: plate orientation; the finger's true and perceived direction; the controller's estimate
+// of the tactile weight with its 95 % interval. The legend shows the values at the cursor; a drag zooms. A table below
+// the chart has a row for each 0.2 s, for visitors who do not see the chart.
 import uPlot from "uplot";
 import type { Course } from "./geometry";
 import type { Step, Trace } from "./guided_reach";
@@ -8,7 +8,7 @@ import { addRow, type Colours, element, readColours, sideways } from "./page";
 
 const rowPeriod_ms = 200;
 
-/** Values that are constant within a reach: its targets, and the true tactile weight of the person; NaN: not drawn. */
+/** Values that are constant within a reach. `weight`: true tactile weight of the person; NaN: not drawn. */
 type Goals = Pick<Course, "real_deg" | "virtual_deg"> & { readonly weight: number };
 
 interface Line {

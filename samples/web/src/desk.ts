@@ -5,15 +5,16 @@ import { type Colours, element, say } from "./page";
 import { dot, paths, plate, targets } from "./plan";
 import { type Shown, Stage } from "./stage/stage";
 
-const maxLabels = 30; // more labels would overlap
-const headHeight_m = 0.034; // top of a target
+const maxLabels = 30; // of the targets of a visitor's scene
+const targetTop_m = 0.034;
 const margin_px = 4,
   minGap_px = 14;
 const turn_rad = 0.15;
 
 interface Label {
   readonly element: HTMLElement;
-  /** Side of the named object on which the label is: right (1), left (-1) or above (0). */
+  /** Position of the label relative to the object that it names: 1 right, -1 left, 0 above. Right and left are
+   *  exchanged if the glass is to the right of the cylinder. */
   readonly side: number;
   place: Readonly<Place>;
   readonly height_m: number;
@@ -22,7 +23,7 @@ interface Label {
 export class Desk {
   readonly frame = element("stage", HTMLDivElement);
   readonly canvas = element("view", HTMLCanvasElement);
-  /** Area over the plate's disc in which a thumb moves the fingertip and does not scroll. */
+  /** Area over the plate's disc in which a touch moves the fingertip instead of scrolling the page. */
   readonly grip = element("grip", HTMLDivElement);
   /** Null if the browser has no WebGL: the picture from above is drawn instead. */
   readonly stage: Stage | null;
@@ -39,7 +40,7 @@ export class Desk {
   #labels = [...this.#own];
   readonly #caption = element("caption", HTMLParagraphElement);
   #course: Course = pageCourse(0);
-  /** State that was drawn last, so that an unchanged picture is not drawn again. Empty: the next draw() must draw. */
+  /** State in the last picture, which draw() does not draw again. Empty: the next draw() must draw. */
   #drawn = "";
   #trace: unknown = null;
   #revealed = 1;
@@ -92,7 +93,7 @@ export class Desk {
     return left !== 0 || up !== 0;
   }
 
-  /** Loads the model of the hand, and draws it from then on. */
+  /** Loads the model of the hand, and adds it to the three-dimensional picture. */
   async bringHand(): Promise<void> {
     await this.stage?.finger.become((await import("./stage/hand_model")).pointingHand);
     this.#drawn = "";
@@ -103,13 +104,15 @@ export class Desk {
     this.#placeGrip();
   }
 
-  /** Counts slow frames. After eight in a row, which suggest software rendering, the picture is simplified. */
+  /** Simplifies the picture after eight successive frames of 60 to 1000 ms, which suggest software rendering.
+   *  `elapsed_ms`: time since the last frame. */
   ease(elapsed_ms: number): void {
     this.#slowFrames = elapsed_ms > 60 && elapsed_ms < 1000 ? this.#slowFrames + 1 : 0;
     if (this.#slowFrames === 8) this.#change((stage) => stage.lighten());
   }
 
-  /** Sets the opacity of the true hand, its path and the cylinder, from 0 to 1. */
+  /** Shows the true hand with this opacity and this fraction of its path, 0 to 1. At 0, the cylinder and two labels are
+   *  hidden too. */
   reveal(fraction: number): void {
     if (fraction === this.#revealed) return;
     this.#revealed = fraction;
@@ -118,7 +121,7 @@ export class Desk {
     this.#named.real.element.hidden = fraction === 0 || this.#labels.length > this.#own.length;
   }
 
-  /** Names the hand in its label. `own`: the hand is the visitor's. */
+  /** `own`: the hand is the visitor's, not a simulated person's. */
   nameLabels(own: boolean): void {
     say(this.#named.finger.element, own ? "your hand" : "hand");
     this.#drawn = "";
@@ -136,11 +139,11 @@ export class Desk {
       span.className = `label ${target.real ? "real" : "felt"}`;
       span.textContent = target.name;
       element("labels", HTMLDivElement).append(span);
-      this.#labels.push({ element: span, side: 0, place: target.drawn, height_m: headHeight_m });
+      this.#labels.push({ element: span, side: 0, place: target.drawn, height_m: targetTop_m });
     }
   }
 
-  /** Sets the text above the picture, and the phase of the reach, which tests read. */
+  /** Sets the text above the picture, and the phase of the reach, which page.css and tests read. */
   caption(phase: string, words: string): void {
     this.frame.dataset.phase = phase;
     say(this.#caption, words);
@@ -168,17 +171,18 @@ export class Desk {
     this.#flat.innerHTML = plate(plate_deg) + targets(this.#course, true, all) + hand;
   }
 
-  /** Places each label beside or above the object that it names, within the picture. Labels above objects form a row. */
+  /** Places each label beside or above the object that it names, within the picture. Of the labels above objects, each
+   *  begins beyond the right end of the previous one. */
   #drawLabels(stage: Stage): void {
     const { clientWidth, clientHeight } = this.canvas,
       gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth),
-      away = this.#course.virtual_deg < this.#course.real_deg ? -1 : 1; // the labels of a mirrored course are mirrored
-    let free_px = 0; // right end of the last label in the row
+      mirror = this.#course.virtual_deg < this.#course.real_deg ? -1 : 1;
+    let free_px = 0; // right end of the last label above an object
     for (const { element: label, place, height_m, side } of this.#labels) {
       if (label.hidden) continue;
       const at = stage.toCanvas(place, height_m),
         { offsetWidth: width, offsetHeight: height } = label;
-      let x = at.x - width / 2 + away * side * (width / 2 + gap_px);
+      let x = at.x - width / 2 + mirror * side * (width / 2 + gap_px);
       if (side === 0) x = Math.max(x, free_px);
       if (side === 0) free_px = x + width + margin_px;
       const y = at.y - height / 2 - (side === 0 ? height : 0);
@@ -187,7 +191,8 @@ export class Desk {
     }
   }
 
-  /** Writes the distances at the end of a slide, and the positions of ring, glass and dot in the picture, for tests. */
+  /** Writes the distances at the end of a slide (null: it has not ended), and the positions of ring, glass and dot in
+   *  the picture, to data attributes, for tests. */
   write(result: SlideEnd | null, dot: Readonly<Place>): void {
     const { dataset } = this.frame;
     for (const [name, place] of Object.entries({ start, glass: this.#named.glass.place, dot })) {
@@ -198,7 +203,7 @@ export class Desk {
     else delete dataset.result;
   }
 
-  /** Applies a change that is not an argument of draw(), and requests a redraw. */
+  /** Applies a change that is not an argument of draw(). The next draw() then draws. */
   #change(how: (stage: Stage) => void): void {
     if (this.stage) how(this.stage);
     this.#drawn = "";
@@ -208,11 +213,11 @@ export class Desk {
   placeOf({ clientX, clientY }: PointerEvent): Place | null {
     const { left, top, width, height } = (this.stage ? this.canvas : this.#flat).getBoundingClientRect();
     if (this.stage) return this.stage.toPlate(clientX - left, clientY - top);
-    const scale = 0.16 / Math.min(width, height); // size of the viewBox, in metres
+    const scale = 0.16 / Math.min(width, height); // the viewBox is 0.16 m wide and high
     return { right_m: (clientX - left - width / 2) * scale, away_m: (top + height / 2 - clientY) * scale };
   }
 }
 
-function label(name: string, side: number, height_m = headHeight_m): Label {
+function label(name: string, side: number, height_m = targetTop_m): Label {
   return { element: element(`label-${name}`, HTMLSpanElement), side, place: start, height_m };
 }

@@ -33,12 +33,11 @@ interface Figure {
   /** Description of the picture for visitors who do not see it. */
   readonly picture: string;
   readonly height?: number;
-  /** Range and first value of the slider. */
   readonly range: readonly [min: number, max: number, value: number];
-  /** Slider value for a drag to this position in the picture; clamped to the slider's range. */
+  /** Slider value for a drag to this position in the picture. The slider limits it to its range. */
   readonly value: (at: Place) => number;
   readonly draw: (value: number) => string;
-  /** Description of the state in words. */
+  /** Sentence below the picture. */
   readonly text: (value: number) => string;
 }
 
@@ -58,7 +57,7 @@ export function showFigures(library: Library): void {
   let off_mm = NaN;
   /** Draws the third reach of a person whom the plugin steers. */
   const guided = (gap_deg: number): string => {
-    reach.apply({ ...settings, controller: "off" });
+    reach.apply({ ...settings, controller: "off" }); // a change of the controller discards the estimates
     reach.apply({ ...settings, gap_deg });
     reach.finish();
     for (let i = 0; i < 2; ++i) {
@@ -84,7 +83,7 @@ export function showFigures(library: Library): void {
       range: [-70, 70, -40],
       value: ({ right_m }) => 1000 * right_m,
       draw: (x) => {
-        // the skin is lifted above the ridge
+        // The skin is lifted above the ridge.
         const skin = Array.from({ length: 41 }, (_, i) => {
           const u = x - 25 + 1.25 * i,
             y = 30 - 13 * Math.exp(-((u / 7) ** 2));

@@ -6,13 +6,13 @@ export interface Place {
   away_m: number;
 }
 
-/** Start of all reaches, which is the plugin's default. */
+/** Start of the page's own reaches: the default of the plugin. */
 export const start: Readonly<Place> = { right_m: 0, away_m: -0.05 };
 /** Distance from the start to the cylinder and to the glass. */
 export const distance_m = 0.1;
+/** Radius of the plate. */
 export const radius_m = 0.075;
 export const cylinderRadius_m = 0.0055;
-/** Distance between neighbouring ridges. */
 export const ridgeSpacing_m = 0.01;
 
 /** Start and targets of a reach: directions and distances are seen from the start. */
@@ -24,7 +24,8 @@ export interface Course {
   readonly virtual_m: number;
 }
 
-/** Returns the page's targets: the cylinder half of the gap to the right of the mid-line, the glass half of it to the left. */
+/** Returns the page's targets: the cylinder to the right of the mid-line and the glass to the left, each by half of the
+ *  gap. */
 export function pageCourse(gap_deg: number): Course {
   return { start, real_deg: -gap_deg / 2, real_m: distance_m, virtual_deg: gap_deg / 2, virtual_m: distance_m };
 }
@@ -80,7 +81,8 @@ export function normal_deg(plate_deg: number, finger_deg: number): number {
   return plate_deg - 180 * Math.round((plate_deg - finger_deg) / 180);
 }
 
-/** Perceived direction of a motion: the mean of true direction and direction by touch alone, weighted by the tactile weight. */
+/** Perceived direction of a motion: mean of the true direction and of that by touch alone, weighted by the tactile
+ *  weight. */
 export function feltDirection_deg(tactile_weight: number, plate_deg: number, finger_deg: number): number {
   return finger_deg + tactile_weight * (normal_deg(plate_deg, finger_deg) - finger_deg);
 }

@@ -1,5 +1,4 @@
-// Base class of the reaches that the plugin controls. The hand is a simulated person's, the visitor's pointer, or one that a
-// headset tracks.
+// Base class of the reaches that the plugin controls: of a simulated person, of a pointer, or of a tracked hand.
 import * as hrt from "haptic-retargeting";
 import { type Course, cylinderRadius_m, type Place } from "./geometry";
 import type { ControllerName, Settings } from "./settings";
@@ -20,16 +19,17 @@ const sessions: Readonly<Record<ControllerName, Parameters<hrt.Library["createSe
 
 /** Time from a command to the motion of the simulated servo. */
 export const plateLatency_ms = 30;
-/** Maximum length of a trace: 41 s of the visitor's hand. */
+/** Maximum number of steps in a trace: 41 s of a slide by the pointer, whose steps last 10 ms. */
 export const maxTrace = 4096;
 
-/** True and perceived state of a hand over the plate. Directions are NaN at rest, other values if they do not exist. */
+/** True and perceived state of a hand over the plate. Directions are NaN at rest, `weight` is NaN if the controller is
+ *  off, and `felt` is NaN in a recording. */
 export interface Step {
   readonly time_ms: number;
   readonly plate_deg: number;
   readonly finger_deg: number;
   readonly felt_deg: number;
-  /** Estimate of the tactile weight and its SD. */
+  /** The controller's estimate of the tactile weight, and its SD. */
   readonly weight: number;
   readonly weight_sd: number;
   readonly finger: Readonly<Place>;
@@ -38,14 +38,14 @@ export interface Step {
 export type Trace = Step[];
 
 export abstract class GuidedReach {
-  /** Trace of the current reach. Each reach has its own array. */
+  /** Trace of the current reach: a new array for each reach. */
   trace: Trace = [];
   /** Orientation of a connected plate, which replaces the simulated one. NaN: no plate is connected. */
   plateConnected_deg = NaN;
   /** Recording of the last reach that has ended, as CSV. */
   recording = "";
   protected settings: Settings;
-  /** Session of the plugin. It is given the targets and the plate's limits, but no parameter of the person. */
+  /** Session of the plugin, which knows the targets and the plate, but not the parameters of the person. */
   protected session!: hrt.Session;
   protected real = 0;
   protected virtual = 0;
@@ -63,7 +63,7 @@ export abstract class GuidedReach {
     return this.session.command;
   }
 
-  /** Replaces the session by one with the default parameters of a person. */
+  /** Cancels a running reach, and creates a new session, which has no estimates of the person. */
   protected restartSession(course: Course): void {
     this.cancel();
     this.session.destroy();
@@ -80,7 +80,7 @@ export abstract class GuidedReach {
     this.setTargets(course);
   }
 
-  /** Changes targets and plate between reaches. The controller keeps its estimates of the person. */
+  /** Sets the targets and the plate's speed, between reaches. The controller keeps its estimates of the person. */
   protected setTargets({ start, real_deg, real_m, virtual_deg, virtual_m }: Course): void {
     this.session.configure({
       plate_max_speed_deg_s: this.settings.plate_deg_s,
@@ -90,7 +90,8 @@ export abstract class GuidedReach {
     this.session.setTarget(this.virtual, { direction_deg: virtual_deg, distance_m: virtual_m });
   }
 
-  /** Cancels a running reach; the controller discards its samples. Returns the recording, or "" if nothing was recorded. */
+  /** Cancels the reach, if one is running, so that the controller discards its samples. Stops the recording, and
+   *  returns it; "" if none was running. */
   protected cancel(): string {
     if (this.session.state & hrt.HRT_STATE_REACHING) this.session.cancelReach();
     return this.session.state & hrt.HRT_STATE_RECORDING ? this.session.stopRecording() : "";
@@ -103,7 +104,7 @@ export abstract class GuidedReach {
     this.session.beginReach(this.real, this.virtual, plate_deg);
   }
 
-  /** Appends to the trace. */
+  /** Appends a step to the trace, unless the trace is full. */
   protected record(step: Omit<Step, "weight" | "weight_sd">): void {
     if (this.trace.length === maxTrace) return;
     const { tactile_weight, tactile_weight_sd } = this.command,

@@ -22,11 +22,11 @@ import { VisitorReach } from "./visitor_reach";
 import type { HeadsetMode } from "./wear/headset_mode";
 import type { HeadsetReach } from "./wear/headset_reach";
 
-/** Longest time by which one frame advances a reach: slow machines keep real time, and a hidden page continues where it stopped. */
+/** A longer frame, such as the first after the page was hidden, advances a reach by this time. */
 const maxFrame_ms = 1000;
 
 async function main(): Promise<void> {
-  // The module is compiled while it is downloaded. The first picture does not need it.
+  // The first picture, below, is drawn while the plugin is downloaded and compiled.
   const loading = load(pluginModule);
   const desk = new Desk(),
     still = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -61,7 +61,7 @@ async function main(): Promise<void> {
   const viewing = new SceneMode(library, settings, showMode);
   let mode: Mode = "hand",
     recorded: RecordedReach | null = null;
-  // Parts that are loaded when they are needed.
+  // Null until their parts of the page are loaded.
   let chart: Chart | null = null,
     wearing: HeadsetMode | null = null;
 
@@ -153,16 +153,15 @@ async function main(): Promise<void> {
     chart?.setColours(colours);
   }
 
-  /** Returns the object whose reaches are shown. */
   function reaches(): SimulatedReach | VisitorReach | HeadsetReach {
     return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, scene: viewing.watch }[mode];
   }
 
-  /** Commands a connected plate, whose reported orientation then replaces the simulated one. */
+  /** Sends the shown reach's command to a connected plate, whose reported orientation replaces the simulated one. */
   function follow(): void {
     const shown = reaches();
     plate.frame(performance.now(), shown.command.plate_orientation_deg);
-    // Reaches that are computed immediately or step by step do not run in the real time of a plate.
+    // A simulated reach that is paused or stepped does not run in real time, so it uses the simulated plate.
     const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
     for (const each of [watch, hand, unguided, viewing.watch, ...(wearing ? [wearing.wear] : [])])
       each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
@@ -170,10 +169,10 @@ async function main(): Promise<void> {
 
   plate.onReady = (speed_deg_s) => form.setPlateSpeed(speed_deg_s);
 
-  /** Requests frames for a short time after input or the loading of a part, and as long as something moves. */
-  let before_ms = NaN,
+  let before_ms = NaN, // time of the last frame; NaN: no frame is requested
     awake_ms = 0;
   const linger_ms = 300;
+  /** Draws frames for `linger_ms`, and then as long as something moves. */
   function wake(): void {
     awake_ms = linger_ms;
     if (!Number.isNaN(before_ms)) return;

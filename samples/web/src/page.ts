@@ -1,6 +1,6 @@
-// Access to the elements of the page, and the format of numbers in them.
+// Access to the elements and colours of the page, messages to the visitor, and the format of directions.
 
-/** Returns the element with this id, which must be of this type. */
+/** Returns the element with this id. Throws if the page has none, or if its type is another. */
 export function element<Type extends Element>(id: string, type: new () => Type): Type {
   const found = document.getElementById(id);
   if (!(found instanceof type)) throw new Error(`the page has no ${type.name} "${id}"`);
@@ -34,7 +34,7 @@ export function say(where: Element, text: string): void {
   if (where.textContent !== text) where.textContent = text;
 }
 
-/** Formats a direction for people; "–" for NaN. */
+/** Formats a direction, for example as "12° left"; "–" for NaN. */
 export function sideways(angle_deg: number, digits = 0): string {
   if (Number.isNaN(angle_deg)) return "–";
   const size = Math.abs(angle_deg).toFixed(digits);
@@ -53,7 +53,7 @@ export async function part<Type>(name: string, loading: Promise<Type>): Promise<
   try {
     return await loading;
   } catch (error) {
-    report(`${name} could not be loaded: ${messageOf(error)}.`, true);
+    report(`${name} could not be loaded: ${messageOf(error)}. Check the connection, then try again.`, true);
     return null;
   }
 }

@@ -1,5 +1,5 @@
-// Draws the plate from above, as the content of an SVG picture in millimetres: for replayed slides, for the figures, and for the
-// desk in a browser without WebGL.
+// Draws the plate from above, as the content of an SVG picture in millimetres: for replayed slides, for the figures,
+// and for the desk in a browser without WebGL.
 import {
   ahead,
   type Course,
@@ -69,7 +69,7 @@ export function targets({ real_deg, real_m, virtual_deg, virtual_m }: Course, na
   );
 }
 
-/** Draws three arrows from one point: true direction, direction by touch alone, and perceived direction between them. */
+/** Draws arrows from one point for the true direction, the direction by touch alone, and the perceived direction. */
 export function arrows(at: Place, plate_deg: number, finger_deg: number, felt_deg: number, length_m = 0.03): string {
   return (
     arrow("touch", at, normal_deg(plate_deg, finger_deg), length_m) +

@@ -1,9 +1,11 @@
-// Settings of the page: a form, whose elements in index.html define ranges and defaults, and the link that contains them.
+// Settings of the page: a form, whose elements in index.html define ranges and defaults, and the link with their
+// values.
 import { element, say } from "./page";
 
 export type ControllerName = "off" | "paper" | "ours";
 
-/** Modes of the page: "Try it", "Watch", "Wear it" and "Your scene". The last one needs a file, so a link cannot choose it. */
+/** Modes of the page: "Try it", "Watch", "Wear it" and "Your scene". A link cannot choose the last one, which needs a
+ *  file. */
 export const modes = ["hand", "watch", "wear", "scene"] as const;
 export type Mode = (typeof modes)[number];
 const linkedModes = modes.slice(0, 3);
@@ -12,7 +14,7 @@ export interface Settings {
   controller: ControllerName;
   /** Angle between the real and the virtual target, seen from the start. */
   gap_deg: number;
-  /** Tactile weight: the fraction of touch in the perceived direction. The controller does not know it. */
+  /** Fraction of touch in the perceived direction. The controller does not know it. */
   tactile_weight: number;
   /** Duration of a reach; the controller does not know it. */
   pace_s: number;
@@ -20,7 +22,7 @@ export interface Settings {
   noise_mm: number;
   /** Maximum speed of the plate's servo. */
   plate_deg_s: number;
-  /** Seed of the person: correction gain, delay of touch and start direction. */
+  /** Seed of the simulated person's other parameters and of the noise. */
   person: number;
 }
 
@@ -28,7 +30,7 @@ export class SettingsForm {
   readonly #form = element("settings", HTMLFormElement);
   readonly #defaults: FormData;
 
-  /** `changed` is called after each change by the visitor. */
+  /** `changed` is called after each change of a setting, except by fromLink(). */
   constructor(private readonly changed: () => void) {
     this.#form.reset(); // browsers restore values when a page is reloaded
     this.#defaults = new FormData(this.#form);
@@ -67,7 +69,8 @@ export class SettingsForm {
     holds.classList.toggle("problem", far);
   }
 
-  /** Returns the part of a link after #: the mode, and the settings that differ from their defaults. */
+  /** Returns the part of a link after #: the mode, unless it is "hand" or "scene", and the settings that were
+   *  changed. */
   toLink(mode: Mode): string {
     const link = new URLSearchParams(mode !== "hand" && linkedModes.includes(mode) ? { mode } : {});
     for (const [name, value] of new FormData(this.#form))
@@ -75,7 +78,7 @@ export class SettingsForm {
     return link.toString();
   }
 
-  /** Reads settings and mode from the part of a link after #. `problems` describes the parts that were ignored. */
+  /** Sets the settings from the first 500 characters after # in a link. `problems` describes the ignored parts. */
   fromLink(link: string): { mode: Mode; problems: string[] } {
     const problems: string[] = [];
     let mode: Mode = "hand";
@@ -91,8 +94,8 @@ export class SettingsForm {
     return { mode, problems };
   }
 
-  /** Sets a value and returns "". If the value is not allowed, sets the default and returns the allowed values; null: no such
-   *  setting exists. */
+  /** Sets a value and returns "". If it is not allowed, sets the default and returns the allowed values; null: no such
+   *  setting. */
   #set(name: string, text: string): string | null {
     const control = this.#form.elements.namedItem(name);
     if (control instanceof RadioNodeList) {

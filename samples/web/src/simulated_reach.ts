@@ -1,20 +1,19 @@
-// Reaches of the plugin's simulated person, controlled by the plugin: the person returns the tracked fingertip, and receives the
-// commands to the plate, whose servo is a part of the simulation.
+// Reaches of the plugin's simulated person (hrt_person), controlled by the plugin. The person also simulates the
+// tracker and the servo of the plate.
 import type { Library, Person } from "haptic-retargeting";
 import { bearing_deg, type Course, length_m, type Place, pageCourse, type SlideEnd, slideEnd } from "./geometry";
 import { GuidedReach, plateLatency_ms, type Step, type Trace } from "./guided_reach";
 import type { ControllerName, Settings } from "./settings";
 
-/** Period of the tracker. */
-const period_ms = 1000 / 90;
-/** Tracked rest after the motion. */
+const period_ms = 1000 / 90; // of the tracker
+/** Duration of the tracked rest after the motion. */
 const tail_ms = 300;
-/** The perceived-direction error is measured above this speed. */
+/** At a lower speed, the perceived-direction error is not measured. */
 const minSpeed_m_s = 0.01;
 
 /** Result of a reach: the ground truth of the simulation and the controller's estimates. */
 export interface ReachResult extends SlideEnd {
-  /** Number of the reach by this person with this controller, from 1. */
+  /** Number of the reach since the controller had no estimates, from 1. */
   readonly number: number;
   readonly controller: ControllerName;
   readonly gap_deg: number;
@@ -34,8 +33,9 @@ export class SimulatedReach extends GuidedReach {
   number = 1;
   #person: Person | null = null;
   #personConfig = "";
-  /** Number of samples of the tracker, and time until which the reach is shown, which is not later than the last sample. */
+  /** Number of samples of the tracker in this reach. */
   #samples = 0;
+  /** Time until which the reach is shown. */
   #shown_ms = 0;
   #stoppedAt_ms = NaN;
   #peakFeltError_deg = 0;
@@ -56,13 +56,13 @@ export class SimulatedReach extends GuidedReach {
   get controller(): ControllerName {
     return this.settings.controller;
   }
-  /** Profile of the person as JSON. */
+  /** Estimates of the person, as the plugin's profile in JSON. */
   get profile(): string {
     return this.session.profile;
   }
 
-  /** Begins a reach under these settings. Returns true if the person or the controller has changed, in which case the
-   *  estimates of the person are discarded. */
+  /** Begins a reach under these settings. If the person, their tactile weight or pace, or the controller has changed,
+   *  discards the estimates of the person and returns true. */
   apply(settings: Readonly<Settings>): boolean {
     const before = this.settings,
       unknown = (["person", "tactile_weight", "pace_s", "controller"] as const).some(
@@ -73,7 +73,7 @@ export class SimulatedReach extends GuidedReach {
     this.cancel();
     if (unknown) {
       this.restartSession(this.course);
-      this.#personConfig = ""; // another person, or the same one from the first reach on
+      this.#personConfig = ""; // so that begin() creates the person, who starts with the first reach
       this.number = 1;
       this.phase = "waiting";
     } else {
@@ -83,8 +83,8 @@ export class SimulatedReach extends GuidedReach {
     return unknown;
   }
 
-  /** Begins the next reach over a plate at `plate_deg`, and cancels a running one. If the hand has not moved in the latter, both
-   *  have the same number. */
+  /** Cancels a running reach, and begins the next one over a plate at `plate_deg`. A reach that is cancelled before its
+   *  hand moves does not count in `number`. */
   begin(plate_deg = 0): void {
     if (this.phase !== "waiting") ++this.number;
     this.beginReach(plate_deg);
@@ -97,14 +97,14 @@ export class SimulatedReach extends GuidedReach {
     this.#sample();
   }
 
-  /** Returns the person of the settings. The servo of a connected plate is not simulated. */
+  /** Returns the person of the settings, whose simulated servo is immediate if a plate is connected. */
   #choosePerson(): Person {
     const { person: seed, tactile_weight, pace_s, noise_mm, plate_deg_s } = this.settings,
       connected = !Number.isNaN(this.plateConnected_deg);
     const config = {
       tactile_weight,
       duration_s: pace_s,
-      tracker_noise_m: Math.max(1e-9, noise_mm / 1000), // 0 would be the default
+      tracker_noise_m: Math.max(1e-9, noise_mm / 1000), // 0 selects the default of the plugin
       plate_max_speed_deg_s: connected ? 1e6 : plate_deg_s,
       plate_latency_ns: connected ? 1 : 1e6 * plateLatency_ms,
     };
@@ -126,7 +126,8 @@ export class SimulatedReach extends GuidedReach {
     while (this.phase !== "arrived") this.advance(period_ms);
   }
 
-  /** State at the time until which the reach is shown: interpolated between the last two samples of the tracker. */
+  /** State of the reach; positions and plate orientation are interpolated between the last two samples of the
+   *  tracker. */
   get shown(): Step & { readonly trace: Trace } {
     const { trace } = this,
       after = trace.at(-1)!,
@@ -145,7 +146,7 @@ export class SimulatedReach extends GuidedReach {
     return (this.#samples - 1) * period_ms;
   }
 
-  /** Commands the servo, or shows the orientation of a connected plate to the person, and takes a sample of the tracker. */
+  /** Advances the person over the commanded or connected plate, and passes a sample of the tracker to the plugin. */
   #sample(): void {
     const still = this.#samples === 0 || this.controller === "off",
       command_deg = still ? this.#still_deg : this.command.plate_orientation_deg;

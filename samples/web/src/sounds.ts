@@ -1,10 +1,10 @@
-// Sounds and, on devices that can, vibration for what a fingertip would feel: a burst of noise at each ridge, louder for a faster
-// finger, and a contact at the end. For visitors who steer by keys, tones indicate on which side of the dot the glass lies.
+// Sounds and, on devices that can, vibration for what a fingertip would feel: a burst of noise at each ridge, louder
+// for a faster finger, and a contact at the end. For visitors who steer by keys, tones indicate on which side of the
+// dot the glass lies.
 import { element, say } from "./page";
 
 const loud_m_s = 0.2,
-  /** Shortest vibration that motors can produce. */
-  minShake_ms = 20,
+  minVibration_ms = 20,
   guidePeriod_s = 0.3;
 
 export class Sounds {
@@ -43,8 +43,8 @@ export class Sounds {
     this.#burst(180, 0.12, 0.8);
   }
 
-  /** Plays a tone. `side`: where the glass lies, from -1 (left) to 1; `way`: fraction of the path that remains; the
-   *  tone rises as it falls. */
+  /** Plays a tone, at most once in guidePeriod_s. `side`: where the glass lies, from -1 (left) to 1 (right). `way`:
+   *  fraction of the path that remains; the pitch rises as it decreases. */
   guide(side: number, way: number): void {
     const audio = this.#ready();
     if (!audio || audio.currentTime - this.#guided_s < guidePeriod_s) return;
@@ -72,10 +72,10 @@ export class Sounds {
     return gain;
   }
 
-  /** Plays a burst of noise around this pitch. */
+  /** Plays a burst of noise around this pitch, and vibrates the device if it can. */
   #burst(pitch_hz: number, length_s: number, loudness: number): void {
     if (this.#on && navigator.userActivation?.hasBeenActive)
-      navigator.vibrate?.(Math.max(minShake_ms, 1000 * length_s));
+      navigator.vibrate?.(Math.max(minVibration_ms, 1000 * length_s));
     const audio = this.#ready();
     if (!audio) return;
     if (!this.#noise) {

@@ -1,4 +1,5 @@
-// From a server the parts of the page are preloaded. A file: address cannot load parts, so offline.js contains the whole page.
+// From a server, page.js is loaded, and the parts that its first picture needs are preloaded. At a file: address
+// browsers load no parts, so offline.js contains the whole page. build.mjs inserts the names of the parts.
 const served = location.protocol !== "file:";
 for (const href of served ? [/* parts */] : []) {
   const link = document.createElement("link"), script = href.endsWith(".js");

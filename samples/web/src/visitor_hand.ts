@@ -1,15 +1,15 @@
-// Base class of the reaches of the visitor's own hand: a simulated plate that turns, and the perceived position of the fingertip,
-// which is the sum of the steps of its motion, each rotated by the illusion of the ridges.
+// Base class of the reaches of the visitor's own hand. It simulates the servo of the plate, and the perceived position
+// of the fingertip: the illusion of the ridges rotates each step of the motion, and the rotated steps are added.
 import type { Library } from "haptic-retargeting";
 import { ahead, direction_deg, feltDirection_deg, type Place, pageCourse, start } from "./geometry";
 import { GuidedReach, plateLatency_ms } from "./guided_reach";
 import type { Settings } from "./settings";
 
-/** Time constant of the filter of the velocity, because tracked positions and the pixels of a mouse are coarse. */
+/** Time constant of the velocity filter, which smooths the coarse positions of trackers and pointers. */
 const smoothing_ms = 60;
 const minSpeed_m_s = 0.004;
 
-/** Simulated servo: follows a command after its latency, at its maximum speed. */
+/** Simulated servo: follows a command after plateLatency_ms, at most as fast as the caller allows. */
 class Servo {
   orientation_deg = 0;
   #target_deg = 0;
@@ -25,6 +25,7 @@ class Servo {
     this.#pending.push({ due_ms: now_ms + plateLatency_ms, orientation_deg });
   }
 
+  /** `most_deg`: largest motion since the last call. */
   advance(now_ms: number, most_deg: number): void {
     while (this.#pending[0] && this.#pending[0].due_ms <= now_ms)
       this.#target_deg = this.#pending.shift()!.orientation_deg;
@@ -35,7 +36,7 @@ class Servo {
 export abstract class VisitorHand extends GuidedReach {
   readonly finger: Place = { ...start };
   readonly felt: Place = { ...start };
-  /** True and perceived direction of the motion; NaN at rest. */
+  /** True and perceived direction of the motion; NaN below minSpeed_m_s. */
   finger_deg = NaN;
   felt_deg = NaN;
   /** Time since the reach began. */
@@ -67,7 +68,7 @@ export abstract class VisitorHand extends GuidedReach {
     this.finger_deg = this.felt_deg = NaN;
   }
 
-  /** Sends the plugin's last command to the plate. */
+  /** Sends the plugin's last command to the simulated servo. */
   protected turnPlate(): void {
     this.#servo.command(this.command.plate_orientation_deg, this.time_ms);
   }

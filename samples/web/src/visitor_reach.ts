@@ -1,5 +1,5 @@
-// The visitor's hand on a plate that the plugin turns. The pointer is the true fingertip; the visitor sees and steers the
-// perceived one only.
+// The visitor's hand on a plate that the plugin turns. The pointer is the true fingertip; the picture shows the
+// perceived one until the slide ends.
 import { HRT_SAMPLE_PLATE_POSITION, type Library } from "haptic-retargeting";
 import {
   bearing_deg,
@@ -18,13 +18,13 @@ import { maxTrace } from "./guided_reach";
 import type { Settings } from "./settings";
 import { VisitorHand } from "./visitor_hand";
 
-/** A shorter slide does not count: it begins again. */
+/** A slide whose fingertip is lifted earlier does not count: it begins again. */
 export const minReach_m = 0.03;
 /** Distance below which the perceived fingertip has reached the glass. */
 const near_m = 0.002;
 const step_ms = 10;
-/** Before the motion, the plugin receives a fingertip at rest for a while, during which the plate turns to its first orientation.
- *  Then the time stops until the fingertip moves, so that a resting hand is neither recorded nor computed. */
+/** Time of rest after which the reach is neither computed nor recorded until the fingertip moves: before the slide, in
+ *  which the plate turns to its first orientation, and within the slide. */
 const settle_ms = 700,
   maxRest_ms = 1000;
 
@@ -35,7 +35,7 @@ export class VisitorReach extends VisitorHand {
   result: (SlideEnd & { readonly gap_deg: number }) | null = null;
   /** Number of ridges that have passed under the fingertip, by its own motion or the plate's. */
   ridges = 0;
-  /** Position to which the fingertip moves next. */
+  /** Position to which the next advance() moves the fingertip. */
   readonly wanted: Place = { ...start };
   #rested_ms = 0;
   #ridge = 0;
@@ -48,7 +48,7 @@ export class VisitorReach extends VisitorHand {
   get course() {
     return pageCourse(this.settings.gap_deg);
   }
-  /** True if nothing changes until the wanted position does, or a connected plate turns. */
+  /** True if the state stays the same until `wanted` changes or a connected plate turns. */
   get resting(): boolean {
     return this.phase === "arrived" || this.#rested_ms > (this.phase === "waiting" ? settle_ms : maxRest_ms);
   }
@@ -73,14 +73,14 @@ export class VisitorReach extends VisitorHand {
     this.result = null;
   }
 
-  /** Sets the position to which the next advance() moves the fingertip. */
+  /** Sets `wanted`. After the arrival, or with a value that is not finite, the call is ignored. */
   moveTo(right_m: number, away_m: number): void {
     if (!Number.isFinite(right_m) || !Number.isFinite(away_m) || this.phase === "arrived") return;
     Object.assign(this.wanted, { right_m, away_m });
   }
 
-  /** Advances by whole milliseconds, with a sample of the fingertip for each step. The slide ends when the perceived fingertip is
-   *  at the glass, or as far from the start as the glass. */
+  /** Advances by whole milliseconds, with a sample of the fingertip for each step. The slide ends when the perceived
+   *  fingertip is at the glass, or as far from the start as the glass. */
   advance(milliseconds: number): void {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;
@@ -90,7 +90,7 @@ export class VisitorReach extends VisitorHand {
     }
   }
 
-  /** `fraction`: part of the way to the wanted position. */
+  /** Moves the fingertip by this fraction of its distance to `wanted`. */
   #step(milliseconds: number, fraction: number): void {
     const { finger, wanted, session } = this,
       { sample } = session;
@@ -125,7 +125,8 @@ export class VisitorReach extends VisitorHand {
     return Math.round((away_m * Math.cos(angle) - right_m * Math.sin(angle)) / ridgeSpacing_m);
   }
 
-  /** Lifts the fingertip. A slide that is too short begins again. The controller discards a slide that stops early. */
+  /** Lifts the fingertip. A slide shorter than minReach_m begins again. A longer one ends, but the controller discards
+   *  it. */
   end(): void {
     if (this.phase !== "sliding") return;
     if (length_m(start, this.finger) < minReach_m) return this.begin();

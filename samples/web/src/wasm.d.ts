@@ -1,4 +1,4 @@
-/** Content of a file in the bundle, or the address of the file. */
+// A .wasm or .glb file is imported as its content in offline.js, and as its address in page.js.
 declare module "*.wasm" {
   const module: Uint8Array<ArrayBuffer> | string;
   export default module;

@@ -13,7 +13,7 @@ export const headset = text;
 export const optional = ["predictedDisplayTime", "fillPoses", "fillJointRadii", "radius", "enabledFeatures", "frameRate", "supportedFrameRates",
                          "updateTargetFrameRate"];
 
-/** Returns a script that emulates the headset, in a browser that lacks these properties. */
+/** Returns a script that emulates the headset, in a browser without the properties `lacking`. */
 export const without = (lacking) => `${headset};(${(names) => {
   const mask = (object) => {
     for (const name of names) if (object && name in object) Object.defineProperty(object, name, { value: undefined, configurable: true });

@@ -1,5 +1,5 @@
-// Runs the example of plugin/bindings/web for three.js in an emulated headset. The packed package and three.js are in node_modules,
-// as a user installs them.
+// Runs the example of plugin/bindings/web for three.js in an emulated headset. The packed package and three.js are in
+// node_modules, as a user installs them.
 import { execFileSync } from "node:child_process";
 import { copyFile, mkdir, mkdtemp, rename, rm, symlink } from "node:fs/promises";
 import { tmpdir } from "node:os";

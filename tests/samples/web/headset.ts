@@ -24,7 +24,7 @@ globalThis.headset = {
     const at = hand.inputSource.hand.get("index-finger-tip")[P_SPACE].offsetMatrix;
     hand.position.set(x - at[12], y - at[13], z - at[14]);
   },
-  /** Draws a frame, after which a plate's line answers. */
+  /** Draws a frame, and lets the double of a plate's serial line answer (plate_double.mjs). */
   async frame(elapsed_ms) {
     globalThis.drawFrame(elapsed_ms);
     for (let i = 0; i < 50; ++i) await null;
@@ -39,7 +39,7 @@ globalThis.headset = {
   },
   /** Sets whether the headset tracks the hand. */
   see(seen) { hand.connected = seen; },
-  /** Recentres the headset, as by its button: the origin of the room moves. */
+  /** Reports that the headset was recentred. The emulated room does not move. */
   recentre() { for (const space of spaces) space.dispatchEvent(new Event("reset")); },
   leave() { return device.activeSession.end(); },
 };

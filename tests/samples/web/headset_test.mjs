@@ -46,9 +46,10 @@ async function pinch(page, tip) {
   await rest(page, tip);
 }
 
-/** Slides the fingertip by `length_m` in 1.5 s, or until the fraction `until` of that time, first in the direction `first_deg`; with
- *  `follows`, the finger then steers its perceived direction to the glass. In the frames `unseen`, from the first to before the
- *  second, the headset does not see the hand. Returns the tracked positions, to the right of and away from the start. */
+/** Slides the fingertip by `length_m` in 1.5 s, or until the fraction `until` of that time, first in the direction
+ *  `first_deg`; with `follows`, the finger then steers its perceived direction to the glass. In the frames `unseen`,
+ *  from the first to before the second, the headset does not see the hand. Returns the tracked positions, to the right
+ *  of and away from the start. */
 function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = false, unseen = [0, 0], until = 1 } = {}) {
   return page.evaluate(async (how) => {
     const { headset } = globalThis, { dataset } = document.getElementById("stage"), seen = [];

@@ -31,7 +31,7 @@ function reaching() {
   return session;
 }
 
-// This test must be the first: once the engine has seen other tests' doubles of hands and frames, it allocates more numbers.
+// This test must be the first: after the other tests' doubles of hands and frames, the engine allocates more numbers.
 test("a frame of a hand allocates no objects", (t) => {
   const plate = new models.HapticPlate(), position = { x: 0, y: 0.002, z: 0.05 }, pose = { transform: { position } };
   const hand = new Map([["index-finger-tip", 1]]), frame = { getJointPose: () => pose };
@@ -66,8 +66,8 @@ test("a reach depends only on its settings and its number", () => {
   assert.notEqual(watch({ person: 4 }).results[0].toCylinder_mm, first[0].toCylinder_mm);
 });
 
-// The person steers the perceived direction (1 - w) P + w T, of a hand that moves in the direction P over a plate at T, to the
-// direction V of the glass. Over a plate at T = 0, the hand ends at P = V / (1 - w).
+// The person steers the perceived direction (1 - w) P + w T, of a hand that moves in the direction P over a plate at T,
+// to the direction V of the glass. Over a plate at T = 0, the hand ends at P = V / (1 - w).
 test("over a plate that does not turn the hand ends slightly beyond the glass", () => {
   const { results, reach } = watch({ controller: "off", pace_s: 3, gap_deg: 12, tactile_weight: 0.2 }, 20);
   const mean = results.reduce((sum, result) => sum + result.bearingError_deg, 0) / results.length;
@@ -206,7 +206,8 @@ test("six answers estimate the threshold with a wide interval, sixty answers pre
   assert.ok(sixty.lower_deg < 9 && 9 < sixty.upper_deg && sixty.upper_deg - sixty.lower_deg < 5, JSON.stringify(sixty));
 });
 
-/** Returns the registration after a reach to the cylinder, in a headset with a connected plate whose marks were touched. */
+/** Returns the covariance of the contact correction after a reach to the cylinder, in a headset over a registered
+ *  plate. */
 function meet(hasCylinder) {
   const plate = new models.HapticPlate(), tip = { x: 0, y: 0, z: 0.05 };
   const hand = new Map([["index-finger-tip", 1]]), eyes = { transform: { orientation: { x: 0, y: 0, z: 0, w: 1 } } };

@@ -1,5 +1,5 @@
-// The page in headless Chromium, as visitors use it: by mouse, touch and keyboard, on windows 390, 820 and 1440 pixels wide, light,
-// dark and with forced colours. Screenshots of each state are saved in FOLDER_OF_SCREENSHOTS, to be looked at.
+// The page in headless Chromium, used by mouse, touch and keyboard, in windows 390, 820 and 1440 pixels wide, light,
+// dark and with forced colours. Screenshots are saved in FOLDER_OF_SCREENSHOTS, for inspection by people.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";

@@ -21,8 +21,8 @@ test("lines match the protocol, and damaged ones are dropped", () => {
 });
 
 const facts = "PLATE 2 -90.00 90.00 300.00 20.00 assumed";
-/** Creates a link to a test double of a plate, which answers the greeting with `greeting` and other lines by `answer`, by default as
- *  a plate that turns to each command immediately. */
+/** Creates a link to a test double of a plate, which answers the greeting with `greeting` and other lines by `answer`,
+ *  by default as a plate that turns to each command immediately. */
 function plate({ greeting = [facts, "AT +000.00 00000"], answer } = {}) {
   let at = "+000.00", now_ms = 0;
   const sent = [], obey = ([verb, ...rest]) => {

@@ -1,9 +1,9 @@
-// A scripted visitor, who sees the dot with a delay, and steers it to the glass. The visitor knows neither the true position of
-// the hand nor the plate orientation.
+// A scripted visitor, who sees the dot with a delay, and steers it to the glass. The visitor knows neither the true
+// position of the hand nor the plate orientation.
 
-/** Returns a function that receives the position of the dot every `step_ms`, and returns the next motion of the hand, in metres. The
- *  visitor sees the dot as it was `delay_ms` ago, turns its direction of motion towards the glass with `gain` per second, and slows
- *  down near the glass. */
+/** Returns a function that receives the position of the dot every `step_ms`, and returns the next motion of the hand,
+ *  in metres. The visitor sees the dot as it was `delay_ms` ago, turns its direction of motion towards the glass with
+ *  `gain` per second, and slows down near the glass. */
 export function visitor({ glass, start, delay_ms, step_ms = 10, gain = 2, speed_m_s = 0.1 }) {
   const seen = [];
   let heading = Math.atan2(glass.right_m - start.right_m, glass.away_m - start.away_m), speed = 0;
@@ -28,9 +28,9 @@ export async function place(page, name) {
   return at.split(" ").map((number, i) => Number(number) + [box.x, box.y][i]);
 }
 
-/** Lets a visitor steer the dot to the glass by mouse, on a page whose time is stopped. `grip`: offset from the ring, in pixels, at
- *  which the button is pressed; null: the button is not pressed. Stops when the fraction `until` of the path remains. Calls `drawn` after each frame, with
- *  its duration. Returns the position of the mouse. */
+/** Lets a visitor steer the dot to the glass by mouse, on a page after stopTime(). `grip`: offset from the ring, in
+ *  pixels, at which the button is pressed; null: it is not pressed. Stops when the fraction `until` of the path
+ *  remains. Calls `drawn` with the duration of each frame. Returns the position of the mouse in the window. */
 export async function steer(page, { delay_ms = 100, grip = null, until = 0, drawn = () => {} } = {}) {
   const step_ms = 40, frame = (elapsed_ms) => page.evaluate((ms) => globalThis.drawFrame(ms), elapsed_ms);
   for (let i = 0; i < 9; ++i) await frame(100);  // so slow that the picture is simplified, which is faster here

@@ -1,5 +1,5 @@
-// Saves the recording of the last reach, and the profile. Opens a recording, which is replayed and compared bit for bit, or a
-// scene. Nothing leaves the machine. Errors of the plugin are shown.
+// Saves the recording of the last reach, and the profile of the simulated person. Opens a scene, or a recording, which
+// the plugin replays and compares bit for bit. The panel shows errors.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
 import { element, messageOf, say } from "../page";
 import { type RecordedReach, readReach } from "./recording";
@@ -28,12 +28,12 @@ export class FilePanel {
     onFiles(element("open-file", HTMLInputElement), (files) => this.#open(files));
   }
 
-  /** Enables the button that saves a reach. `recorded`: there is a recording. */
+  /** Enables the button that saves a reach if there is a recording, and disables it otherwise. */
   allow(recorded: boolean): void {
     if (this.#saveRecording.disabled === recorded) this.#saveRecording.disabled = !recorded;
   }
 
-  /** Opens a recording, or a scene together with its buffer files. */
+  /** Opens a recording, or a scene together with the files to which it refers. */
   async #open(files: readonly File[]): Promise<void> {
     const file = files.find(({ name }) => /\.(gltf|glb|csv)$/i.test(name)),
       name = file?.name ?? files[0]?.name ?? "";
@@ -42,7 +42,7 @@ export class FilePanel {
         throw new Error("this page opens a recording (.csv), or a scene (.glb, or .gltf together with its .bin)");
       const size = files.reduce((sum, each) => sum + each.size, 0);
       if (size > max_bytes)
-        throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
+        throw new Error(`the files have ${Math.ceil(size / 1048576)} MB; open at most ${max_bytes / 1048576} MB`);
       if (/\.csv$/i.test(name)) this.brought.reach(this.#replay(name, await file.text()));
       else this.brought.scene(await this.#scene(file, files));
       this.#refused.hidden = true;
@@ -60,7 +60,7 @@ export class FilePanel {
       scene = readScene(this.library, bytes, file.name),
       { position_m, rotation } = scene.plate;
     try {
-      const { readMeshes } = await import("../stage/meshes"); // contains three.js' glTF loader
+      const { readMeshes } = await import("../stage/meshes"); // contains the glTF loader of three.js
       const named = new Map(files.map((each) => [each.name, each]));
       scene.meshes = await readMeshes(bytes, named, position_m, rotation);
     } catch (error) {

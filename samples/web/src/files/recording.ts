@@ -1,5 +1,4 @@
-// Reads a reach of a recording, to show it: tracked positions, commanded plate orientations, the controller's estimates.
-// Library.replay() must have accepted the recording.
+// Reads a reach of a recording, to show it.
 import { HRT_SAMPLE_PLATE_POSE, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_WORLD_POSITION } from "haptic-retargeting";
 import { Quaternion, Vector3 } from "three";
 import { type Course, start } from "../geometry";
@@ -8,18 +7,18 @@ import { maxTrace, type Trace } from "../guided_reach";
 export interface RecordedReach {
   readonly name: string;
   readonly course: Course;
-  /** The samples that have a position on the plate, as a trace. */
+  /** Trace of the first `maxTrace` samples, without those that have no position. */
   readonly samples: Trace;
 }
 
-/** Converts a position to plate coordinates, for a plate in the world with the rotation x, y, z, w. */
+/** Converts `world_m`, which is modified, to plate coordinates. `rotation`: quaternion x, y, z, w of the plate. */
 function onPlate(world_m: Vector3, position_m: readonly number[], rotation: readonly number[]): Vector3 {
   return world_m
     .sub(new Vector3().fromArray(position_m))
     .applyQuaternion(new Quaternion().fromArray(rotation).invert());
 }
 
-/** Returns the first reach of a recording. Throws if it has no positions on the plate. */
+/** Returns the first reach of a recording that Library.replay() has accepted. Throws if no sample has a position. */
 export function readReach(recording: string, name: string): RecordedReach {
   const config = JSON.parse(/^# config (.*)$/m.exec(recording)?.[1] ?? "{}"),
     [header = [], ...rows] = recording

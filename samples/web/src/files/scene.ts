@@ -1,5 +1,5 @@
-// Reads a scene that the visitor opens: plate and targets of a glTF file, by the plugin's loader, and the plate orientation
-// that sustains each gap, for several tactile weights.
+// Reads a scene that the visitor opens: plate and targets of a glTF file, by the plugin's loader, and the plate
+// orientation that sustains each gap, for several tactile weights.
 import * as hrt from "haptic-retargeting";
 import { bearing_deg, type Course, length_m, type Place, radius_m } from "../geometry";
 import { motionBound_deg } from "../guided_reach";
@@ -11,7 +11,7 @@ const weights = [0.1, 0.15, 0.2, 0.25, 0.3] as const;
 export interface SceneTarget {
   readonly name: string;
   readonly real: boolean;
-  /** Position in the picture, in which the file's plate has the size of the page's own. */
+  /** Position after scaling by VisitorScene.scale. */
   readonly drawn: Place;
 }
 
@@ -20,7 +20,7 @@ export interface ScenePair {
   readonly virtual: string;
   readonly real: string;
   readonly gap_deg: number;
-  /** Targets in plate coordinates of the file, in metres. */
+  /** Start and targets in the size of the file, without VisitorScene.scale. */
   readonly course: Course;
   /** Plate orientation that sustains the gap, for each of `weights`; NaN: no orientation does. */
   readonly plates_deg: readonly number[];
@@ -29,18 +29,19 @@ export interface ScenePair {
 export interface VisitorScene {
   readonly name: string;
   readonly plateRadius_m: number;
-  /** Factor from the size of the file's plate to that of the page's. */
+  /** Radius of the page's plate divided by that of the file's plate. */
   readonly scale: number;
-  /** Meshes of the file. Null: they cannot be drawn; `meshProblem` has the reason. */
+  /** Meshes of the file. Null: they have not been read; if that has failed, `meshProblem` is the reason. */
   meshes: SceneMeshes | null;
   meshProblem: string;
   readonly plate: { readonly position_m: readonly number[]; readonly rotation: readonly number[] };
+  /** Start after scaling by `scale`. */
   readonly start: Place;
   readonly targets: readonly SceneTarget[];
   readonly pairs: readonly ScenePair[];
 }
 
-/** Reads a glTF scene. Throws the error of the plugin's loader, which names file, node and property. */
+/** Reads plate, targets and pairs of a glTF scene, without its meshes. Throws the error of the plugin's loader. */
 export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string): VisitorScene {
   const scene = library.loadScene(bytes, name);
   const session = library.createSession({ guidance: hrt.HRT_GUIDANCE_ARRIVAL, motion_bound_deg: motionBound_deg });

@@ -1,4 +1,4 @@
-// Replay of the visitor's slides with the plate on and off, side by side.
+// Replay of two slides side by side: with the plate on (or of an opened recording), and with the plate off.
 import { type Course, normal_deg } from "../geometry";
 import type { Trace } from "../guided_reach";
 import { element, say, sideways } from "../page";
@@ -19,7 +19,7 @@ export class Compare {
     this.#moment.addEventListener("input", () => this.#show());
   }
 
-  /** Shows a finished or recorded slide, instead of the previous one of its kind. */
+  /** Shows a slide instead of the previous one of its kind. */
   keep(kind: (typeof kinds)[number], trace: Trace, course: Course, name = `Plate ${kind}`): void {
     this.#slides[kind] = { trace, course, name };
     element("compare", HTMLElement).hidden = false;

@@ -1,5 +1,4 @@
-// The mode "Your scene": plate and targets of a glTF file, the table of feasible gaps, and reaches of the simulated person
-// to its targets.
+// The mode "Your scene": plate and targets of a glTF file, feasible gaps, and reaches of the simulated person to them.
 import type { Library } from "haptic-retargeting";
 import type { VisitorScene } from "../files/scene";
 import { pageCourse } from "../geometry";
@@ -14,7 +13,7 @@ export class SceneMode {
   readonly #about = element("scene-about", HTMLParagraphElement);
   readonly #pair = element("scene-pair", HTMLSelectElement);
 
-  /** `changed` is called when another pair is chosen. */
+  /** `changed` is called when the visitor chooses another pair. */
   constructor(library: Library, settings: Readonly<Settings>, changed: () => void) {
     this.watch = new SimulatedReach(library, settings, ({ gap_deg }) => this.course ?? pageCourse(gap_deg));
     this.#pair.addEventListener("change", changed);

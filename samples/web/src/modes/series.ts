@@ -1,5 +1,5 @@
-// After each slide the visitor answers whether they noticed the gap. From the answers QUEST+ (Watson 2017) chooses the next gap
-// and, after six answers, estimates the visitor's detection threshold.
+// After a slide that reached the glass over a turning plate, the visitor answers whether they noticed the gap. QUEST+
+// (Watson 2017) chooses the next gap from the answers, and estimates the detection threshold after six of them.
 import { distance_m } from "../geometry";
 import { motionBound_deg } from "../guided_reach";
 import { element, say } from "../page";
@@ -7,13 +7,13 @@ import type { Settings } from "../settings";
 
 const answersWanted = 6,
   minGap_deg = 2;
-/** Largest gap of the series, as a fraction of the feasible gap. The remainder lets the controller correct a slide. */
-const spared = 0.9;
+/** Largest gap of the series as a fraction of the feasible gap. At 1 the controller could not correct a slide. */
+const maxFraction = 0.9;
 
 /** Probabilities that a visitor answers "yes" without noticing anything, and "no" although they noticed. */
 const falseAlarms = 0.05,
   lapses = 0.02;
-/** Prior of the threshold: log-normal, with the median of touch (Keyson 1995) and an SD of a factor of 2. */
+/** Prior of the threshold: log-normal, with the threshold of touch in Keyson (1995) as median; SD: a factor of 2. */
 const median_deg = 14;
 const thresholds = Array.from({ length: 61 }, (_, i) => ({
   sds: 4 * (i / 30 - 1),
@@ -21,11 +21,11 @@ const thresholds = Array.from({ length: 61 }, (_, i) => ({
 }));
 const slopes = [1, 1.5, 2, 3, 4.5];
 
-/** Selects the gap whose answer is expected to reduce the entropy of the posterior over threshold and slope the most. */
+/** Selects the gap whose answer will probably reduce the entropy of the posterior over threshold and slope the most. */
 export class QuestPlus {
   /** Gaps in steps of about 1 dB. */
   readonly #gaps_deg: readonly number[];
-  /** Points of the grid, with their posterior probability. */
+  /** Grid of thresholds and slopes, with their posterior probability. */
   readonly #people = thresholds.flatMap(({ sds, deg }) =>
     slopes.map((slope) => ({ deg, slope, probability: Math.exp(-(sds ** 2) / 2) })),
   );
@@ -59,7 +59,7 @@ export class QuestPlus {
     this.#normalise();
   }
 
-  /** Returns the posterior mean of the threshold in its logarithm, and the quantiles that bound its 95 % interval. */
+  /** Returns the geometric mean of the threshold under the posterior, and the bounds of its 95 % interval. */
   threshold(): { deg: number; lower_deg: number; upper_deg: number } {
     const quantile = (share: number) => {
       let below = 0;
@@ -106,10 +106,10 @@ export class Series {
     return !Number.isNaN(this.#asked_deg);
   }
 
-  /** Restarts the series. */
+  /** Restarts the series with the gap of the settings. */
   begin({ gap_deg, tactile_weight }: Readonly<Settings>): void {
     const feasible_deg = tactile_weight * motionBound_deg;
-    this.#quest = new QuestPlus(minGap_deg, Math.max(1.5 * minGap_deg, spared * feasible_deg));
+    this.#quest = new QuestPlus(minGap_deg, Math.max(1.5 * minGap_deg, maxFraction * feasible_deg));
     this.gap_deg = gap_deg;
     this.#answers = 0;
     this.skip();

@@ -1,5 +1,5 @@
-// The mode "Try it": pointer or keys move the true hand, which is hidden while it moves. The visitor steers the dot, which is the
-// perceived position of the fingertip, to the glass, and is then shown the true position.
+// The mode "Try it": pointer or keys move the true hand, which is hidden until the slide ends. The visitor steers the
+// dot, which is the perceived position of the fingertip, to the glass.
 import type { Desk } from "../desk";
 import { distance_m, length_m, type Place, start, virtualPlace } from "../geometry";
 import { element, say } from "../page";
@@ -11,7 +11,8 @@ import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
 const reveal_ms = 900;
-/** A mouse that comes nearer to the start than grasp_m takes the fingertip along, which meets it after a path of fade_m. */
+/** A mouse pointer that comes within grasp_m of the start moves the fingertip, without a press of its button. The
+ *  offset of the pointer from the fingertip then decreases to 0 over the first fade_m of the path. */
 const grasp_m = 0.008,
   fade_m = 0.03;
 /** Smallest distance between dot and glass at the end of a slide that missed the glass. */
@@ -19,21 +20,22 @@ const missed_mm = 8;
 const steering = ["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"];
 
 export class SlideMode {
-  /** True while this mode is shown. */
   active = false;
   readonly #series = new Series();
   readonly #keys = new Set<string>();
-  #grip: Place = start;
+  /** Position of the pointer minus that of the fingertip, when the pointer began to move it. */
+  #offset: Place = start;
   /** Identifier of the pointer that moves the fingertip; -1: none. */
   #held = -1;
-  /** True if a mouse took the fingertip along near the ring: the fingertip then approaches the pointer. */
+  /** True if the offset decreases along the path; see fade_m. */
   #joins = false;
   #pressed = false;
   #plateOff = false;
   #shown_ms = 0;
   #pending_ms = 0;
 
-  /** `guided`: the hand over a plate that turns; `unguided`: over a plate that does not. `still`: the hand appears without an animation. */
+  /** `guided`: over a plate that turns; `unguided`: over one that does not. `still`: the hand appears without an
+   *  animation. */
   constructor(
     private readonly guided: VisitorReach,
     private readonly unguided: VisitorReach,
@@ -118,15 +120,15 @@ export class SlideMode {
     this.#pressed = true;
     const at = this.desk.placeOf(event);
     if (this.#held < 0 && at) this.#grasp(event, at);
-    this.desk.grip.setPointerCapture(event.pointerId); // also outside the window
+    this.desk.grip.setPointerCapture(event.pointerId); // for moves outside the window
   }
 
-  /** Lets the fingertip follow the pointer, at its present offset from the pointer. */
+  /** Lets the fingertip follow the pointer, at the present offset. */
   #grasp({ pointerId, pointerType }: PointerEvent, at: Place): void {
     const { finger } = this.hand;
     this.#held = pointerId;
     this.#joins = pointerType === "mouse" && length_m(at, finger) < grasp_m;
-    this.#grip = { right_m: at.right_m - finger.right_m, away_m: at.away_m - finger.away_m };
+    this.#offset = { right_m: at.right_m - finger.right_m, away_m: at.away_m - finger.away_m };
     document.documentElement.classList.add("steering");
   }
 
@@ -144,7 +146,7 @@ export class SlideMode {
     if (free && length_m(at, start) < grasp_m && event.target === this.desk.grip) this.#grasp(event, at);
     if (event.pointerId !== this.#held) return;
     const kept = this.#joins ? Math.max(0, 1 - length_m(start, hand.finger) / fade_m) : 1;
-    hand.moveTo(at.right_m - kept * this.#grip.right_m, at.away_m - kept * this.#grip.away_m);
+    hand.moveTo(at.right_m - kept * this.#offset.right_m, at.away_m - kept * this.#offset.away_m);
   }
 
   #release(event: PointerEvent): void {
@@ -230,7 +232,7 @@ export class SlideMode {
       : `${went} ${hand} and ${result.toCylinder_mm.toFixed(0)} mm from the cylinder.`;
   }
 
-  /** Describes the plugin's estimate of this hand. */
+  /** Describes the estimate of the tactile weight; "" with the plate off and for controllers other than "ours". */
   #learnt(): string {
     const { tactile_weight, tactile_weight_sd } = this.guided.command;
     if (this.#plateOff || this.settings.controller !== "ours") return "";

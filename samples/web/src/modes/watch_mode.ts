@@ -1,5 +1,5 @@
-// The mode "Watch": plays reaches of the simulated person one after the other at the chosen speed, describes them, and lists
-// their results in a table.
+// The mode "Watch": plays reaches of the simulated person one after the other at the chosen speed, describes them, and
+// lists their results in a table.
 import * as hrt from "haptic-retargeting";
 import type { Desk } from "../desk";
 import { addRow, element, say, sideways } from "../page";
@@ -27,7 +27,7 @@ export class WatchMode {
   readonly #rows = element("result-rows", HTMLTableSectionElement);
   #shownFor_ms = 0;
 
-  /** `still`: reaches are shown at their end immediately, unless the visitor plays or steps them. */
+  /** `still`: reaches are shown at their end, unless the visitor plays or steps them. */
   constructor(
     private reach: SimulatedReach,
     private readonly desk: Desk,
@@ -45,7 +45,7 @@ export class WatchMode {
     this.#finishIfStill();
   }
 
-  /** Plays these reaches from now on, drawn `scale` times as large. */
+  /** Switches to other reaches, drawn `scale` times as large. Changes nothing if `reach` is already played. */
   play(reach: SimulatedReach, scale: number): void {
     if (reach === this.reach) return;
     this.reach = reach;
@@ -53,7 +53,7 @@ export class WatchMode {
     this.#rows.replaceChildren();
   }
 
-  /** Begins the next reach, when the mode is shown again or the visitor asks for it. */
+  /** Begins the next reach. */
   resume(): void {
     this.#begin();
     this.#finishIfStill();

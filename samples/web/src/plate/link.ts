@@ -1,4 +1,4 @@
-// The host's side of the plate's line protocol, version 2 (plugin/src/plate/protocol.md, rules 1 to 6): greeting, commands,
+// The host's side of the plate's line protocol, version 2 (plugin/src/plate/protocol.md): greeting, commands,
 // heartbeats, and checks of the plate's reports. The caller passes the time and sends the lines.
 
 /** Length of the longest line in bytes, including its end. */
@@ -6,7 +6,7 @@ const max_bytes = 64;
 const greetingLimit_ms = 5000; // boards reset when their line is opened, and need 2 s to start
 const greetingPeriod_ms = 200;
 const beatPeriod_ms = 50;
-const minPeriod_ms = 8; // between two commands
+const minPeriod_ms = 8; // between a line and the next SET
 const silenceLimit_ms = 500;
 const limitSlack_deg = 3;
 const far_deg = 10;
@@ -14,7 +14,7 @@ const stuckLimit_ms = 1000;
 const moved_deg = 1;
 
 const restarted = "has restarted: its supply or its line failed; check both";
-/** Messages of the plate that end the session, and the failures that the page reports. */
+/** Lines from the plate that end the session, and the rest of the sentence "The plate ..." that the page then shows. */
 const failures = new Map([
   ["BOOT", restarted],
   ["ERROR greeting", restarted],
@@ -42,7 +42,7 @@ export function encodeLine(body: string): string {
   return `${body}*${crc16(body)}\n`;
 }
 
-/** Returns the body of a line without its end; null if the line is damaged or of another version. */
+/** Returns the body of a line without its end; null if a byte is not allowed or the CRC is missing or wrong. */
 export function decodeLine(line: string): string | null {
   const [, body = "", sum] = /^([\x20-\x29\x2b-\x7e]+)\*([0-9A-F]{4})$/.exec(line) ?? [];
   return sum === crc16(body) ? body : null;
@@ -70,7 +70,7 @@ export class PlateLink {
   facts: PlateFacts | null = null;
   /** Last reported orientation; NaN before the first report. */
   orientation_deg = NaN;
-  /** Reason for which the link was closed; empty while it is open. Nothing is sent after a failure. */
+  /** Sentence that says why the link was closed; empty while it is open. */
   failure = "";
 
   /** Token that identifies the lines of this page. */
@@ -91,13 +91,12 @@ export class PlateLink {
   /** `send` is called with whole lines. */
   constructor(private readonly send: (text: string) => void) {}
 
-  /** True once the plate has greeted and reported. */
+  /** True from the first report of the orientation until a failure. */
   get ready(): boolean {
     return !Number.isNaN(this.orientation_deg) && this.failure === "";
   }
 
-  /** Sets the wanted orientation. The plate receives the nearest equivalent angle (a multiple of 180° away) within its limits, or
-   *  else the nearest limit. */
+  /** Sets the wanted orientation; NaN is ignored. service() sends it as nearest() chooses it. */
   turnTo(orientation_deg: number): void {
     if (Number.isFinite(orientation_deg)) this.#wanted_deg = orientation_deg;
   }
@@ -111,7 +110,7 @@ export class PlateLink {
     }
   }
 
-  /** Sends due commands and heartbeats, and checks that the plate has reported in time. Call it at least every 50 ms. */
+  /** Sends due commands and heartbeats, and checks that the plate reports in time. Call it at least every 50 ms. */
   service(now_ms: number): void {
     if (this.failure) return;
     if (Number.isNaN(this.#began_ms)) this.#began_ms = now_ms;
@@ -212,7 +211,8 @@ function fiveDigits(number: number): string {
   return String(number).padStart(5, "0");
 }
 
-/** Returns the angle in the plate's range with the ridges of `wanted_deg` that is nearest to the plate, or else the nearest limit. */
+/** Angles that differ by multiples of 180° have the same ridges. Returns the one within the plate's limits that is
+ *  nearest to `plate_deg`, or, if none is within the limits, the nearest limit. */
 function nearest(wanted_deg: number, plate_deg: number, { min_deg, max_deg }: PlateFacts): number {
   const turns = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((halfTurns) => (wanted_deg % 180) + 180 * halfTurns),
     allowed = turns.filter((angle_deg) => angle_deg >= min_deg && angle_deg <= max_deg),

@@ -1,4 +1,4 @@
-// The panel "Connect a plate": connects a plate on a serial line, shows its state, and passes the controller's commands to it.
+// The panel "Connect a plate": connects a plate on a serial line, shows its state, and passes commands to it.
 import { element, messageOf, say } from "../page";
 import { PlateLink } from "./link";
 
@@ -14,7 +14,7 @@ const baudRate = 115200;
 /** The line is considered broken when more bytes than this wait to be sent. */
 const maxUnsent = 4096;
 
-/** A connected plate. */
+/** An open serial port with the link to its plate. */
 export class PlateDevice {
   readonly link: PlateLink = new PlateLink((text) => this.#send(text));
   // The page draws no frames while it is hidden or a headset is worn, but the plate must still receive heartbeats.
@@ -30,7 +30,7 @@ export class PlateDevice {
     this.#reading = this.#read().catch((error: unknown) => this.#lose(messageOf(error)));
   }
 
-  /** Opens a port. Rejects if it cannot be opened. */
+  /** Rejects if the port cannot be opened, read and written. */
   static async open(port: SerialPort): Promise<PlateDevice> {
     await port.open({ baudRate });
     const reader = port.readable?.getReader(),
@@ -52,7 +52,7 @@ export class PlateDevice {
   async close(): Promise<void> {
     clearInterval(this.#timer);
     this.link.stop(performance.now());
-    // A blocked line is not waited for: unsent bytes are dropped, and the plate stops without heartbeats (rule 1 of the protocol).
+    // Waits at most 300 ms for unsent bytes. Without heartbeats the plate stops by itself (rule 1 of the protocol).
     const patience = new Promise((done) => setTimeout(done, 300));
     for (const ending of [this.writer.close(), this.reader.cancel().then(() => this.#reading)])
       await Promise.race([ending.catch(() => undefined), patience]);
@@ -88,7 +88,7 @@ export class PlatePanel {
   readonly #connect = element("plate-serial", HTMLButtonElement);
   readonly #stop = element("plate-stop", HTMLButtonElement);
   readonly #state = element("plate-state", HTMLParagraphElement);
-  /** Called when the plate has answered, with its maximum speed. */
+  /** Called with the plate's maximum speed when the plate has answered the greeting. */
   onReady: (speed_deg_s: number) => void = () => {};
   #device: PlateDevice | null = null;
   #known = false;
@@ -103,7 +103,8 @@ export class PlatePanel {
         if (serial) this.#device = await PlateDevice.open(await serial.requestPort());
         this.#known = false;
       } catch (error) {
-        say(this.#state, `No plate is connected: ${messageOf(error)}`);
+        const why = messageOf(error).replace(/\.$/, "");
+        say(this.#state, `No plate is connected: ${why}. Select "Connect a plate" and its port.`);
       }
       this.#show();
     });
@@ -119,7 +120,7 @@ export class PlatePanel {
     return this.#device?.link.ready ? this.#device.link.orientation_deg : NaN;
   }
 
-  /** Updates the plate once a frame, with the orientation that the controller commands. */
+  /** Call it in each frame. `command_deg`: orientation that the controller commands. */
   frame(now_ms: number, command_deg: number): void {
     if (!this.#device) return;
     const { link, state } = this.#device;

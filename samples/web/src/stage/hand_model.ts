@@ -1,4 +1,4 @@
-// Loads WebXR's generic hand model, after the first picture: flat for a headset, as in its file, or bent into a pointing hand.
+// Loads the generic hand of webxr-input-profiles: flat, as in its file, for a headset, or bent into a pointing hand.
 import left from "generic-hand/left.glb";
 import right from "generic-hand/right.glb";
 import * as THREE from "three";
@@ -27,7 +27,7 @@ const bends = {
 const attitude = new THREE.Quaternion().setFromEuler(new THREE.Euler(-0.38, 0.12, 0.05, "YXZ"));
 /** Radii and length of the forearm beyond the wrist, before scaling. */
 const arm_m = { wrist: 0.026, elbow: 0.045, length: 0.34 };
-/** Scale of the hand, which would hide the plate in its real size. */
+/** Scale of the hand. A hand of the real size would hide the plate. */
 const scale = 0.7;
 /** Distance from the joint within the fingertip to its skin. */
 const pad_m = 0.0065 * scale;

@@ -7,7 +7,6 @@ import type { Stage } from "./stage";
 
 const margin_px = 36;
 
-/** The stage in a headset. */
 export class Headset {
   /** Both hands, drawn at an offset from their true positions; see shift(). */
   readonly #hands = new THREE.Group();
@@ -54,8 +53,8 @@ export class Headset {
     this.#hands.position.set(right_m, 0, -away_m).applyQuaternion(this.stage.mount.quaternion);
   }
 
-  /** Draws until the session ends. `frame` is called before each picture, with the reference space in which `mount` is placed;
-   *  `moved` when the headset has moved that space, because it was recentred. Rejects if the browser cannot show the session. */
+  /** Starts to draw in the session, until it ends. `frame` is called before each picture, with the reference space of
+   *  put(). `moved` is called when recentring has moved that space. Rejects if the session cannot be shown. */
   async present(
     session: XRSession,
     passthrough: boolean,
@@ -101,7 +100,6 @@ class WordBoard extends THREE.Mesh {
     this.visible = false;
   }
 
-  /** `title` is the first line. */
   say(title: string, text: string, ink: string, paper: string): void {
     const all = `${title}\n${text}\n${ink}${paper}`,
       pen = this.#canvas.getContext("2d"),
@@ -111,7 +109,7 @@ class WordBoard extends THREE.Mesh {
     pen.fillStyle = paper;
     pen.fillRect(0, 0, width, height);
     pen.fillStyle = ink;
-    // Uses the largest size at which the whole text fits.
+    // The largest size, from 40 down to 16 pixels, at which the whole text fits.
     let size_px = 42,
       lines: string[] = [];
     do {

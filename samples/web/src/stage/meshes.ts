@@ -1,9 +1,9 @@
-// Reads the meshes of a visitor's scene, whose plate and targets the plugin's loader has read. Nothing is fetched: meshes and
-// textures come from the opened files.
+// Reads the meshes of a visitor's scene, whose plate and targets the plugin's loader has read. Nothing is fetched:
+// meshes and textures come from the opened files.
 import { Group, LoadingManager, Matrix4, Mesh, type Object3D, Quaternion, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
-/** More vertices would block the page. */
+/** More vertices would make each frame of the page slow. */
 const maxDrawn = 2_000_000;
 
 export interface SceneMeshes {
@@ -13,8 +13,8 @@ export interface SceneMeshes {
   readonly targets: ReadonlySet<string>;
 }
 
-/** Reads the file's meshes, with its plate at the origin and without the plate's mesh. `files`: all files that were opened together,
- *  by name. Rejects if the meshes cannot be read. */
+/** Reads the meshes of a glTF file, with its plate at the origin and without the plate's mesh. `files`: all files that
+ *  were opened together, by name. Rejects if the meshes cannot be read or have too many vertices. */
 export async function readMeshes(
   bytes: ArrayBuffer,
   files: ReadonlyMap<string, File>,

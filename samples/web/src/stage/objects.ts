@@ -6,7 +6,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { cylinderRadius_m, type Place } from "../geometry";
 import type { Colours } from "../page";
 
-/** Materials of real and virtual objects, in the page's colours. */
+// Materials, whose colours colourThings() sets.
 const solid = new THREE.MeshStandardMaterial({ roughness: 0.35, metalness: 0.2 });
 const glass = new THREE.MeshBasicMaterial({ transparent: true, opacity: 0.25, depthWrite: false });
 const outlines = new THREE.LineBasicMaterial();
@@ -28,7 +28,7 @@ export function realCylinder(): THREE.Group {
   return new THREE.Group().add(cylinder);
 }
 
-/** Radius and height of the points of the goblet's outline. */
+/** Radius and height of the points of the goblet's outline, in metres. */
 const outline: readonly (readonly [number, number])[] = [
   [0.006, 0],
   [0.006, 0.001],
@@ -133,7 +133,7 @@ export class Ribbon extends Line2 {
   }
 }
 
-/** Colours the targets: real ones solid, virtual ones transparent. */
+/** Colours the targets of a visitor's scene: real ones solid, virtual ones transparent. */
 export function colourTargets(group: THREE.Group, real: string, felt: string): void {
   group.traverse((node) => {
     const { haptic } = node.userData as { haptic?: { role?: unknown } };

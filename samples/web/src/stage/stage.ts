@@ -1,4 +1,4 @@
-// The desk in three dimensions. It draws positions and orientations, and needs neither the plugin nor the simulation.
+// The desk in three dimensions. It draws the positions and orientations that it is given.
 import { HapticPlate } from "haptic-retargeting/three";
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -9,9 +9,10 @@ import type { Colours } from "../page";
 import { colourTargets, colourThings, Finger, feltTip, goblet, Ribbon, realCylinder, startMark } from "./objects";
 
 const fieldOfView_deg = 30; // from top to bottom
-/** Direction from which the visitor looks, in all modes. The distance is such that the plate fills the picture (`fill`). */
+/** Direction from `middle` to the camera, before the visitor rotates the view. */
 const seat = new THREE.Vector3(0, 0.85, 0.53);
 const middle = new THREE.Vector3(0, 0, 0.002);
+/** Radius of the plate, as a fraction of the disc that the picture must contain. */
 const fill = 0.97;
 
 /** State of a reach that is drawn. */
@@ -63,7 +64,7 @@ export class Stage {
   readonly #ray = new THREE.Raycaster();
   #width = 1;
   #height = 1;
-  #finest = 2;
+  #maxPixelRatio = 2;
 
   /** Throws if the browser has no WebGL. */
   constructor(canvas: HTMLCanvasElement) {
@@ -107,10 +108,10 @@ export class Stage {
     this.#glass.position.set(glass.right_m, 0, -glass.away_m);
   }
 
-  /** Shows a visitor's scene, scaled to the plate's size, instead of the page's desk and targets; null: shows the page's own. */
+  /** Shows a visitor's scene, scaled to the page's plate; null: shows the page's own desk and targets. */
   setScene(scene: VisitorScene | null): void {
     this.#visited.traverse((part) => {
-      // frees graphics memory; three.js uploads meshes that are shown again
+      // Frees graphics memory. three.js uploads meshes that are shown again.
       if (!(part instanceof THREE.Mesh)) return;
       (part.geometry as THREE.BufferGeometry).dispose();
       for (const material of [part.material].flat() as THREE.Material[]) material.dispose();
@@ -141,7 +142,7 @@ export class Stage {
     this.#fit();
   }
 
-  /** Moves the camera to the nearest distance at which the whole plate is visible. */
+  /** Moves the camera along `seat` to the nearest distance at which the whole plate is visible. */
   #fit(): void {
     let near = 0.1,
       far = 1.5;
@@ -168,7 +169,7 @@ export class Stage {
     return { left, top, width: Math.max(...xs) - left, height: Math.max(...ys) - top };
   }
 
-  /** Shows the true hand with this opacity, and this fraction of its path: 0 to 1. */
+  /** Shows the true hand with this opacity, and this fraction of its path: 0 to 1. The cylinder is hidden at 0. */
   reveal(fraction: number): void {
     this.finger.fade(fraction);
     this.#truePath.shown = fraction;
@@ -192,7 +193,7 @@ export class Stage {
     if (width < 1 || height < 1) return;
     this.#width = width;
     this.#height = height;
-    this.renderer.setPixelRatio(Math.min(pixelRatio, this.#finest));
+    this.renderer.setPixelRatio(Math.min(pixelRatio, this.#maxPixelRatio));
     this.renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
     this.#camera.updateProjectionMatrix();
@@ -202,7 +203,7 @@ export class Stage {
   /** Simplifies the picture for software rendering: no shadows, one pixel per CSS pixel. */
   lighten(): void {
     this.#lamp.castShadow = false;
-    this.#finest = 1;
+    this.#maxPixelRatio = 1;
     this.resize(this.#width, this.#height, 1);
   }
 

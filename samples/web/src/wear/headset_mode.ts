@@ -12,7 +12,7 @@ const kinds: readonly (readonly [Kind, string])[] = [
   ["immersive-vr", "enter-vr"],
   ["immersive-ar", "enter-ar"],
 ];
-/** Offset from the eyes at which the plate is shown until it is placed. */
+/** Offset of the plate from the eyes until it is placed. */
 const ahead_m = 0.45,
   below_m = 0.3;
 const settle_ms = 400;
@@ -28,7 +28,7 @@ export class HeadsetMode {
   #before_ms = NaN;
   #shift = 0;
   #message = "You need a headset that tracks hands. Open this page in its browser, and slide with your own hand.";
-  /** Called in each frame of the headset, for a connected plate. */
+  /** Called in each frame of the headset, so that main.ts commands a connected plate. */
   onFrame: () => void = () => {};
   /** Called when a headset session has ended and the page must draw again. */
   onLeft: () => void = () => {};
@@ -54,7 +54,7 @@ export class HeadsetMode {
     this.wear.apply(settings);
   }
 
-  /** Processes a frame of the page, while no headset is worn. */
+  /** Processes a frame of the page. Call it while no headset is worn. */
   frame(): void {
     this.desk.draw(this.wear);
     this.#show();
@@ -118,7 +118,7 @@ export class HeadsetMode {
     return chosen("placement") === "marks";
   }
 
-  /** Processes a frame of the headset. `now_ms`: time of its callback, because most browsers have no predictedDisplayTime. */
+  /** Processes a frame of the headset. `now_ms`: time of the callback; some browsers have no predictedDisplayTime. */
   #frameWorn(now_ms: number, frame: XRFrame, space: XRReferenceSpace): void {
     const { stage } = this.desk,
       wear = this.wear;
@@ -134,8 +134,9 @@ export class HeadsetMode {
     const unfelt = Number.isNaN(wear.plateConnected_deg);
     const title = unfelt ? "SIMULATION: hand drawn where it is felt" : "A plate is connected";
     this.#headset?.say(title, wear.text);
-    // Without a plate, the hand is drawn at its perceived position while it slides, so that a visitor who steers the drawn hand to
-    // the glass touches an object that is really at the cylinder. After the slide the drawn hand moves to its true position.
+    // Without a connected plate, a sliding hand is drawn at its perceived position. A visitor who steers the drawn hand
+    // to the glass thus touches a real object at the cylinder. After the slide, the drawn hand moves to its true
+    // position.
     this.#shift = wear.phase === "sliding" && unfelt ? 1 : this.#shift * Math.exp(-elapsed_ms / settle_ms);
     const right_m = this.#shift * (wear.felt.right_m - wear.finger.right_m),
       away_m = this.#shift * (wear.felt.away_m - wear.finger.away_m);
@@ -144,7 +145,7 @@ export class HeadsetMode {
     this.#show();
   }
 
-  /** Until the plate is placed, shows it level and in front of the eyes. */
+  /** Shows the plate level and in front of the eyes. */
   #standAhead(frame: XRFrame, space: XRReferenceSpace): void {
     const eyes = frame.getViewerPose(space)?.transform,
       { stage } = this.desk;
@@ -159,8 +160,8 @@ export class HeadsetMode {
     stage.mount.rotation.set(0, yaw, 0);
   }
 
-  /** Returns the hand to be used. During a slide it is the hand that began it, before a slide the hand nearer to the ring, and
-   *  until the plate is placed the hand farther from the eyes. */
+  /** Returns the hand to be used. During a slide it is the hand that began it, before a slide the hand nearer to the
+   *  ring, and until the plate is placed the hand farther from the eyes. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
     const { wear } = this,
       eyes = frame.getViewerPose(space)?.transform.position,

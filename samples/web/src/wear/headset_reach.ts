@@ -1,5 +1,5 @@
-// Reaches of a hand that a headset tracks: places the plate, waits for the hand in the ring, lets the plugin control the slide,
-// and reports its end. It needs no document and no session of the browser: the caller passes the frames.
+// Reaches of a hand that a headset tracks: places the plate, waits for the hand in the ring, lets the plugin control
+// the slide, and reports its end. The caller passes the frames, so that tests need no browser.
 import { HRT_COMMAND_ARRIVED, HRT_SESSION_REGISTERED, type Library } from "haptic-retargeting";
 import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
@@ -13,7 +13,7 @@ const startRadius_m = 0.015; // around the start, within the plate's plane
 const startHeight_m = 0.03;
 const startRest_ms = 400;
 const lostLimit_ms = 1000; // after a shorter loss the slide continues
-const beyond_m = 0.15; // from the start: the slide has passed the targets
+const beyond_m = 0.15; // distance from the start at which the slide ends, because it has passed the targets
 const pinch_m = 0.025; // between the tips of thumb and index finger
 const liftHeight_m = 0.05; // generous, because without a plate nothing supports the finger
 const maxFrame_ms = 100;
@@ -32,7 +32,7 @@ export class HeadsetReach extends VisitorHand {
   lost = false;
   /** True if a real cylinder is at the drawn position. */
   hasCylinder = false;
-  /** Called with the plate's pose, in the space of the frames, when it has been placed. */
+  /** Called with the plate's pose, in the reference space of the frames, when it has been placed. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
 
   readonly #resting = new RestDetector(startRadius_m, startRest_ms);
@@ -43,7 +43,7 @@ export class HeadsetReach extends VisitorHand {
   #time_ms = NaN;
   #seen_ms = 0;
 
-  /** `plate` is the drawn plate, which has its pose in the scene. */
+  /** `plate`: the drawn plate, whose pose in the scene converts tracked positions to plate coordinates. */
   constructor(
     library: Library,
     private readonly plate: HapticPlate,
@@ -55,7 +55,8 @@ export class HeadsetReach extends VisitorHand {
     this.begin(false);
   }
 
-  /** Begins the placement of the plate. `byMarks`: by touches of its marks; otherwise by a pinch. `why`: text before the instruction. */
+  /** Begins the placement of the plate by touches of its marks, or else by a pinch. `why`: text before the
+   *  instruction. */
   begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
     this.#placing = new Placement(byMarks ? this.session : null);
@@ -78,7 +79,8 @@ export class HeadsetReach extends VisitorHand {
     else this.restart();
   }
 
-  /** Processes one frame of the headset, at the time of its callback. `hand`: the hand that slides; undefined: not tracked. */
+  /** Processes one frame of the headset, whose callback was called at `now_ms`. `hand`: undefined if it is not
+   *  tracked. */
   frame(now_ms: number, frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
     const elapsed_ms = Math.min(maxFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
     this.#time_ms = now_ms;
@@ -93,7 +95,7 @@ export class HeadsetReach extends VisitorHand {
     const { x = 0, y = 0, z = 0, w = 1 } = frame.getViewerPose(space)?.transform.orientation ?? {},
       view = new Quaternion(x, y, z, w),
       forward = new Vector3(0, 0, -1).applyQuaternion(view);
-    // When the visitor looks straight down, the top of the head points forward.
+    // If the visitor looks almost straight down, the top of the head points forward.
     if (Math.hypot(forward.x, forward.z) < 0.3) forward.set(0, 1, 0).applyQuaternion(view);
     const thumb = locate("thumb-tip", frame, hand, space),
       pinches = tip !== null && thumb !== null && tip.distanceTo(thumb) < pinch_m;
@@ -105,7 +107,7 @@ export class HeadsetReach extends VisitorHand {
     this.restart();
   }
 
-  /** Returns to the ring. A running reach is cancelled. */
+  /** Cancels a running reach, and waits for the hand in the ring. */
   restart(): void {
     this.rest();
     this.plate.orientation_deg = this.plate_deg;
@@ -157,8 +159,8 @@ export class HeadsetReach extends VisitorHand {
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
-  /** Ends the reach, from which the controller learns. Over a connected plate, a hand that ends at a real cylinder also corrects
-   *  the registration of the plate. */
+  /** Ends the reach, from which the controller learns. A hand that ends at a real cylinder, over a connected plate that
+   *  was registered, also corrects the registration. */
   #arrive(): void {
     this.result = slideEnd(this.finger, this.felt, pageCourse(this.settings.gap_deg));
     this.session.endReach();

@@ -21,7 +21,7 @@ const pointRadius_m = 0.012,
 const pinch =
   "Pinch your thumb and index finger where slides should start, and hold. The plate will lie in front of that point.";
 
-/** Detects a fingertip at rest: a pinch that is held, or a hand in the ring. */
+/** Detects a fingertip at rest. */
 export class RestDetector {
   /** Position at which the rest began. */
   readonly place = new Vector3();
@@ -34,7 +34,7 @@ export class RestDetector {
     private readonly time_ms: number,
   ) {}
 
-  /** Returns true once for each rest; the fingertip must move away before the next one. `tip`: null if it is not tracked. */
+  /** Returns true once for each rest; the fingertip must then move away. `tip`: null if it is not tracked. */
   update(now_ms: number, tip: Vector3 | null): boolean {
     if (!tip) {
       this.#since_ms = NaN;
@@ -50,7 +50,6 @@ export class RestDetector {
     return true;
   }
 
-  /** Returns for how long the fingertip has rested. */
   held_ms(now_ms: number): number {
     return Number.isNaN(this.#since_ms) ? 0 : now_ms - this.#since_ms;
   }
@@ -82,8 +81,8 @@ export class Placement {
     this.text = "Turn the plate to 0°, then touch its marks.";
   }
 
-  /** Processes a frame, and returns true once the plate is placed. `forward`: direction in which the visitor looks; `pinches`: the
-   *  hand pinches, as it must if there are no marks. */
+  /** Processes a frame, and returns true once the plate is placed. `tip`: null if it is not tracked. `forward`
+   *  (direction in which the visitor looks) and `pinches` are used without marks. */
   update(time_ms: number, tip: Vector3 | null, forward: Vector3, pinches: boolean): boolean {
     if (this.session) return this.#touch(this.session, time_ms, tip);
     const placed = this.#rest.update(time_ms, pinches ? tip : null),
