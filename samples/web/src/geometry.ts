@@ -24,8 +24,8 @@ export interface Course {
   readonly virtual_m: number;
 }
 
-/** Returns the page's targets: the cylinder to the right of the mid-line and the glass to the left, each by half of the
- *  gap. */
+/** Returns the page's targets: half of the gap to the right of the mid-line the cylinder, half to the left the
+ *  glass. */
 export function pageCourse(gap_deg: number): Course {
   return { start, real_deg: -gap_deg / 2, real_m: distance_m, virtual_deg: gap_deg / 2, virtual_m: distance_m };
 }
@@ -81,8 +81,7 @@ export function normal_deg(plate_deg: number, finger_deg: number): number {
   return plate_deg - 180 * Math.round((plate_deg - finger_deg) / 180);
 }
 
-/** Perceived direction of a motion: mean of the true direction and of that by touch alone, weighted by the tactile
- *  weight. */
+/** Perceived direction of a motion: mean of its direction and of normal_deg(), weighted by the tactile weight. */
 export function feltDirection_deg(tactile_weight: number, plate_deg: number, finger_deg: number): number {
   return finger_deg + tactile_weight * (normal_deg(plate_deg, finger_deg) - finger_deg);
 }

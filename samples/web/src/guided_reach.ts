@@ -6,7 +6,6 @@ import type { ControllerName, Settings } from "./settings";
 /** Largest angle between the normal of the ridges and the motion for which the controller "ours" plans. */
 export const motionBound_deg = 75;
 
-/** Configuration of the plugin's session for each controller. */
 const sessions: Readonly<Record<ControllerName, Parameters<hrt.Library["createSession"]>[0]>> = {
   off: { control: hrt.HRT_CONTROL_FIXED_PLATE },
   paper: { guidance: hrt.HRT_GUIDANCE_FIXED_DIRECTION, adaptation: hrt.HRT_ADAPTATION_OFF, tactile_weight: 0.15 },
@@ -22,8 +21,8 @@ export const plateLatency_ms = 30;
 /** Maximum number of steps in a trace: 41 s of a slide by the pointer, whose steps last 10 ms. */
 export const maxTrace = 4096;
 
-/** True and perceived state of a hand over the plate. Directions are NaN at rest, `weight` is NaN if the controller is
- *  off, and `felt` is NaN in a recording. */
+/** True and perceived state of a hand. Directions are NaN at rest, `weight` if the controller is off, `felt` in a
+ *  recording. */
 export interface Step {
   readonly time_ms: number;
   readonly plate_deg: number;
@@ -90,8 +89,8 @@ export abstract class GuidedReach {
     this.session.setTarget(this.virtual, { direction_deg: virtual_deg, distance_m: virtual_m });
   }
 
-  /** Cancels the reach, if one is running, so that the controller discards its samples. Stops the recording, and
-   *  returns it; "" if none was running. */
+  /** Cancels a running reach, whose samples the controller discards. Stops the recording and returns it; "" if there is
+   *  none. */
   protected cancel(): string {
     if (this.session.state & hrt.HRT_STATE_REACHING) this.session.cancelReach();
     return this.session.state & hrt.HRT_STATE_RECORDING ? this.session.stopRecording() : "";

@@ -22,7 +22,7 @@ import { VisitorReach } from "./visitor_reach";
 import type { HeadsetMode } from "./wear/headset_mode";
 import type { HeadsetReach } from "./wear/headset_reach";
 
-/** A longer frame, such as the first after the page was hidden, advances a reach by this time. */
+/** A longer frame, as on a slow machine, advances a reach by this time only. */
 const maxFrame_ms = 1000;
 
 async function main(): Promise<void> {

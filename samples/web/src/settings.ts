@@ -1,11 +1,10 @@
-// Settings of the page: a form, whose elements in index.html define ranges and defaults, and the link with their
-// values.
+// Settings of the page: a form, whose elements in index.html define ranges and defaults, and its values in links.
 import { element, say } from "./page";
 
 export type ControllerName = "off" | "paper" | "ours";
 
-/** Modes of the page: "Try it", "Watch", "Wear it" and "Your scene". A link cannot choose the last one, which needs a
- *  file. */
+/** Modes of the page: "Try it", "Watch", "Wear it" and "Your scene". The last one needs a file: links cannot choose
+ *  it. */
 export const modes = ["hand", "watch", "wear", "scene"] as const;
 export type Mode = (typeof modes)[number];
 const linkedModes = modes.slice(0, 3);
@@ -60,7 +59,6 @@ export class SettingsForm {
     this.changed();
   }
 
-  /** Shows the largest feasible gap for this person. */
   showMaxGap(max_deg: number): void {
     const far = this.settings.gap_deg >= max_deg,
       holds = element("holds", HTMLParagraphElement),
@@ -69,8 +67,7 @@ export class SettingsForm {
     holds.classList.toggle("problem", far);
   }
 
-  /** Returns the part of a link after #: the mode, unless it is "hand" or "scene", and the settings that were
-   *  changed. */
+  /** Returns the part of a link after #: the changed settings, and the mode, unless it is "hand" or "scene". */
   toLink(mode: Mode): string {
     const link = new URLSearchParams(mode !== "hand" && linkedModes.includes(mode) ? { mode } : {});
     for (const [name, value] of new FormData(this.#form))
@@ -94,7 +91,7 @@ export class SettingsForm {
     return { mode, problems };
   }
 
-  /** Sets a value and returns "". If it is not allowed, sets the default and returns the allowed values; null: no such
+  /** Returns "" if the value is allowed. Otherwise sets the default and returns the allowed values; null: no such
    *  setting. */
   #set(name: string, text: string): string | null {
     const control = this.#form.elements.namedItem(name);

@@ -42,7 +42,6 @@ export class SimulatedReach extends GuidedReach {
   /** Orientation of the plate at the beginning, which the controller "off" keeps. */
   #still_deg = 0;
 
-  /** `courseOf` returns the targets for given settings. */
   constructor(
     library: Library,
     settings: Readonly<Settings>,
@@ -116,7 +115,6 @@ export class SimulatedReach extends GuidedReach {
     return this.#person;
   }
 
-  /** Advances the reach, until it has ended. */
   advance(milliseconds: number): void {
     this.#shown_ms += milliseconds;
     while (this.phase !== "arrived" && this.#time_ms < this.#shown_ms) this.#sample();
@@ -126,8 +124,7 @@ export class SimulatedReach extends GuidedReach {
     while (this.phase !== "arrived") this.advance(period_ms);
   }
 
-  /** State of the reach; positions and plate orientation are interpolated between the last two samples of the
-   *  tracker. */
+  /** State of the reach; positions and plate orientation are interpolated between its last two samples. */
   get shown(): Step & { readonly trace: Trace } {
     const { trace } = this,
       after = trace.at(-1)!,

@@ -35,7 +35,6 @@ export class Sounds {
     if (this.#audio.state === "suspended") void this.#audio.resume();
   }
 
-  /** Plays a ridge that passes under a fingertip of this speed. */
   ridge(speed_m_s: number): void {
     this.#burst(1800, 0.015, 0.5 * Math.min(1, Math.max(0.1, speed_m_s / loud_m_s)));
   }

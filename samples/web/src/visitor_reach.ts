@@ -1,5 +1,5 @@
-// The visitor's hand on a plate that the plugin turns. The pointer is the true fingertip; the picture shows the
-// perceived one until the slide ends.
+// The visitor's hand on a plate that the plugin turns. The pointer is the true fingertip; the visitor sees the
+// perceived one.
 import { HRT_SAMPLE_PLATE_POSITION, type Library } from "haptic-retargeting";
 import {
   bearing_deg,
@@ -125,8 +125,8 @@ export class VisitorReach extends VisitorHand {
     return Math.round((away_m * Math.cos(angle) - right_m * Math.sin(angle)) / ridgeSpacing_m);
   }
 
-  /** Lifts the fingertip. A slide shorter than minReach_m begins again. A longer one ends, but the controller discards
-   *  it. */
+  /** Lifts the fingertip. After a path below minReach_m the slide begins again; otherwise it ends, and the controller
+   *  discards it. */
   end(): void {
     if (this.phase !== "sliding") return;
     if (length_m(start, this.finger) < minReach_m) return this.begin();

@@ -92,7 +92,6 @@ export class Series {
   #asked_deg = NaN;
   #answers = 0;
   #quest!: QuestPlus;
-  /** Gap of the next slide. */
   gap_deg = 0;
   readonly #question = element("question", HTMLDivElement);
   readonly #limit = element("limit", HTMLParagraphElement);

@@ -53,7 +53,6 @@ export class WatchMode {
     this.#rows.replaceChildren();
   }
 
-  /** Begins the next reach. */
   resume(): void {
     this.#begin();
     this.#finishIfStill();
@@ -98,7 +97,6 @@ export class WatchMode {
     say(element("spoken", HTMLParagraphElement), resultText(result));
   }
 
-  /** Adds a result to the table, the newest first. */
   #list(result: Readonly<ReachResult>): void {
     const { number, controller, bearingError_deg, toCylinder_mm, peakFeltError_deg, weight, weightSd, flags } = result,
       weights = {

@@ -125,7 +125,6 @@ export class PlateLink {
     if (now_ms - this.#sent_ms >= beatPeriod_ms) this.#sendCommand("BEAT", now_ms);
   }
 
-  /** Stops the plate and closes this link. */
   stop(now_ms: number): void {
     const connected = this.facts && !this.failure;
     this.failure ||= "The plate was disconnected.";

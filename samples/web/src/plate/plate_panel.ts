@@ -39,7 +39,6 @@ export class PlateDevice {
     return new PlateDevice(port, reader, writer);
   }
 
-  /** State of the plate, as text for people. */
   get state(): string {
     const { failure, facts } = this.link;
     if (failure) return failure;
@@ -48,7 +47,6 @@ export class PlateDevice {
     return `The plate turns from ${facts.min_deg}° to ${facts.max_deg}° at ${facts.speed_deg_s}°/s; its orientation is ${how}.`;
   }
 
-  /** Stops the plate and closes the port. */
   async close(): Promise<void> {
     clearInterval(this.#timer);
     this.link.stop(performance.now());

@@ -39,7 +39,6 @@ const outline: readonly (readonly [number, number])[] = [
   [0.0056, 0.03],
 ];
 
-/** Creates the virtual target, a transparent goblet. */
 export function goblet(): THREE.Group {
   const points = outline.map(([radius_m, y_m]) => new THREE.Vector2(radius_m, y_m)),
     shape = new THREE.LatheGeometry(points, 12);
@@ -57,7 +56,6 @@ export class Finger extends THREE.Group {
   async become(model: (skin: THREE.Material) => Promise<THREE.Object3D>): Promise<void> {
     this.add(await model(this.skin));
   }
-  /** Sets the opacity, from 0 (invisible) to 1. */
   fade(fraction: number): void {
     this.visible = fraction > 0;
     this.skin.opacity = fraction;

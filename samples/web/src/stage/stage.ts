@@ -15,12 +15,10 @@ const middle = new THREE.Vector3(0, 0, 0.002);
 /** Radius of the plate, as a fraction of the disc that the picture must contain. */
 const fill = 0.97;
 
-/** State of a reach that is drawn. */
 export interface Shown {
   readonly plate_deg: number;
   readonly finger: Readonly<Place>;
   readonly felt: Readonly<Place>;
-  /** Path of the reach until now. */
   readonly trace: Trace;
 }
 
