@@ -2,7 +2,7 @@
  * The reach that every host's sample runs (plugin/bindings/README.md), in C: passes a scripted finger to a new session
  * and prints the hash of the resulting commands, which is the same on every host.
  *
- *   usage: reach [RECORDING_CSV]    records the calls in this file
+ *   usage: reach [RECORDING_CSV]    also records the calls in RECORDING_CSV
  */
 #include <haptic_retargeting/haptic_retargeting.h>
 #include <haptic_retargeting/person.h>
@@ -44,7 +44,7 @@ static int64_t noise(void) {
   return seed % 1001 - 500;
 }
 
-/* Returns sample `i`, from 1. Each coordinate is a quotient of two integers, the same double on every host. */
+/* Returns sample `i`, from 1. Coordinates are constants or quotients of integers: the same doubles on every host. */
 static hrt_sample scripted(int64_t i, double plate_deg) {
   const int64_t moved = i < 10 ? 0 : i > 130 ? 120 : i - 10, distance_um = moved * moved * (180 - moved) * 25 / 216;
   const int64_t right_um = distance_um * 87 / 1000;

@@ -1,9 +1,9 @@
-// Replacements for the parts of Unity that the shared C# sources use, for .NET without Unity.
+// For .NET without Unity: the attribute and the log that the C# sources in ../unity/com.haptic-retargeting/Runtime use.
 using System;
 
 namespace AOT
 {
-    // Ahead-of-time compilers look for an attribute of this name on methods that native code calls.
+    // Ahead-of-time compilers of Mono and Unity look for this name on methods that native code calls.
     [AttributeUsage(AttributeTargets.Method)]
     sealed class MonoPInvokeCallbackAttribute : Attribute
     {

@@ -1,6 +1,6 @@
-"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Hosts have no nested structs:
-the fields of a nested struct become fields of the outer struct, also in texts, with the name of the nested struct as
-prefix. For example, plate.max_speed_deg_s becomes plate_max_speed_deg_s."""
+"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Other languages and engines
+("hosts") have no nested structs: the fields of a nested struct become fields of the outer struct, also in texts. The tag
+@flatten gives their names: plate.max_speed_deg_s becomes plate_max_speed_deg_s."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Type:
 
 @dataclass(frozen=True, kw_only=True)
 class Value:
-    """A constant, field or parameter, with the values that update_api writes."""
+    """A constant, field or parameter, with its properties from api.json; Abi sets `member`."""
 
     name: str
     header: str = ""
@@ -70,12 +70,12 @@ class Value:
 
     @property
     def defaults(self) -> list[Decimal]:
-        """Default numbers, or [] if all are 0."""
+        """Default of each element; [] if all are 0, or if the default is the name of a constant."""
         return self.default if isinstance(self.default, list) and any(self.default) else []
 
     @property
     def literals(self) -> list[str]:
-        """Default of each element as a C literal; empty if it is zero."""
+        """Default of each element as a C literal; [] if all are 0."""
         return [self.default] if isinstance(self.default, str) else [self.literal(n) for n in self.defaults]
 
     def literal(self, number: Decimal) -> str:
@@ -86,7 +86,7 @@ class Value:
 
     @property
     def doc(self) -> str:
-        """Returns the text with range and default."""
+        """Returns the text with enumeration, range and default."""
         def amount(number: Decimal) -> str:
             seconds = number / 1_000_000_000 if self.unit == "ns" else Decimal(0)
             return f"{shown(seconds)} s" if seconds >= 1 else f"{shown(seconds * 1000)} ms" if seconds else shown(number)
@@ -101,7 +101,7 @@ class Value:
 
 @dataclass(frozen=True, kw_only=True)
 class Enumeration:
-    """Constants for a field, parameter or result, which has one of them, or several if they are flags."""
+    """Allowed values of a field, parameter or result: one member or, if `flags` is true, any combination of members."""
 
     name: str
     header: str
@@ -161,7 +161,7 @@ class Function:
 
 
 class Abi:
-    """The interface of the plugin, or of the library that drives the plate."""
+    """The interface of libhaptic_retargeting or, if `plate` is true, of libhrt_plate, which drives the plate."""
 
     def __init__(self, plate: bool = False) -> None:
         text = API.read_text(encoding="utf-8")
@@ -205,13 +205,13 @@ class Abi:
         return (SIZES.get(value.type.name) or self.struct(value.type.name).size) * (value.count or 1)
 
     def enumeration_names(self, special: dict[str, str], flags: str) -> dict[str, str]:
-        """Returns a type name for each enumeration: Guidance; SessionFlags if `flags` is "Flags"."""
+        """Returns a type name for each enumeration: that in `special`, otherwise Guidance or, with the suffix `flags`, SessionFlags."""
         return {e.name: special.get(e.name) or pascal(e.name.removeprefix("HRT_")) + (flags if e.flags else "")
                 for e in self.enumerations}
 
 
 def _made(entry: dict[str, Any]) -> Any:
-    """Converts an object of the file."""
+    """Converts an object of api.json to a Struct, Enumeration, Function or Value; the outermost object remains a dict."""
     for key in entry.keys() & {"type", "result"}:
         text = entry[key]
         entry[key] = Type(text.removeprefix("const ").rstrip("*"), text.endswith("*"), text.startswith("const "))

@@ -1,6 +1,7 @@
-"""Generates the C interface for C#, in the style of Unity: enums, blittable structs with plain fields, P/Invoke declarations.
+"""Generates the C interface for C#: enums, blittable structs with public fields, P/Invoke declarations.
 
-Types and members follow the naming of C# and lack the prefix hrt_; functions keep their names. An enumeration becomes an enum.
+Types and members have names in the style of Unity: hrt_session_config becomes SessionConfig, struct_size becomes
+structSize. Functions keep their names.
 """
 
 from __future__ import annotations
@@ -20,8 +21,8 @@ _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "
 # Array types that several structs use.
 _ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name"}
 _SHARED = {
-    "Double3": ("double", "x y z", "Three numbers, as the library uses them: a position in metres, x right, y up, z towards the user, right-handed."),
-    "Double4": ("double", "x y z w", "Four numbers, as the library uses them: a unit quaternion in right-handed axes."),
+    "Double3": ("double", "x y z", "Three numbers in the axes of the library, for example a position in plate coordinates: metres, x right, y up, z towards the user."),
+    "Double4": ("double", "x y z w", "Four numbers: a unit quaternion in the right-handed axes of the library."),
     "Name": ("ulong", " ".join(f"word{i}" for i in range(8)), "A name of at most 63 bytes of UTF-8, followed by a NUL."),
 }
 _WIDTH = 110
@@ -43,7 +44,8 @@ class Renderer(Names):
         self.callbacks = [c.name for c in abi.callbacks]
         self.constants = {c.name: f"Constants.{pascal(c.name.removeprefix('HRT_'))}" for c in abi.constants} | {"HRT_OK": "Result.Ok"}
         self.constants |= {c.name: f"{self.enumerations[e.name]}.{pascal(e.short(c))}" for e in abi.enumerations for c in e.members}
-        # The type of an array is named after its field (PersonMean), and also after the struct if the field's name is one word.
+        # Types of arrays that are not in _ARRAYS are named after the field (PersonMean), with the name of the struct before it if
+        # the field's name is one word.
         self.arrays = {(s.name, f.name): _ARRAYS.get((f.type.name, f.count)) or self.types[s.name] * ("_" not in f.name) + pascal(f.name)
                        for s in abi.structs for f in s.fields if f.count}
         if plugin:
@@ -100,7 +102,7 @@ class Renderer(Names):
         return "IntPtr" if field.type.name in self.callbacks else self.value(field.type)
 
     def array(self, struct: Struct, field: Value) -> str:
-        """Renders a fixed array as a struct, because C# has no such type; characters are stored in words of eight bytes."""
+        """Renders a fixed array as a struct, because C# has fixed arrays in unsafe code only; 8 characters become a word."""
         prefix = f"{field.elements}_"
         names = {c.value: camel(c.name.removeprefix(prefix)) for c in reversed(self.abi.constants) if c.name.startswith(prefix)}
         text = field.type.name == "char"
@@ -111,7 +113,7 @@ class Renderer(Names):
                 + f"\n    public override string ToString() => Utf8.Read({elements});\n" * text + "}\n")
 
     def shared(self, name: str) -> str:
-        """Renders an array type that several structs use, and that scripts can fill."""
+        """Renders an array type of _SHARED, with a constructor."""
         type_, names, text = _SHARED[name]
         elements = names.split()
         is_text = type_ == "ulong"

@@ -15,7 +15,7 @@ _STATIC = "HapticRetargetingLibrary"
 _NAMES = {"hrt_target_list": "ListTargets", "hrt_gap_assign": "AssignTargets",
           "hrt_reach_touched": "ReachTouched", "hrt_profile_reset": "NewPerson",
           "hrt_flags_text": "FlagsText"}
-# Functions whose methods are hand-written: constructors, updates without garbage, scenes, and functions of the process.
+# Functions, or the ends of their names, whose methods are hand-written. So are those of scenes.
 _BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_host_set", "hrt_host_set_log", "hrt_recording_replay")
 
 
@@ -47,10 +47,10 @@ class _Call:
         self.names, self.function = names, function
         first = function.params[0].type
         self.owner = _STATIC if first.pointer else _CLASSES.get(first.name, _STATIC)
-        self.taken: list[str] = []  # parameters of the method
+        self.taken: list[str] = []  # parameters of the C# method
         self.before = ["Load();"] * (self.owner == _STATIC)
-        self.passed = ["Handle"] * (self.owner != _STATIC)  # arguments of the function
-        self.returned = ("void", "")  # type and expression of the result
+        self.passed = ["Handle"] * (self.owner != _STATIC)  # arguments of the C function
+        self.returned = ("void", "")  # type and expression of what the C# method returns
         self.parameters = function.params[len(self.passed):]
         outputs = [p for p in self.parameters if p.name.startswith("out_") and p.name != "out_count"]
         # If there are several outputs, the struct is returned.

@@ -128,5 +128,5 @@ def _columns(abi: Abi) -> str:
             columns += names
     quoted = ", ".join(f'"{column}"' for column in columns)
     return (f"\ninline constexpr std::string_view recording_columns[] = {{{quoted}}};\n\n"
-            "/// The first column of each field, in the order of Fields.\ntemplate <class S>\n"
+            "/// Index of the first column of each field, in the order of Fields<S>.\ntemplate <class S>\n"
             "inline constexpr std::size_t columns_of[1] = {};\n" + text)

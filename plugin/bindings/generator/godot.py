@@ -1,4 +1,4 @@
-"""Generates Godot's tables: fields as properties and Dictionary keys, constants, methods, and the class reference."""
+"""Generates tables.cpp for Godot: properties, Dictionary keys, constants, methods, and the class reference."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from xml.sax.saxutils import escape
 import settings
 from abi import Abi, Enumeration, Value, pascal
 
-# Structs that scripts receive as a Dictionary.
+# Structs of the plugin that scripts receive as a Dictionary, beside hrt_plate_report.
 _RECORDS = ("hrt_command", "hrt_reach_summary", "hrt_gap", "hrt_setup_step", "hrt_setup_result", "hrt_conditions",
             "hrt_recording_status")
 # Fields that are neither Dictionary keys nor properties. Set-ups of a node use the default marks.
@@ -18,8 +18,8 @@ _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
 # Enumerations without constants: methods return Godot's own errors, and messages go to Godot's log.
 _NO_CONSTANTS = ("HRT_ERROR", "HRT_LOG")
 _ACRONYMS = {"MPC"}
-# Methods in error texts whose names are neither the verb of a call (hrt_reach_end: end) nor its verb and noun
-# (hrt_setup_begin: begin_setup).
+# Error texts name methods instead of C functions: "end" for hrt_reach_end, "begin_setup" for hrt_setup_begin. These
+# functions have methods with other names.
 _CALLS = {
     "session_create": "HapticRetargeting", "session_set": "HapticRetargeting", "session_get": "HapticRetargeting",
     "profile_reset": "new_person", "target_add": "add_real_target", "target_set": "move_target_to", "target_get": "find_target",
@@ -106,7 +106,7 @@ def _step(field: Value) -> Decimal:
 def _reference(abi: Abi, plate: Abi, setup: list[Value]) -> str:
     """Renders the editor's class reference: properties and constants from the headers, the rest from the README."""
     def doc(comment: str) -> str:
-        comment = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", comment)  # links
+        comment = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", comment)  # drops the addresses of links
         return escape(re.sub(r"\bHRT_([A-Z])", r"\1", re.sub(r"`([^`]*)`", r"[code]\1[/code]", comment)))
 
     members = [(f.name, f) for f in settings.shown(abi)] + [(f"setup_{f.name}", f) for f in setup]

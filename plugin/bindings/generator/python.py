@@ -14,7 +14,7 @@ _CTYPES = {"char": "c_char", "int32_t": "c_int32", "hrt_result": "c_int32", "uin
 _ANNOTATED = {"int32_t": "Int32", "uint32_t": "UInt32", "int64_t": "Int64", "uint64_t": "UInt64", "double": "Double"}
 # Enumerations with other names in Python.
 _ENUMERATIONS = {"HRT_ERROR": "ErrorCode", "HRT_LOG": "LogLevel", "HRT_TARGET": "Role"}
-# Names in error texts of functions to which the rule for hrt_reach_end, which becomes Reach.end, does not apply.
+# Error texts name methods instead of C functions: Reach.end for hrt_reach_end. These functions have methods with other names.
 _FUNCTIONS = {
     "session_create": "Session", "session_get": "Session.config", "session_set": "Session.configure", "session_destroy": "Session.close",
     "target_add": "Session.add_real", "target_set": "Target.configure", "target_get": "Target.config", "target_list": "Session.targets",
@@ -28,8 +28,8 @@ _FUNCTIONS = {
     "scene_get_info": "Scene.info", "scene_get_target": "Scene.targets", "recording_replay": "replay",
     "plate_open": "Plate",
 }
-# Classes whose methods take fields of a struct by keyword: struct, and for each method its name, its parameters before the
-# keywords, and the method that receives the given fields.
+# Classes whose methods take the fields of a struct as keywords: the struct and, for each method, its name, its parameters
+# before the keywords, and the method that receives the given fields.
 _KEYWORDS = {
     "SessionKeywords": ("hrt_session_config", (("__init__", "", "_create"), ("configure", "", "_configure"))),
     "TargetKeywords": ("hrt_target_config", (("configure", "", "_configure"),)),
@@ -54,7 +54,7 @@ else:
     Target = object
 
 '''
-_KEYWORDS_HEAD = '''"""Methods whose keywords are fields of a struct, declared for type checkers and editors. Default None: not given."""
+_KEYWORDS_HEAD = '''"""Methods whose keywords are fields of a struct, declared for type checkers and editors. None means that a field is not given."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ def shown(abi: Abi) -> list[Value]:
 
 
 def hidden(abi: Abi) -> list[Value]:
-    """Returns the fields that are kept when a configuration is made from the settings."""
+    """Returns the fields that the settings lack, and that components keep when the settings change."""
     return [f for f in abi.struct(STRUCT).fields if (f.count not in (0, 3) or f.name in FOUND) and f.name not in POSE]
 
 

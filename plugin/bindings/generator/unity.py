@@ -29,10 +29,10 @@ def render(abi: Abi, notice: str) -> str:
             taken += f"    config.{member} = {value};\n"
             changed += f"    if (!now.{member}.Equals(before.{member})) config.{member} = now.{member};\n"
     text += f"SessionConfig Configuration()\n{{\n    SessionConfig config = SessionConfig.Default;\n{taken}    return config;\n}}\n\n"
-    text += ("// Returns `config` with the settings that differ between `before` and `now`.\n"
+    text += ("// Returns `config` with the values of `now` for the settings that differ between `before` and `now`.\n"
              f"static SessionConfig Changed(SessionConfig config, SessionConfig before, SessionConfig now)\n{{\n{changed}    return config;\n}}\n")
     return (f"// {notice}\nusing System;\nusing UnityEngine;\n\nnamespace Hrt\n{{\n"
-            "    // The fields of SessionConfig, except the plate's pose and the start, which Transforms of the scene give.\n"
+            "    // The fields of SessionConfig that the inspector shows. Transforms give the plate's pose and the start.\n"
             "    public sealed partial class HapticRetargeting\n    {\n"
             + textwrap.indent(text, " " * 8, lambda line: line.strip() != "") + "    }\n}\n")
 

@@ -18,7 +18,7 @@ _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand",
             "hrt_setup_step": "FHapticSetupStep", "hrt_setup_result": "FHapticSetupResult"}
 _OUTPUTS = [name for name in _STRUCTS if name != settings.STRUCT]
 _TO_CONFIG = "hrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, const hrt_session_config& Before)"
-# Fields that Unreal's structs lack: the component's transform gives plate_rotation; the plugin keeps the other fields.
+# Fields of the C structs that the structs for Blueprints lack.
 _NOT_SHOWN = (*HIDDEN, "plate_rotation", "covariance", "sd_m")
 # Enumerations of the component's arguments.
 _ENUMERATIONS = ("HRT_TARGET",)
@@ -42,8 +42,8 @@ class _Member:
     field: Value
     type: str
     name: str
-    to: str  # value of the C field; S is the Unreal struct
-    taken: str  # value of the member; C is the C struct
+    to: str  # C++ expression of the C field's value; S is the Unreal struct
+    taken: str  # C++ expression of the member's value; C is the C struct
     default: str
 
 
@@ -61,8 +61,6 @@ class _Renderer(Names):
 
     def is_flags(self, field: Value) -> bool:
         return bool(field.values) and self.enums[field.values].flags
-
-    # Members
 
     def members_of(self, struct: Struct) -> list[_Member]:
         if struct.name != settings.STRUCT:
@@ -85,7 +83,7 @@ class _Renderer(Names):
         name, member, of_other = _words(_without_unit(field)), field.member, ""
         if field.ccw:
             name = re.sub("(Direction|Orientation)$", "", name) + "Yaw"
-            # Mirroring exchanges the ends of a range.
+            # The sign changes, so the lower end of a range becomes the upper one.
             member = re.sub("([_.])(lower|upper)_", lambda m: m[1] + {"lower": "upper_", "upper": "lower_"}[m[2]], member)
             of_other = re.sub("Lower|Upper", lambda m: {"Lower": "Upper", "Upper": "Lower"}[m[0]], name)
         elif field.boolean:
@@ -134,13 +132,11 @@ class _Renderer(Names):
             return "double", "Turned({})", "Turned({})", _literal(-number)
         return "double", "{}", "{}", _literal(number)
 
-    # Text
-
     def doc(self, text: str, indent: str = "\t") -> str:
         text = self.renamed(text).replace("; y is the height", "; Z is the height").replace("`", "").strip(" .:;")
         if not text:
             return ""
-        end = "\N{NO-BREAK SPACE}*/"  # never alone on a line
+        end = "\N{NO-BREAK SPACE}*/"  # the no-break space keeps */ on the line of the last word
         lines = textwrap.wrap(f"/** {text}.{end}", _WIDTH, subsequent_indent=" *  ", break_on_hyphens=False)
         return "".join(f"{indent}{line}\n" for line in lines).replace(end, " */")
 
@@ -149,7 +145,7 @@ class _Renderer(Names):
         spec = 'meta = (Bitflags, UseEnumValuesAsMaskValuesInEditor = "true")' if flags else "BlueprintType"
         text = self.doc(enumeration.text, "") + f"UENUM({spec})\n"
         text += f"enum class {self.enumerations[enumeration.name]} : {'int32' if flags else 'uint8'}\n{{\n"
-        # Unreal requires a value for 0.
+        # Unreal requires that an enum has a value 0.
         rows = [] if any(m.value == 0 for m in enumeration.members) else ["\tNone = 0 UMETA(Hidden)"]
         rows += [self.doc(m.text) + f"\t{_words(enumeration.short(m))} = {m.value}" for m in enumeration.members]
         return text + ",\n".join(rows) + "\n};\n"
@@ -187,8 +183,6 @@ class _Renderer(Names):
         doc = {settings.STRUCT: "Assumptions of a session about user, plate and tracker."}.get(name, self.abi.struct(name).text)
         return (self.doc(doc, "") + f"USTRUCT(BlueprintType)\nstruct {_STRUCTS[name]}\n{{\n\tGENERATED_BODY()\n"
                 + "".join(self.property(name, m) for m in self.members[name]) + "};\n")
-
-    # Conversions
 
     def from_(self, name: str, storage: str = "") -> str:
         short = _STRUCTS[name].removeprefix("FHaptic")
@@ -244,8 +238,8 @@ def render_header(abi: Abi, notice: str) -> str:
     return (f"// {notice}\n#pragma once\n\n"
             '#include "HapticRetargetingTypes.h"\n' + "".join(f'#include "haptic_retargeting/{header}"\n' for header in headers)
             + "\nnamespace HapticConversions\n{\n"
-            f"\t/** Fields that the settings do not show are as in `Before`. */\n\t{_TO_CONFIG};\n"
-            "\t/** Copies fields that differ from `Before` into the settings. */\n"
+            f"\t/** Returns the settings as a configuration. Fields that FHapticSettings lacks are from `Plate` and `Before`. */\n\t{_TO_CONFIG};\n"
+            "\t/** Copies into S the fields of C that differ from those of Before. */\n"
             "\tvoid TakeChanges(const hrt_session_config& Before, const hrt_session_config& C, FHapticSettings& S);\n"
             + "".join(f"\t{_STRUCTS[n]} From{_STRUCTS[n].removeprefix('FHaptic')}(const {n}& C);\n" for n in _OUTPUTS) + "}\n")
 

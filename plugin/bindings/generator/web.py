@@ -1,4 +1,4 @@
-"""Generates constants and struct layouts for JavaScript, with TypeScript types. In wasm32 a pointer has 4 bytes."""
+"""Generates constants and struct layouts of wasm32 for JavaScript, with TypeScript types."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from abi import Abi, HostError, Struct, Type
 
 _ELEMENTS = {"char": "u8", "int32_t": "i32", "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64",
              "double": "f64", "size_t": "u32", "hrt_result": "i32"}
-# For each type of a field: code that writes and reads the field in each frame without creating objects (numbers.mjs).
+# JavaScript that writes and reads a field of each type without creating objects, with the functions of web/numbers.mjs.
+# {0} is the offset of the field, {1} its name.
 _FRAME_TYPES = {"double": ("view.setFloat64(at + {0}, {1}, true)", "view.getFloat64(at + {0}, true)"),
                 "uint32_t": ('writeU32(view, at + {0}, "{1}", {1})', "view.getUint32(at + {0}, true)"),
                 "int64_t": ('writeI64(view, at + {0}, "{1}", {1})', "readI64(view, at + {0})")}
@@ -17,7 +18,7 @@ _FRAME_TYPES = {"double": ("view.setFloat64(at + {0}, {1}, true)", "view.getFloa
 def render_script(abi: Abi, notice: str) -> str:
     text = f"// {notice}\n"
     text += "".join(f"export const {c.name} = {c.value};\n" for c in abi.constants)
-    text += "\n// Offset of each field of a struct, in bytes; `length` of a fixed array. i64 and u64 are BigInt.\n"
+    text += "\n// Layouts: sizes and offsets in bytes; `length` of fixed arrays. i64 and u64 are BigInt.\n"
     text += "export const structs = Object.freeze({\n"
     for struct in (s for s in abi.structs if s.size):
         text += f"  {struct.name}: {{ size: {struct.size}, fields: {{\n"
@@ -25,7 +26,7 @@ def render_script(abi: Abi, notice: str) -> str:
             place = {"offset": f.offset, "type": _element(abi, f.type)} | ({"length": f.count} if f.count else {})
             text += f"    {f.name}: {json.dumps(place)},\n"
         text += "  }" + (f", defaults: {{ {_defaults(abi, struct)} }}" if struct.has_default else "") + " },\n"
-    text += "});\n\n// Every function that the module exports, with its parameters; i64 and u64 are BigInt.\n"
+    text += "});\n\n// Functions of the C interface that the module exports, with their parameters; i64 and u64 are BigInt.\n"
     text += "export const functions = Object.freeze([\n"
     for f in abi.functions:
         parameters = ", ".join(f"{p.name}: {_element(abi, p.type)}" for p in f.params)
@@ -69,7 +70,7 @@ def _defaults(abi: Abi, struct: Struct) -> str:
 _LAYOUT_TYPES = """
 export interface FieldPlace {
   readonly offset: number;
-  /** Number type or name of a struct. A target id is a u64 that a number represents exactly. */
+  /** Number type or name of a struct. "id" is the u64 of a target, which a number represents exactly. */
   readonly type: "u8" | "i32" | "u32" | "i64" | "u64" | "id" | "f64" | string;
   readonly length?: number;
 }
