@@ -17,7 +17,7 @@
 namespace hrt_godot {
 namespace {
 
-/** Functions of the engine. */
+/** Functions of the engine, which load_interface() finds. */
 struct Interface {
 #define DECLARE(result, name, ...) result (*name)(__VA_ARGS__);
   GDE_FUNCTIONS(DECLARE)
@@ -26,9 +26,9 @@ struct Interface {
 Interface engine;
 gde_library* library;
 
-/** Loads the functions. Returns the name of a function that this engine lacks, or null. */
+/** Finds the functions of `engine`. Returns null, or the name of the first function that the engine lacks. */
 const char* load_interface(gde_get_proc_address get_proc_address) {
-  // In Godot 4.4 the same function has the name classdb_register_extension_class4.
+  // Godot 4.4 calls classdb_register_extension_class5 classdb_register_extension_class4.
   const auto load = [&](const std::string_view name) {
     const gde_function found = get_proc_address(name.data());
     return found || name != "classdb_register_extension_class5" ? found

@@ -1,5 +1,5 @@
-// Declares the generated tables.cpp: the fields of the plugin's structs as properties of the node and keys of
-// Dictionaries, the plugin's constants, and the class reference.
+// Tables of the properties, Dictionary keys, constants and error texts of the class HapticRetargeting. They are in
+// tables.cpp, which plugin/bindings/generate writes.
 #pragma once
 
 #include <haptic_retargeting/gap.h>
@@ -19,8 +19,8 @@
 
 namespace hrt_godot {
 
-/** Structs whose fields are the properties, except the plate's pose (the node has it), fixed arrays such as the
- *  person's mean (profiles store them), and the marks of set-ups. */
+/** Structs with the fields that are properties. Not properties are the plate's pose, which is that of the node, results
+ *  of set-ups and reaches such as the person's mean, and the marks of set-ups. */
 struct Properties {
   hrt_session_config session = hrt_session_config_init();
   hrt_setup_config setup = hrt_setup_config_init();
@@ -40,13 +40,13 @@ struct Property {
   Value get(Properties& of) const {
     return std::visit([](const auto* at) { return to_value(*at); }, place(of));
   }
-  /** Sets the field. Returns false without a change if the value has another type. The plugin checks ranges. */
+  /** Sets the field. Returns false, without a change, if the value does not fit its type. Does not check its range. */
   bool set(Properties& of, const Value& value) const;
 };
 extern const std::span<const Property> properties;
 
-/** Converts a struct to a Dictionary, which is empty if struct_size is 0. An interval NAME has the keys NAME,
- *  NAME_lower, NAME_upper and NAME_known. */
+/** Converts a struct to a Dictionary, which is empty if struct_size is 0. An hrt_interval NAME has the keys
+ *  NAME, NAME_lower, NAME_upper and NAME_known. */
 Record to_record(const hrt_command& of), to_record(const hrt_reach_summary& of), to_record(const hrt_gap& of),
     to_record(const hrt_setup_step& of), to_record(const hrt_setup_result& of), to_record(const hrt_conditions& of),
     to_record(const hrt_recording_status& of), to_record(const hrt_plate_report& of);
@@ -57,10 +57,9 @@ struct Constant {
   int64_t value;
   bool is_flag;
 };
-/** Constants of the class: values of properties, and flags such as COMMAND_SATURATED. */
 extern const std::span<const Constant> constants;
 
-/** Returns an error text with the names of GDScript: methods instead of calls, and constants without HRT_. */
+/** Returns an error text with the names of GDScript: methods instead of C functions, and constants without HRT_. */
 std::string script_names(std::string text);
 struct ScriptName {
   const char* call;

@@ -1,6 +1,6 @@
 /*
  * The part of GDExtension that this binding uses: the C interface of Godot 4.4 and later, whose functions are
- * looked up by name. It is declared here because no package contains Godot's header.
+ * looked up by name.
  *
  * Engine values are opaque bytes with the sizes of 64-bit builds with single precision, such as the official
  * builds; a Vector3 is 3 floats, a Transform3D 12.
@@ -16,7 +16,7 @@
 #define GDE_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* Types of variants, in addition to those of value.h. */
+/* Numbers of Godot's Variant.Type, in addition to those of Type in value.h. */
 enum { GDE_STRING = 4, GDE_STRING_NAME = 21, GDE_OBJECT = 24, GDE_PACKED_STRING_ARRAY = 34 };
 
 template <int variant_type, size_t size>
@@ -71,10 +71,10 @@ typedef struct {
   void** default_arguments;
 } gde_method;
 
-/* A virtual function of the engine that a class overrides, called like gde_ptrcall. */
+/* A virtual function of the engine that a class overrides; arguments and *out_return are as in gde_ptrcall. */
 typedef void (*gde_virtual)(void* instance, const void* const* arguments, void* out_return);
 
-/* Functions of a class; unused ones may be null. */
+/* Description of a class. This binding leaves the functions of type gde_unused null. */
 typedef void (*gde_unused)(void);
 typedef struct {
   gde_bool is_virtual, is_abstract, is_exposed, is_runtime;
@@ -140,7 +140,7 @@ typedef void (*gde_destructor)(void* value);
   X(void, classdb_register_extension_class_signal, gde_library* library, gde_name class_name, gde_name name,          \
     const gde_property* arguments, int64_t argument_count)                                                            \
   X(void, classdb_unregister_extension_class, gde_library* library, gde_name name)                                    \
-  /* Only in the editor, at its initialisation level. */                                                              \
+  /* For a call at GDE_LEVEL_EDITOR, which the engine initialises only in the editor. */                              \
   X(void, editor_help_load_xml_from_utf8_chars, const char* xml)
 
 }  // extern "C"

@@ -1,16 +1,18 @@
-// The device that turns the plate, by libhrt_plate. Only close_device() waits for the device, for at most 0.5 s.
+// The device that turns the plate, by libhrt_plate. close_device(), which open_device() also calls, waits for at most
+// 0.5 s; the other methods do not wait.
 #include "plate_node.h"
 
 namespace hrt_godot {
 
-/** Returns the report of the device, or zeros without a device. Allocates no memory. */
+/** Returns the report of the device, or zeros without a device. */
 hrt_plate_report PlateNode::read_device() const {
   hrt_plate_report report{};
   report.struct_size = sizeof report;
   return device_.value && hrt_plate_get(device_, &report) == HRT_OK ? report : hrt_plate_report{};
 }
 
-// A frame may command a device that is being opened or has failed. The error of a failure is shown once.
+/** Returns the error of a call, and shows it. WRONG_STATE is not shown, because each frame may command a device that is
+ *  being opened; if the device has failed, its failure is shown once. */
 Error PlateNode::after_device(hrt_result result) {
   result_ = result;
   if (result == HRT_ERROR_WRONG_STATE) {

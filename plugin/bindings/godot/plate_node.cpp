@@ -84,7 +84,7 @@ bool PlateNode::ok(hrt_result result) {
   return false;
 }
 
-/** Returns the Godot error for the last call of the plugin. */
+/** Returns result_ as an Error of Godot. */
 Error PlateNode::error() const {
   constexpr std::pair<hrt_result, Error> errors[] = {
       {HRT_OK, Error::kOk},
@@ -111,8 +111,9 @@ Error PlateNode::report(hrt_result result) {
   return error();
 }
 
-/** Sets the session's configuration from the properties and the node's pose, between reaches and set-ups. Properties
- * are checked here together, because a scene sets them one at a time. */
+/** Creates the session or updates its configuration, from the properties and the node's pose. Does nothing during a
+ *  reach or a set-up. Returns false, and shows the error, if a property or the pose is wrong: properties are checked
+ *  here, because a scene sets them one at a time. */
 bool PlateNode::configure() {
   if (reaching_ || setting_up_) return true;
   hrt_session_config& config = properties_.session;
@@ -133,8 +134,8 @@ bool PlateNode::configure() {
   return true;
 }
 
-/** Shows the session's log as warnings from now on, such as that a clock or unit is probably wrong, and shows the lines
- *  that the last reach has stored. */
+/** Connects the session's log to the engine's warnings. Lines that the last reach has stored, for example that a clock
+ *  or unit is probably wrong, are shown immediately. */
 bool PlateNode::take_log() {
   hrt_host host = hrt_host_init();
   host.context = &engine_;
@@ -185,9 +186,9 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   return true;
 }
 
-/** Copies changes that the plugin has made to the session's configuration into the properties, except properties that
- *  scripts have set and that are not applied yet. If the plugin has moved the plate, moves the node too, in floats; the
- *  session keeps its doubles. */
+/** Copies the fields that the plugin has changed in the session's configuration into the properties. Other properties
+ *  keep the values that scripts have set since configure(). If the plugin has moved the plate, moves the node too, in
+ *  floats; the session keeps its doubles. */
 void PlateNode::take_changes() {
   Properties before = properties_, now = properties_;
   before.session = configured_;

@@ -37,13 +37,14 @@ inline constexpr Signal kSignals[] = {kPlateCommanded, kFlagsChanged, kArrived,
 class Engine {
  public:
   virtual ~Engine() = default;
+  /** Returns the pose in the world, in metres; outside the scene tree, the pose relative to the parent. */
   virtual Pose node_pose() = 0;
   virtual void move_node(const Pose& pose) = 0;
   virtual void emit(const Signal& signal, const Value& argument) = 0;
   virtual void push_error(const char* text) = 0;
-  /** Called on any thread. */
+  /** May be called on any thread. */
   virtual void push_warning(const char* text) = 0;
-  /** Returns the path of a file for the system; scripts may use res://... or user://... */
+  /** Converts a path that may begin with res:// or user:// to a path of the operating system. */
   virtual std::string system_path(std::string path) = 0;
   /** Called when properties, and thus the warnings, may have changed. */
   virtual void update_warnings() = 0;
@@ -54,11 +55,11 @@ class PlateNode;
 struct Method {
   const char* name;
   Type returns;
-  Value failure;  ///< the result of a call that fails
+  Value failure;  ///< result if the arguments do not fit or the function throws
   std::vector<Argument> arguments;
   Value (*function)(PlateNode& node, const Value* arguments);
 };
-/** Table of the methods in tables.cpp, generated from the declarations below. */
+/** Methods of PlateNode for scripts: a table in tables.cpp, which is generated from the declarations below. */
 extern const std::span<const Method> methods;
 /** Maximum number of arguments that are read: one more than any method has, to detect too many. */
 inline constexpr size_t kArgumentsMax = 8;
@@ -75,14 +76,15 @@ class PlateNode {
   PlateNode(const PlateNode&) = delete;
   PlateNode& operator=(const PlateNode&) = delete;
 
-  /** Checks number and types of the arguments, then calls. Throws nothing. */
+  /** Calls the method. If number or types of the arguments do not fit, or the method throws, shows an error and returns
+   *  method.failure. */
   Value call(const Method& method, std::span<const Value> arguments) noexcept;
   Value get(const Property& property) { return property.get(properties_); }
   void set(const Property& property, const Value& value) noexcept;
   /** Returns the error in the properties or the node's pose, for the editor; empty without one. */
   std::string warning();
 
-  // Methods for scripts, with the names of their arguments. The generator reads this list.
+  // Methods for scripts, with the names of their arguments. generator/godot.py reads this list.
   hrt_target add_real_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_virtual_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_real_target_at(std::string name, Vector3 world_position);
@@ -181,7 +183,7 @@ class PlateNode {
   std::bitset<128> refused_;  ///< reasons for which samples of this reach or set-up were refused
 };
 
-/** Creates a row of the class's table, with the types of the function. */
+/** Creates a row of the table `methods`, with the types of the function. */
 template <auto function, typename Result, typename... Arguments>
 Method bind(const char* name, std::array<const char*, sizeof...(Arguments)> names,
             Result (PlateNode::*)(Arguments...)) {

@@ -1,4 +1,4 @@
-// Reaches of the node: processes samples and signals commands.
+// Reaches of the node, and the simulated finger.
 #include "plate_node.h"
 
 namespace hrt_godot {
@@ -136,7 +136,7 @@ Error PlateNode::begin_simulated_finger(hrt_target virtual_target, int64_t seed)
 }
 
 /** Advances the simulated finger; the simulated servo receives the last command. Returns the tracked position of the
- *  finger in the world. */
+ *  finger in the world, or NaN after an error. */
 Vector3 PlateNode::move_person(Time time_ns, hrt_sample& out) {
   const double plate_deg = setting_up_ ? step_.plate_orientation_deg : command_.plate_orientation_deg;
   out = hrt_sample_init();
@@ -151,7 +151,8 @@ Vector3 PlateNode::move_simulated_finger(Time time_ns) {
   return move_person(time_ns, sample);
 }
 
-/** Does the same as update(), with a sample in doubles and the orientation of the servo. */
+/** Advances the simulated finger and passes its sample to the plugin, in doubles and with the orientation of the
+ *  simulated servo. Returns the tracked position of the finger in the world, or NaN after an error. */
 Vector3 PlateNode::update_simulated_finger(Time time_ns) {
   hrt_sample sample;
   const Vector3 seen = move_person(time_ns, sample);

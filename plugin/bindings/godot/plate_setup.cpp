@@ -1,4 +1,4 @@
-// Set-ups of the node: processes samples and signals instructions to the user.
+// Set-ups of the node.
 #include <cstring>
 
 #include "plate_node.h"
@@ -16,7 +16,8 @@ Error PlateNode::begin_setup(int64_t what) {
   return error();
 }
 
-/** Signals a step when it changes. The plate orientation may change in every frame and is signalled as in a reach. */
+/** Processes a sample of a set-up. A change of the plate orientation is signalled by plate_commanded, any other change
+ *  of the step by setup_step. */
 Error PlateNode::guide(const hrt_sample& sample) {
   hrt_setup_step step = hrt_setup_step_init();
   if (!taken(hrt_setup_update(session_, &sample, &step))) return error();

@@ -18,7 +18,7 @@ namespace hrt_godot {
 /** Godot's vectors contain floats, which doubles represent exactly. */
 using Vector3 = Eigen::Vector3d;
 
-/** A position in the world and a rotation. */
+/** Godot's Transform3D. The basis of a node may also scale, shear or mirror. */
 struct Pose {
   Eigen::Matrix3d basis = Eigen::Matrix3d::Identity();
   Vector3 origin = Vector3::Zero();
@@ -28,7 +28,7 @@ struct Pose {
 /** Values of Godot's enumeration Error. */
 enum class Error : int64_t { kOk = 0, kUnavailable = 2, kFileCannotWrite = 13, kInvalidParameter = 31, kBug = 47 };
 
-/** A time in nanoseconds. Scripts must pass an int: the engine would round a float in seconds to an int. */
+/** A time in nanoseconds. Scripts must pass an int; a float is an error, because it is probably in seconds. */
 struct Time {
   int64_t ns;
 };
@@ -41,7 +41,7 @@ struct Value : std::variant<std::monostate, bool, int64_t, double, std::string, 
   using variant::variant;
 };
 
-/** Numbers of Godot's Variant.Type; kTime is registered as a Variant, so that a float is not converted. */
+/** Numbers of Godot's Variant.Type; kTime is registered as a Variant, so that the engine does not convert floats. */
 enum class Type {
   kNil = 0,
   kBool = 1,
@@ -66,12 +66,13 @@ inline Type type_of(const Value& value) { return kTypes[value.index()].type; }
 
 inline const char* type_name(Type type) { return std::ranges::find(kTypes, type, &TypeName::type)->name; }
 
-/** Returns whether a value has this type; an int is accepted as a float, as in GDScript. */
+/** Returns whether a value has this type; an int also fits a float and a time. */
 inline bool fits(const Value& value, Type type) {
   return type_of(value) == type || ((type == Type::kReal || type == Type::kTime) && type_of(value) == Type::kInt);
 }
 
-/** Result of a method that fails: an error, a null target, or a position with NaN, which update() refuses. */
+/** Result of a method without another result: kInvalidParameter, a position with NaN, which update() refuses, or an
+ *  empty value. */
 template <typename T>
 T failure() {
   if constexpr (std::is_same_v<T, Error>)

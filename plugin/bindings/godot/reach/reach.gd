@@ -1,7 +1,7 @@
 # The reach that every host's sample runs, in Godot: passes one scripted sample a frame to the node Plate, and prints
 # the hash of the resulting commands, which is the same on every host.
 #
-# The finger's positions are passed as three numbers, since a Vector3 holds floats.
+# The finger's positions are passed as three numbers, since a Vector3 would round them to 32 bits.
 extends Node
 
 @onready var plate: HapticRetargeting = $Plate
@@ -14,9 +14,9 @@ func _ready() -> void:
 	var real: int = plate.add_real_target("cylinder", -5.0, 0.1)
 	var felt: int = plate.add_virtual_target("cup", 5.0, 0.1)
 	if plate.begin(real, felt) != OK:
-		stop("the reach does not begin")
+		stop("the reach does not begin; the error before this one has the reason")
 
-# Passes sample i. Each coordinate is a quotient of two integers, the same double on every host.
+# Passes sample i. Coordinates are constants or quotients of integers: the same doubles on every host.
 func _process(_delta: float) -> void:
 	i += 1
 	if i > 170:
@@ -38,7 +38,7 @@ func _process(_delta: float) -> void:
 		return  # frames that the host drops
 	if plate.update_sample(flags, time_ns, 0.0, x_m, 0.03 if lifted else 0.002, z_m,
 			plate.get_command().get("plate_orientation_deg", 0.0)) != OK:
-		return stop("sample %d is refused" % i)
+		return stop("sample %d is refused; the error before this one has the reason" % i)
 	hash_command(plate.get_command())
 
 # Returns the next noise value, from -500 to 500.
@@ -48,7 +48,7 @@ func noise() -> int:
 
 func finish() -> void:
 	if plate.end() != OK:
-		return stop("the reach does not end")
+		return stop("the reach does not end; the error before this one has the reason")
 	var summary: Dictionary = plate.get_summary()
 	print("hash 0x%08x%08x" % [(fnv >> 32) & 0xffffffff, fnv & 0xffffffff])
 	print("ended %.1f mm from the real target, %.2f deg off its bearing (scripted)" % [

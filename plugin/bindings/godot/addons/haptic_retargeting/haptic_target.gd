@@ -1,4 +1,4 @@
-## A real or virtual target of a plate, at the position of this node. Place it in the scene, and choose its plate and role.
+## A real or virtual target of a plate, at the position of this node. Set its plate and role, then call [method place].
 class_name HapticTarget
 extends Marker3D
 
@@ -12,8 +12,8 @@ enum Role { REAL, VIRTUAL }
 var _id := 0
 
 
-## Adds the target to the plate, with the name of this node, or moves it to the current position of this node. Returns the id
-## for HapticRetargeting.begin(), retarget() and get_gap(); 0 after an error.
+## Adds the target to the plate, with the name of this node, or moves it to the current position of this node. Returns
+## the id for HapticRetargeting.begin(), retarget() and get_gap(); 0 after an error.
 func place() -> int:
 	if plate == null:
 		push_error("%s: plate is not set; choose the HapticRetargeting of this target" % name)
