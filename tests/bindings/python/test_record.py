@@ -78,7 +78,7 @@ def test_world_positions_are_converted_to_plate_coordinates() -> None:
     ("begin,0", "start,0", "line 12: the row's call is 'start'"),
     (",0,-5,5,0.1,", ",0,-5,,0.1,", "line 12: virtual_direction_deg is missing"),
     ("update,0,200028000", "update,0,soon", "line 22: .*'soon'"),
-    ("update,0,200028000", "update,0,9" + 20 * "9", "line 22: time_ns is 9+, which is beyond int64"),
+    ("update,0,200028000", "update,0,9" + 20 * "9", "line 22: time_ns is 9+, which does not fit into int64"),
     ("update,0,200028000,", "update,0,", "line 22: the row has 69 columns; 70"),
     ('"horizon":20', '"horizon":"twenty"', "line 8"),
     ('"horizon":20', '"horizon":-3', "line 8: SessionConfig.horizon is -3: the number does not fit into uint"),

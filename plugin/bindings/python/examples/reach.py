@@ -1,5 +1,5 @@
 """The reach that every host's sample runs (plugin/bindings/README.md): passes the recorded samples to a new session and
-prints the hash of the resulting commands, which is the same on every host. The data are simulated.
+prints the hash of the resulting commands, which is the same on every host.
 
     usage: python3 reach.py RECORDING_CSV [PICTURE]
 """

@@ -9,7 +9,8 @@ while the user perceives that it moves to a virtual one.
         record = session.run_reach(cylinder, cup, hrt.samples(time_ns, position_m=positions))
 
 Units are in the names: metres, degrees, nanoseconds. Directions are measured from the plate's mid-line, which points
-straight away from the user, counter-clockwise positive seen from above. Plate coordinates: x right, y up, z towards the user.
+straight away from the user; they are positive counter-clockwise, seen from above. Plate coordinates: x right, y up, z
+towards the user.
 
 The C library is the file that the environment variable HRT_LIBRARY names, or that of the wheel, or that of the system.
 """

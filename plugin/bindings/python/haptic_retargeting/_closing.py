@@ -16,7 +16,7 @@ class Closing:
     """An object that owns a handle of the library."""
 
     def _own(self, handle: Struct, destroy: Any) -> None:
-        """`destroy` is called with the handle when this object is closed, leaves its context, or is collected."""
+        """Calls `destroy` with the handle when this object is closed, leaves its context, or is collected."""
         self._destroy = weakref.finalize(self, destroy, handle)
 
     _check = staticmethod(check)  # check() of the library that owns the handle

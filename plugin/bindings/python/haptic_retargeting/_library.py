@@ -41,18 +41,18 @@ def load(name: str, variable: str, functions: dict[str, tuple[Any, ...]]) -> cty
         raise ImportError(f"{file} cannot be loaded: {error}. Install the {name} library, or set {variable} to its file") from error
     try:
         if name == "haptic_retargeting" and (found := _version(loaded))[:2] != _abi.VERSION[:2]:
-            raise ImportError(f"{file} has version {_dotted(found)}; {_dotted(_abi.VERSION)} is needed")
+            raise ImportError(f"{file} has version {_dotted(found)}; {_dotted(_abi.VERSION)} is needed. Install it, or set {variable} to its file")
         for function, (result, *parameters) in functions.items():
             declared = getattr(loaded, function)
             declared.restype, declared.argtypes = result, parameters
     except AttributeError as error:
-        raise ImportError(f"{file} is not the {name} library that is needed: {error}") from error
+        raise ImportError(f"{file} is not the {name} library that is needed: {error}. Install version {_dotted(_abi.VERSION)}, or set {variable} to its file") from error
     return loaded
 
 
 @functools.cache
 def library() -> ctypes.CDLL:
-    """Returns the plugin's library, which is loaded once."""
+    """Returns the plugin's library; the first call loads it."""
     return load("haptic_retargeting", "HRT_LIBRARY", _abi.FUNCTIONS)
 
 
@@ -73,17 +73,17 @@ def library_version() -> tuple[int, int, int]:
 
 
 def renamed(text: bytes, names: dict[str, str] = _abi.NAMES) -> str:
-    """Returns an error text with the names of this package."""
+    """Returns an error text in which names of this package replace C names."""
     return re.sub(r"\b(?:hrt|HRT)_\w+", lambda found: names.get(found[0], found[0]), text.decode(errors="replace"))
 
 
 def error(result: int, where: str = "") -> Error:
-    """Returns the error of this thread's last call."""
+    """Returns an Error with the text of this thread's last failed call."""
     return Error(result, where + renamed(library().hrt_last_error()))
 
 
 def check(result: int) -> None:
-    """Raises the error of this thread's last call."""
+    """Raises an Error if `result`, of this thread's last call, is an error."""
     if result != _abi.OK:
         raise error(result)
 
@@ -93,7 +93,7 @@ def _to_logger(_context: int | None, level: int, text: bytes) -> None:
 
 
 LOG = _abi.Host(log=_abi.HostLog(_to_logger))
-"""The log of a session: lines go to the logger of this package."""
+"""Host whose log passes its lines to the logger "haptic_retargeting"."""
 
 
 def output(kind: type[_S], function: Any, *arguments: Any) -> _S:

@@ -1,4 +1,4 @@
-"""Base classes of the structs and enumerations of the interface. Fields are keywords, and are checked when they are set."""
+"""Base classes of the structs and enumerations of the interface. Values are checked when a field is set."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Flags(IntFlag):
     """Base of enumerations whose values are bits of a mask."""
 
     def names(self) -> list[str]:
-        """Returns the flags that are set; unknown bits as a number."""
+        """Returns the names of the flags that are set, and unknown bits as one hexadecimal number."""
         known = [member for member in type(self) if member & self]
         rest = int(self) & ~sum(int(member) for member in known)
         return [str(member.name) for member in known] + ([hex(rest)] if rest else [])
@@ -48,7 +48,7 @@ class Flags(IntFlag):
 
 
 if TYPE_CHECKING:
-    _Base = ctypes._SimpleCData[Any]  # for type checkers a Structure has any attribute
+    _Base = ctypes._SimpleCData[Any]  # type checkers accept any attribute of a ctypes.Structure, also misspelt ones
     FunctionPointer = ctypes._FuncPointer
 else:
     _Base = ctypes.Structure
@@ -92,7 +92,7 @@ class Struct(_Base):
         return self
 
     def as_dict(self) -> dict[str, Any]:
-        """Returns the fields as plain Python values."""
+        """Returns the fields by name; an array becomes a list."""
         return {name: _plain(getattr(self, name)) for name in self.names()}
 
     def __repr__(self) -> str:

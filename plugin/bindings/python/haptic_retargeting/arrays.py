@@ -77,7 +77,7 @@ def _put(out: Array, field: str, values: ArrayLike | None, flag: SampleFlag) -> 
 
 
 def known(rows: Array) -> Array:
-    """Returns the samples, without the flags of fields that have NaN; NaN in a field of the finger is a dropout."""
+    """Returns the samples, without the flags of fields that have NaN; NaN in a field of the finger makes a dropout."""
     flags = rows["flags"].copy()
     for flag, field in _READ_BY:
         unknown = ((flags & np.uint32(flag)) != 0) & np.isnan(rows[field].T).any(axis=tuple(range(rows[field].ndim - 1)))

@@ -23,7 +23,7 @@ __all__ = ["Plate", *_plate_abi.__all__]
 
 @functools.cache
 def _library() -> ctypes.CDLL:
-    """Returns the library, which is loaded once."""
+    """Returns libhrt_plate; the first call loads it."""
     return load("hrt_plate", "HRT_PLATE_LIBRARY", _plate_abi.FUNCTIONS)
 
 
@@ -47,7 +47,7 @@ class Plate(Closing):
         self._own(self._handle, _library().hrt_plate_close)
 
     def set(self, orientation_deg: float) -> None:
-        """Turns the plate to an orientation, or to the nearest orientation with the same pattern of ridges."""
+        """Turns the plate to the nearest orientation with the same ridges as the given one; they repeat every 180 degrees."""
         _check(_library().hrt_plate_set(self._handle, orientation_deg))
 
     def stop(self) -> None:
@@ -55,7 +55,7 @@ class Plate(Closing):
         _check(_library().hrt_plate_stop(self._handle))
 
     def get(self) -> PlateReport:
-        """Returns the state of the plate."""
+        """Returns state, orientation and properties of the plate."""
         report = PlateReport()
         _check(_library().hrt_plate_get(self._handle, ctypes.byref(report)))
         return report

@@ -16,7 +16,7 @@ REAL, VIRTUAL, FINGER, PLATE = "#0072B2", "#D55E00", "#000000", "#009E73"
 def reach(record: ReachRecord, title: str = "") -> Any:
     """Draws one reach from above, and its angles over time. Returns the matplotlib figure."""
     if len(record.samples) == 0:
-        raise ValueError("the record has no samples, so there is nothing to draw")
+        raise ValueError("the record has no samples, so there is nothing to draw: pass a record with samples")
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(11, 4.8), layout="constrained")
@@ -28,7 +28,8 @@ def reach(record: ReachRecord, title: str = "") -> Any:
 
 
 def from_above(axes: Any, record: ReachRecord) -> None:
-    """Draws plate, ridges, finger and targets from above: x to the user's right, the user below."""
+    """Draws plate, ridges, finger and targets from above, in mm: x to the user's right, the user below. The virtual target
+    is drawn at the distance of the real one."""
     _draw_plate(axes, record)
     x, _, z = 1000 * record.position_m.T
     axes.plot(x, -z, ".", color=FINGER, markersize=2, label="finger, as tracked")
@@ -51,7 +52,7 @@ def from_above(axes: Any, record: ReachRecord) -> None:
 
 
 def _draw_plate(axes: Any, record: ReachRecord, spacing_mm: float = 5.0) -> None:
-    """Draws the edge of the plate, and its ridges at their last orientation."""
+    """Draws the edge of the plate, and ridges at the last measured or, if that is unknown, commanded orientation."""
     radius = 1000 * record.config.plate_radius_m
     around = np.linspace(0, 2 * np.pi, 181)
     axes.fill(radius * np.cos(around), radius * np.sin(around), facecolor="#f2f2f2", edgecolor="0.6")

@@ -28,8 +28,8 @@ def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> in
 
 
 class Reach:
-    """A reach in progress, from Session.reach(). Leaving the context ends the reach and sets `summary`; an exception
-    within the context cancels the reach."""
+    """A reach in progress, from Session.reach(). Leaving the context ends the reach and sets `summary`; it cancels a reach
+    that had no sample, and a reach after an exception."""
 
     def __init__(self, session: Session, real: Target, virtual: Target, plate_orientation_deg: float | None,
                  start_at_finger: bool, duration_s: float) -> None:
@@ -49,7 +49,7 @@ class Reach:
     def summary(self) -> ReachSummary:
         """The result of the reach. Raises RuntimeError before its end, and if it was cancelled."""
         if self._summary is None:
-            raise RuntimeError("the reach was cancelled" if self._cancelled else "the reach has not ended")
+            raise RuntimeError("the reach was cancelled, so it has no summary" if self._cancelled else "the reach has not ended: call end() first")
         return self._summary
 
     def update(self, time_ns: int, *, direction_deg: float | None = None, position_m: Numbers | None = None,
@@ -98,8 +98,9 @@ class Reach:
     def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
                 world_position_m: Numbers | None = None) -> None:
         """Reports contact of the finger with the real object: at the near side of the real target, or at a position on the
-        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). The contact corrects
-        the tracked positions of later reaches. Requires a registration. Allowed once per reach, also after its end."""
+        plate or in the world. `sd_m` is the standard deviation of a coordinate; 0: the radius of the real target, or 10 mm
+        if the radius is unknown. The contact corrects the tracked positions of later reaches. Requires a registration.
+        Allowed once per reach, also after its end."""
         contact = Contact(sd_m=sd_m)
         contact.flags = ContactFlag(_given(contact, "position_m", position_m, ContactFlag.PLATE_POSITION)
                                     | _given(contact, "position_m", world_position_m, ContactFlag.WORLD_POSITION))
@@ -118,7 +119,7 @@ class Reach:
         return self._summary
 
     def _log(self) -> None:
-        """Logs the warnings that the reach has stored, because its calls may not block."""
+        """Logs warnings that the reach has stored. Updates store them instead of logging, because they may not block."""
         check(library().hrt_host_set_log(self._session, byref(LOG)))
 
     def __enter__(self) -> Reach:

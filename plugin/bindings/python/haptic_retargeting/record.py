@@ -18,7 +18,7 @@ class ReachRecord:
     """One reach that was run or read from a recording. A row of `samples`, `commands` and `results` is one update."""
 
     config: SessionConfig
-    """Configuration at the beginning of the reach. The next four fields are also from the beginning, before any retarget."""
+    """Configuration at the beginning of the reach. The next four fields are also from before any retarget."""
     real_direction_deg: float
     virtual_direction_deg: float
     real_distance_m: float
@@ -26,7 +26,7 @@ class ReachRecord:
     samples: Array
     """Input of the reach, of dtype SAMPLE."""
     commands: Array
-    """Output of the reach, of dtype COMMAND; NaN, and paper_step -1, for calls that failed."""
+    """Output of the reach, of dtype COMMAND. For calls that failed: NaN, no flags, and paper_step -1."""
     results: NDArray[np.int32]
     """Result of each call: 0, or an ErrorCode."""
     summary: ReachSummary | None = None
@@ -40,7 +40,7 @@ class ReachRecord:
 
     @property
     def final_bearing_deg(self) -> float:
-        """Bearing of the last position; NaN if the reach did not end."""
+        """Bearing of the last position; NaN without a summary."""
         return np.nan if self.summary is None else self.summary.bearing_deg
 
     @property
@@ -67,8 +67,8 @@ class ReachRecord:
 
     @property
     def felt_position_m(self) -> Numbers:
-        """Perceived position of the fingertip by the model, in plate coordinates: each step of the path is rotated by the perceived
-        direction minus the direction of motion over eleven samples. NaN before the first position and while it is not tracked."""
+        """Perceived position of the fingertip by the model, in plate coordinates, n x 3: each step of the path is rotated by
+        the perceived direction minus the direction of motion over eleven samples. NaN while the finger is not tracked."""
         position = self.position_m
         seen = ~np.isnan(position[:, 0])
         out = np.full_like(position, np.nan)
@@ -105,14 +105,14 @@ class RunRecord(ReachRecord):
 
 
 def _rotated(vector: Numbers, rotation: Numbers) -> Numbers:
-    """Rotates vectors by quaternions x, y, z, w: v + 2 w (q x v) + 2 q x (q x v)."""
+    """Rotates vectors v by quaternions x, y, z, w: v + 2 w (q x v) + 2 q x (q x v), where q is (x, y, z)."""
     axis, scalar = rotation[..., :3], rotation[..., 3:]
     once = np.cross(axis, vector)
     return np.asarray(vector + 2 * scalar * once + 2 * np.cross(axis, once))
 
 
 def world_to_plate(position_m: ArrayLike, plate_position_m: ArrayLike, plate_rotation: ArrayLike, plate_scale: float = 1.0) -> Numbers:
-    """Converts positions to plate coordinates, for a plate in the world with the rotation x, y, z, w."""
+    """Converts positions to plate coordinates, for a plate with this position and quaternion x, y, z, w in the world."""
     away = (np.asarray(position_m, np.float64) - np.asarray(plate_position_m, np.float64)) / plate_scale
     return _rotated(away, np.asarray(plate_rotation, np.float64) * (-1, -1, -1, 1))
 

@@ -30,8 +30,7 @@ class Recording:
 
 
 class RecordingError(ValueError):
-    """Raised if the file is not a recording. The text names the line."""
-
+    """Raised if the file is not a recording, or is malformed. The text names the file and, unless it is not text, the line."""
 
 
 def _dtype(kind: type[Struct]) -> np.dtype[np.void]:
@@ -109,7 +108,7 @@ def _read(lines: Iterable[str]) -> Recording:
     number = 0
     for number, line in enumerate(lines, 1):
         if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 4":
-            raise RecordingError("line 1: not a recording of version 4")
+            raise RecordingError("line 1: not a recording of version 4; record again")
         if not line.endswith("\n") or line.startswith("# lost"):
             break  # the line is cut off, or calls are missing
         line = line.rstrip("\r\n")
@@ -123,14 +122,14 @@ def _read(lines: Iterable[str]) -> Recording:
             elif not line.startswith("#") and not header:
                 header = line.split(",")
                 if missing := [column for column in _NEEDED if column not in header]:
-                    raise ValueError(f"the column {missing[0]} is missing")
+                    raise ValueError(f"the column {missing[0]} is missing; record again")
             elif not line.startswith("#"):
                 _take(_row(header, line), config, reaches)
         except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
             reason = error if isinstance(error, (ValueError, TypeError)) else "the line is malformed; record again"
             raise RecordingError(f"line {number}: {reason}") from error
     if not header:
-        raise RecordingError(f"line {number}: the line of column names is missing")
+        raise RecordingError(f"line {number}: the line of column names is missing; record again")
     return Recording([rows.record() for rows in reaches], complete, targets)
 
 
@@ -143,7 +142,7 @@ def _from_json(kind: type[_S], text: str) -> _S:
 def _row(header: list[str], line: str) -> _Row:
     cells = line.split(",")
     if len(cells) != len(header):
-        raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed")
+        raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed; record again")
     return {name: cell if name in _TEXTS else _number(name, cell) for name, cell in zip(header, cells)}
 
 
@@ -154,7 +153,7 @@ def _number(name: str, cell: str) -> float | None:
         return float(cell)
     number, kind = int(cell), _WHOLE[name]
     if not np.iinfo(kind).min <= number <= np.iinfo(kind).max:
-        raise ValueError(f"{name} is {cell}, which is beyond {kind.name}")
+        raise ValueError(f"{name} is {cell}, which does not fit into {kind.name}; record again")
     return number
 
 
@@ -163,12 +162,12 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
         raise ValueError('the line "# config" is missing before this row; record again')
     call, done = row["call"], row["result"] == _abi.OK
     if call.startswith("setup_"):
-        return  # only replay() uses the calls of set-ups
+        return  # a record of reaches has no set-ups
     if call not in _CALLS:
         raise ValueError(f"the row's call is {call!r}; allowed: {', '.join(_CALLS)}")
     if call == "begin" and done:
         if missing := [column for column in _AIM if row[column] is None]:
-            raise ValueError(f"{missing[0]} is missing")
+            raise ValueError(f"{missing[0]} is missing; record again")
         reaches.append(_Rows(config, row))
     elif call == "update" and reaches and not reaches[-1].over:
         reaches[-1].updates.append(row)

@@ -101,8 +101,8 @@ class Session(SessionKeywords, Closing):
             record = session.run_reach(cylinder, cup, samples)
 
     The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. A session is
-    for one thread at a time. Warnings that no call can return, such as a clock or unit that is probably wrong, go to the logger
-    "haptic_retargeting". Closing a session removes its targets, and ends its reach and its recording.
+    for one thread at a time. Warnings that no call can return, such as a clock or unit that is probably wrong, go to the
+    logger "haptic_retargeting". Closing a session removes its targets, and ends its reach and its recording.
     """
 
     def _create(self, fields: dict[str, Any]) -> None:
@@ -142,8 +142,6 @@ class Session(SessionKeywords, Closing):
         else:
             check(library().hrt_reach_cancel(self.handle))
 
-    # Targets
-
     def add_real(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
                  position_m: ArrayLike | None = None, world_position_m: ArrayLike | None = None) -> Target:
         """Adds a real target, to which the hand is steered. Its position is given by its direction (and distance) from the
@@ -173,11 +171,11 @@ class Session(SessionKeywords, Closing):
         return Target(self, handle)
 
     def target(self, name: str) -> Target:
-        """Returns the target with this name."""
+        """Returns the target with this name. Raises KeyError without such a target."""
         for target in self.targets():
             if target.name == name:
                 return target
-        raise KeyError(f"no target has the name {name!r}")
+        raise KeyError(f"no target has the name {name!r}; add the target first")
 
     def targets(self, role: Role | None = None) -> list[Target]:
         """Returns all targets, or the targets of a role, in the order in which they were added."""
@@ -250,9 +248,7 @@ class Session(SessionKeywords, Closing):
         if status.system_error != 0:
             raise OSError(status.system_error, os.strerror(status.system_error), os.fspath(path))
         if status.rows_lost != 0:
-            raise RuntimeError(f"{os.fspath(path)} lacks {status.rows_lost} calls: the disk was too slow")
-
-    # The user and the plate
+            raise RuntimeError(f"{os.fspath(path)} lacks {status.rows_lost} calls: the disk was too slow; record to a faster disk")
 
     def set_up(self, what: SetupFlag = SetupFlag.ALL_MISSING, **fields: Any) -> SetUp:
         """Begins a set-up: a loop that asks the user for touches and slides, and applies the results. The keywords are the
@@ -270,18 +266,18 @@ class Session(SessionKeywords, Closing):
         return dict(json.loads(text.value))
 
     def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
-        """Sets the names of plate and tracker, and the time in seconds since 1970; empty and 0: unknown. A calibration stores
-        these conditions. If a loaded profile has other names, the library logs a warning."""
+        """Sets the names of plate and tracker, and the time in seconds since 1970; empty and 0: unknown. A calibration
+        stores these conditions. If a loaded profile has other names, the library logs a warning."""
         check(library().hrt_profile_set_conditions(self.handle, byref(Conditions(plate=plate, tracker=tracker, time_s=time_s))))
 
     @property
     def conditions(self) -> Conditions:
-        """Returns the conditions under which the user was measured. `differing` flags those that differ from the present ones."""
+        """Conditions under which the user was measured. `differing` flags those that differ from the present ones."""
         return output(Conditions, library().hrt_profile_get_conditions, self.handle)
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:
-        """Copies a profile, a mapping or JSON text, into the configuration. Of the fields that the profile lacks, those of the
-        user's traits and of correlated noise are reset to their defaults, and the others are kept."""
+        """Copies a profile, a mapping or JSON text, into the configuration. Of the fields that the profile lacks, those of
+        the user's traits and of correlated noise are reset to their defaults, and the others are kept."""
         if isinstance(profile, Mapping):
             profile = json.dumps(dict(profile))
         text = profile.encode() if isinstance(profile, str) else profile

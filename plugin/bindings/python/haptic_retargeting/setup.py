@@ -27,7 +27,7 @@ class SetUp:
     def __init__(self, session: Session, what: SetupFlag, fields: dict[str, Any]) -> None:
         self._session = session.handle
         self.over = False
-        """True once all parts are finished or cancelled."""
+        """True after every part has a result or was dropped, or the set-up was cancelled."""
         self.result = SetupResult()
         """Results of the finished parts."""
         check(library().hrt_setup_begin(self._session, what, byref(SetupConfig(**fields))))
