@@ -16,28 +16,29 @@
  *   }
  *
  * Calls
- *  - Calls return hrt_result, except those that return a text or the version. HRT_OK is 0; every error is negative.
- *    On an error, the session and the outputs are unchanged, and hrt_last_error() names the call, what is wrong and
- *    what is allowed.
+ *  - Calls return hrt_result, except those that return a text, the version or a struct with its defaults. HRT_OK is 0;
+ *    every error is negative. After an error, the session and the outputs are unchanged, and hrt_last_error() names
+ *    the call and what is wrong.
  *  - No call throws, aborts or terminates the process, including when memory is exhausted. Exception: hrt_scene_load()
  *    may terminate the process if memory is exhausted.
- *  - Every call may return NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE, BUSY or INTERNAL. The comment of a call lists
- *    its other errors.
+ *  - The comment of a call lists its errors, except NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE, BUSY and INTERNAL.
+ *  - Comments omit the prefixes of constants: WRONG_STATE is HRT_ERROR_WRONG_STATE, and ARRIVAL or GUIDANCE_ARRIVAL is
+ *    HRT_GUIDANCE_ARRIVAL.
  *  - Thread tags:
  *      [any-thread]  any thread, at any time.
- *      [one-thread]  any thread, but only one at a time for each session, person, scene or plate. A call of a second
- *                    thread returns HRT_ERROR_BUSY.
+ *      [one-thread]  any thread, but only one at a time for each session, person, scene or plate. While one thread is
+ *                    in a call, a call of a second thread returns BUSY.
  *      [real-time]   as [one-thread]. In addition, the call takes no lock, allocates nothing, makes no system call and
  *                    takes bounded time, also when it fails. On Windows, the first call of a thread allocates memory
  *                    for its error text.
  *
  * Structs
  *  - Set `struct_size` to the size of the struct before each call, also in structs that the call fills. The _init()
- *    function of the struct, such as hrt_session_config_init(), sets the size and the defaults. A null configuration
- *    means the defaults. Bytes beyond the size that the library knows must be zero.
- *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields have the alignment of C.
- *  - A value of a type such as hrt_guidance is one of the constants below the type; flags are any combination of the
- *    constants below their type, joined by |.
+ *    function of the struct, such as hrt_session_config_init(), sets the size and the defaults. In a struct that a call
+ *    reads, bytes beyond the size that the library knows must be zero.
+ *  - Fields named `reserved` must be zero.
+ *  - A value of a type such as hrt_guidance is one of the constants below the type. Flags are the constants below their
+ *    type, joined by |.
  *  - Texts and paths are UTF-8, on Windows too.
  *
  * In your process (PROCESS.md has numbers and details)
@@ -46,11 +47,12 @@
  *  - The library sends and handles no signals. Its only threads are one for each recording, which blocks signals.
  *  - In the child of a fork, sessions work; recordings stay with the parent (recording.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call at that time.
- *  - Stack: 32 kB in [real-time] calls, 66 kB in other calls. Memory: 31 kB for a session, 10 MB for a recording.
+ *  - Stack: at most 32 kB in [real-time] calls, 66 kB in other calls. Memory: 31 kB for a session, 10 MB for a
+ *    recording.
  *
- * Names end with units: _deg degrees, _deg2 degrees squared, _m metres, _s seconds, _ns nanoseconds, _deg_s degrees per
- * second. Tags in comments give other units, ranges, defaults and references. The range of an array applies to each of
- * its elements:
+ * Names end with their units: _deg degrees, _deg2 degrees squared, _m metres, _s seconds, _ns nanoseconds, _deg_s
+ * degrees per second. Tags in comments give other units, ranges and defaults; the range of an array applies to each
+ * element:
  *   @unit U           unit of a value whose name does not end in it; 1: a pure number
  *   @range A to B     allowed values; "0 or A to B" allows 0 as well
  *   @default V        value that hrt_..._init() sets
@@ -67,7 +69,7 @@
  *
  * Directions are angles from the mid-line, positive counter-clockwise, seen from above: a target to the left has a
  * positive direction. The bearing of a position is the direction of the straight line from the start of the reach to
- * the position. The direction of the motion differs from the bearing, since paths are curved.
+ * the position. On a curved path, the direction of the motion differs from the bearing.
  *
  * Plate orientation is the direction of the normal of the ridges, counter-clockwise from the mid-line, seen
  * from above. At 0, the ridges run across the mid-line, left to right. Orientations 180 degrees apart have the same
@@ -121,43 +123,42 @@ extern "C" {
 #define HRT_VERSION_MAJOR 0
 #define HRT_VERSION_MINOR 5
 #define HRT_VERSION_PATCH 0
-/** Version to pass to hrt_session_create(). The library accepts headers of its own major version; before 1.0, also the
- *  minor version must be equal. */
+/** Version to pass to hrt_session_create(), which rejects headers of another major or minor version. */
 #define HRT_VERSION (HRT_VERSION_MAJOR * 10000 + HRT_VERSION_MINOR * 100 + HRT_VERSION_PATCH)
 
 /** Result of a call: HRT_OK or one of HRT_ERROR_*. */
 typedef int32_t hrt_result;
 
 #define HRT_OK 0 /**< the call succeeded */
-/** @enumeration HRT_ERROR Errors of calls. Their numbers never change. */
+/** @enumeration HRT_ERROR Errors of calls. */
 /** A pointer that must not be null was null. */
 #define HRT_ERROR_NULL_ARGUMENT (-1)
-/** The handle or id is null, stale, of another session, or was never returned by the library. */
+/** The handle or id is 0, was never returned by the library, or is of a destroyed object or of another session. */
 #define HRT_ERROR_INVALID_HANDLE (-2)
 /** `struct_size` is smaller than the size that this library knows, larger than 4096, or not a multiple of the struct's
  *  alignment; or bytes beyond the known size are not zero. */
 #define HRT_ERROR_STRUCT_SIZE (-3)
-/** A value is outside its documented range, not a number, or infinite. */
+/** A value is outside its range, not a number or infinite, or values that do not fit each other were given. */
 #define HRT_ERROR_OUT_OF_RANGE (-4)
 /** The call is not allowed in the present state, for example an update while no reach is in progress. */
 #define HRT_ERROR_WRONG_STATE (-5)
 /** Another thread is in a call on this session, person, scene or plate. */
 #define HRT_ERROR_BUSY (-6)
-/** The time is earlier than that of the previous sample or call. */
+/** `time_ns` is earlier than in the previous call of this reach, set-up or simulated person. */
 #define HRT_ERROR_TIME_REVERSED (-7)
 /** An allocation failed. */
 #define HRT_ERROR_OUT_OF_MEMORY (-8)
-/** The number of objects is at its limit. */
+/** The maximum number of sessions, targets, scenes, simulated people or plates exists already. */
 #define HRT_ERROR_LIMIT_REACHED (-9)
 /** The caller's buffer is too small for the output. */
 #define HRT_ERROR_BUFFER_TOO_SMALL (-11)
 /** Another target of this session has this name. */
 #define HRT_ERROR_NAME_TAKEN (-12)
-/** The operating system could not open a file, for example because it does not exist, or could not start a thread. */
+/** A file could not be opened, read or written, or a thread could not be started. */
 #define HRT_ERROR_SYSTEM (-13)
-/** A file or text is malformed. hrt_last_error() names the position. */
+/** A file or text is malformed, or its version is not supported. */
 #define HRT_ERROR_BAD_FORMAT (-14)
-/** The data cannot determine the requested value. hrt_last_error() names what is missing. */
+/** The samples so far do not suffice for the call. hrt_last_error() names what is missing. */
 #define HRT_ERROR_INSUFFICIENT_DATA (-15)
 /** A defect in this library. Please report it with the text of hrt_last_error(). */
 #define HRT_ERROR_INTERNAL (-99)
@@ -175,8 +176,7 @@ HRT_API const char* hrt_result_string(hrt_result result) HRT_NOEXCEPT;
  *  @threadsafety [any-thread] */
 HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
 
-/** Returns the library's version. From version 1.0, all versions with the same major number are compatible. Before 1.0,
- *  a minor version may change the interface; the changelog names the changes.
+/** Returns the version of the library; HRT_VERSION is that of the headers.
  *
  *  @param out_major  Receives the major version. Null is allowed for each of the three outputs.
  *  @threadsafety [any-thread] */

@@ -34,35 +34,38 @@ extern "C" {
 #endif
 
 /** Gap between a real and a virtual target. The user perceives the direction of the finger plus a shift that depends on
- *  the plate orientation, and steers until the sum is the virtual direction. The largest gap is therefore the largest
- *  shift for the allowed plate orientations. GUIDANCE_ARRIVAL allows orientations within person.motion_bound_deg of the
- *  direction of the motion, and the shift follows the user's illusion curve: the largest gap is 11.25 degrees for a
- *  linear illusion of weight 0.15 and a bound of 75 degrees. FIXED_DIRECTION allows orientations within
- *  paper.plate_bound_deg of the virtual direction: the largest gap is 14.9 degrees for a weight of 0.15 and a bound of
- *  84.5 degrees. Published human data cover angles of up to 60 degrees between motion and ridge normal. */
+ *  the plate orientation, and steers until the sum is the virtual direction plus the user's bias. The largest feasible
+ *  gap is therefore the largest shift for the allowed plate orientations.
+ *
+ *  GUIDANCE_ARRIVAL allows orientations within person.motion_bound_deg of the direction of the motion, and the shift
+ *  follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 and a bound of 75 degrees.
+ *  FIXED_DIRECTION and HRT_CONTROL_FIXED_PLATE use the model of the paper, with orientations within
+ *  paper.plate_bound_deg of the virtual direction plus the bias: 14.9 degrees for a weight of 0.15 and a bound of 84.5
+ *  degrees. Published human data cover angles of up to 60 degrees between motion and ridge normal. */
 typedef struct hrt_gap {
   uint32_t struct_size;
-  /** 1 if the plate can keep the finger on the direction of the real target. @bool */
+  /** 1 if the gap is feasible: the plate can keep the finger moving in the direction of the real target. @bool */
   uint32_t reachable;
   hrt_target real_target;    /**< the real target */
   hrt_target virtual_target; /**< the virtual target */
   /** Virtual direction plus the user's bias, minus the real direction; in [-180, 180). @ccw */
   double gap_deg;
-  /** Largest gap, to either side, that the plate can sustain for the user and the guidance of the session. */
+  /** Largest feasible gap, to either side. */
   double max_gap_deg;
   /** max_gap_deg minus the absolute value of gap_deg. Negative: the gap is not feasible. */
   double margin_deg;
   /** Plate orientation that sustains the gap; at the bound if the gap is not feasible. @ccw */
   double plate_orientation_deg;
-  /** Direction in which the finger settles: that of the real target if the gap is reachable. @ccw */
+  /** Direction in which the finger settles: that of the real target if the gap is feasible. @ccw */
   double settling_direction_deg;
   /** Largest gap in the model of the paper, from person.tactile_weight and paper.plate_bound_deg. */
   double paper_max_gap_deg;
   /** SD of the bearings at which reaches to the real target end, due to the apparatus alone: plate.covariance (after
    *  contacts, registration.contact_covariance) and tracker.bearing_sd_deg of hrt_session_config. */
   double bearing_sd_deg;
-  /** Fraction of reaches that end off the target (HRT_COMMAND_OFF_TARGET) because of bearing_sd_deg alone. If this
-   *  fraction is too large, register with more touches or use another tracker. @range 0 to 1 @unit 1 */
+  /** Fraction of reaches that would end more than 1.5 degrees off the bearing of the real target because of
+   *  bearing_sd_deg alone. If it is too large, register with more touches or use another tracker. @range 0 to 1
+   *  @unit 1 */
   double miss_share;
 } hrt_gap;
 
@@ -78,14 +81,15 @@ HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target r
 
 /** @flags HRT_ASSIGN Flags of hrt_gap_assign(). */
 typedef uint32_t hrt_assign_flags;
-/** Each real target is assigned to at most one virtual target. Without this flag, to any number of them. */
+/** Each real target is assigned to at most one virtual target. Without this flag, it may get several. */
 #define HRT_ASSIGN_EXCLUSIVE UINT32_C(1)
 
 /** Maximum number of virtual targets, and of real targets, in hrt_gap_assign(). */
 #define HRT_ASSIGN_TARGETS_MAX 1000
 
-/** Assigns real targets to as many virtual ones as possible; among these assignments, it returns one whose largest
- *  ratio of gap_deg to max_gap_deg is minimal. With EXCLUSIVE, 1000 targets of each role take up to a second.
+/** Assigns real targets to as many virtual ones as possible, with feasible gaps only. Among these assignments, it
+ *  returns one whose largest ratio of |gap_deg| to max_gap_deg is minimal. With EXCLUSIVE, 1000 targets of each role
+ *  take up to a second.
  *
  *  @param virtual_targets  Targets that need a real one.
  *  @param real_targets     Targets to choose from.

@@ -28,11 +28,11 @@ extern "C" {
 
 /** @enumeration HRT_LOG Level of a log message. */
 typedef uint32_t hrt_log_level;
-#define HRT_LOG_WARNING 1 /**< the library continues, with a loss that the text names */
-#define HRT_LOG_ERROR 2   /**< an operation has failed, or the library has a defect */
+#define HRT_LOG_WARNING 1 /**< a probable mistake, or results that are less accurate or incomplete */
+#define HRT_LOG_ERROR 2   /**< a recording has stopped, or the library has a defect */
 
-/** Functions of the host, for the whole process. By default, all are null: the library uses the allocator of the C
- *  library, and has no log. The functions must not call this library or throw. Each may be called on any thread. */
+/** Functions of the host. By default, all are null: the library uses the allocator of the C library, and has no log.
+ *  The functions must not call this library or throw. Each may be called on any thread. */
 typedef struct hrt_host {
   uint32_t struct_size;
   uint32_t reserved;
@@ -46,13 +46,14 @@ typedef struct hrt_host {
    *  needs the size must store it next to the memory. Called concurrently. */
   void (*release)(void* context, void* memory);
   /** Receives events that no call can return, for example that the disk of a recording is full. `level` is one of
-   *  HRT_LOG_*. `text` is one line that names the session or the file; it is valid during the call. Called on a thread
-   *  of the library, or within a call that is not real-time; one call at a time. Null: the events are lost. */
+   *  HRT_LOG_*. `text` is one line that names the session or the file; it is valid during the call. Called on the
+   *  thread of a recording, or within a call that is not tagged [real-time]; one call at a time. Null: the events are
+   *  lost. */
   void (*log)(void* context, hrt_log_level level, const char* text);
 } hrt_host;
 
-/** Sets allocator and log. Waits while the former log is being called; the former log is not called after this call
- *  returns.
+/** Sets allocator and log. The log receives the lines of all sessions without a log of their own (hrt_host_set_log()).
+ *  Waits while a log is being called; after this call returns, the former log is not called.
  *
  *  @param host  Functions, copied. Null: the defaults.
  *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of
@@ -61,9 +62,9 @@ typedef struct hrt_host {
 HRT_NODISCARD HRT_API hrt_result hrt_host_set(const hrt_host* host) HRT_NOEXCEPT;
 
 /** Sets a log for one session instead of that of hrt_host_set(), for processes in which several parts use this library.
- *  Waits while the former log is being called; the former log receives no lines of the session after this call returns.
- *  Also writes lines that real-time calls have stored, for example about a reach with HRT_COMMAND_IMPLAUSIBLE: call it
- *  after a reach to receive them immediately.
+ *  Waits while a log is being called; after this call returns, the former log receives no lines of the session. Writes
+ *  to the new log what [real-time] calls could not write, such as the reason of HRT_COMMAND_IMPLAUSIBLE: call it after
+ *  a reach to receive these lines immediately.
  *
  *  @param host  Host whose `context` and `log` are copied; `allocate` and `release` must be null. If `host` or
  *               `host->log` is null, the session uses the log of hrt_host_set() again.

@@ -50,8 +50,8 @@ typedef struct hrt_person_config {
   /** Tactile weight: a higher weight deflects the finger further. 0: drawn from the seed between 0.12 and 0.3.
    *  @range 0 or 0.01 to 0.49 @unit 1 @default 0 */
   double tactile_weight;
-  /** Perceptual bias: direction in which the person sees a virtual target minus its true direction. The controller has
-   *  to estimate it. @range -45 to 45 @default 0 @ccw */
+  /** Perceptual bias: direction in which the person sees a virtual target minus its true direction.
+   *  @range -45 to 45 @default 0 @ccw */
   double bias_deg;
   /** Duration of the motion. A shorter motion leaves the controller less time to correct. 0: 1.5 s.
    *  @range 0 or 0.3 to 20 @default 0 */
@@ -77,7 +77,7 @@ typedef struct hrt_person_state {
   double felt_position_m[3];
   /** Orientation to which the simulated servo has turned the plate. @ccw */
   double plate_orientation_deg;
-  /** Perceived direction minus direction of the virtual target: a bias is included. @ccw */
+  /** Perceived direction minus direction of the virtual target, without a correction for the person's bias. @ccw */
   double felt_error_deg;
 } hrt_person_state;
 
@@ -96,13 +96,13 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* conf
  *  @threadsafety [one-thread] */
 HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 
-/** Starts a reach: the finger rests at the session's start for 0.6 s, and then slides to the position that the virtual
- *  target has at this call. Each call starts another reach, with new noise.
+/** Starts a reach: the finger rests at the session's start for 0.6 s, and then slides towards the position that the
+ *  virtual target has at this call. Each call starts another reach, with new noise.
  *
  *  With virtual_target {0}, the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m in the
- *  world, rotated by 20 degrees about y, and the skin is at (2, -8, -12) mm from the tracked joint, in the joint's
- *  axes. Samples have WORLD_POSITION and JOINT_ROTATION in the parts FINGERTIP, REGISTRATION and CHECK, and in all
- *  parts once the session is registered.
+ *  world, rotated by 20 degrees about the world's y axis, and the skin is at (2, -8, -12) mm from the tracked joint, in
+ *  the joint's axes. Samples have WORLD_POSITION and JOINT_ROTATION in the parts FINGERTIP, REGISTRATION and CHECK, and
+ *  in all parts once the session is registered.
  *
  *  @param session         Session of the target or of the set-up.
  *  @param virtual_target  Target that the person reaches for; {0}: follow the set-up in progress.
@@ -111,11 +111,11 @@ HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session session,
                                                   hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Commands the servo, advances the simulation, and returns the sample that tracker and servo report. The sample has
+/** Commands the simulated servo, advances the simulation, and returns the sample of tracker and servo. The sample has
  *  the flags PLATE_ORIENTATION and PLATE_POSITION; hrt_person_begin() describes the exceptions in a set-up. The first
  *  call after hrt_person_begin() puts the plate at the given orientation and starts the finger's rest.
  *
- *  @param time_ns                Time to which the simulation advances.
+ *  @param time_ns                Time to which the simulation advances; must not decrease.
  *  @param plate_orientation_deg  Command to the servo, which turns to the nearest equivalent orientation. @ccw
  *  @param out_sample             Sample for hrt_reach_update() or hrt_setup_update().
  *  @return OUT_OF_RANGE naming plate_orientation_deg; TIME_REVERSED; WRONG_STATE before hrt_person_begin();

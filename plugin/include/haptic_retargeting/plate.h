@@ -73,20 +73,21 @@ typedef struct hrt_plate {
  *  (HRT_PLATE_REPORT_UNHOMED). */
 typedef uint32_t hrt_plate_homing;
 #define HRT_PLATE_HOMING_REFUSED 0u /**< hrt_plate_set() fails with WRONG_STATE */
-/** The first call moves the plate slowly, for about 8 s. Keep fingers off the plate: a digital servo may nevertheless
- *  move at its full speed. */
+/** The first hrt_plate_set() moves the plate slowly, for about 8 s. Keep fingers off the plate: a digital servo may
+ *  nevertheless move at its full speed. */
 #define HRT_PLATE_HOMING_SLOW 1u
 
 /** Options of hrt_plate_open(). */
 typedef struct hrt_plate_options {
   uint32_t struct_size;
-  /** Effect of hrt_plate_set() while the orientation is unknown. A plate without a sensor needs HOMING_SLOW.
+  /** Effect of hrt_plate_set() while the orientation is unknown. A plate without a sensor needs HOMING_SLOW after its
+   *  supply was switched on.
    *  @default HRT_PLATE_HOMING_REFUSED */
   hrt_plate_homing homing;
   /** Time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() after which the plate stops at its present
    *  orientation, so that the plate does not keep moving if the application hangs. The next hrt_plate_set() moves the
-   *  plate again. Raise the time for an application whose frames may take longer; the plate then moves longer when the
-   *  application hangs. @range 50 ms to 10 s @default 300 ms */
+   *  plate again. Raise the time for an application whose frames may take longer.
+   *  @range 50 ms to 10 s @default 300 ms */
   int64_t host_timeout_ns;
 } hrt_plate_options;
 
@@ -100,12 +101,12 @@ typedef uint32_t hrt_plate_state;
 typedef uint32_t hrt_plate_fault;
 #define HRT_PLATE_FAULT_NONE 0u      /**< no failure */
 #define HRT_PLATE_FAULT_LINE 1u      /**< the serial port cannot be opened or configured, or is in use */
-#define HRT_PLATE_FAULT_NO_ANSWER 2u /**< no device, or another one than in the plate's file, answers at the port */
+#define HRT_PLATE_FAULT_NO_ANSWER 2u /**< no device answers, or its description or settings differ from the file */
 #define HRT_PLATE_FAULT_UNPLUGGED 3u /**< the serial port has disappeared, or accepts no data */
 #define HRT_PLATE_FAULT_SILENT 4u    /**< the device has sent nothing for half a second */
 #define HRT_PLATE_FAULT_NO_REPORT 5u /**< the device does not report its orientation */
 #define HRT_PLATE_FAULT_LIMITS 6u    /**< the device reports an angle beyond its limits, or rejected a command */
-#define HRT_PLATE_FAULT_STUCK 7u     /**< the plate does not move although it was commanded */
+#define HRT_PLATE_FAULT_STUCK 7u     /**< the plate has not moved towards its command for a second */
 #define HRT_PLATE_FAULT_RESTARTED 8u /**< the device restarted, or announced itself again */
 #define HRT_PLATE_FAULT_EMERGENCY 9u /**< the emergency stop is pressed, or its wire is broken */
 #define HRT_PLATE_FAULT_DEVICE 10u   /**< the device reports a fault, such as voltage, temperature or overload */
@@ -129,7 +130,7 @@ typedef uint32_t hrt_plate_report_flags;
  *  the plate again. */
 #define HRT_PLATE_REPORT_DEVIATES 256u
 
-/** State and properties of a plate. All numbers are finite, and 0 while they are unknown. */
+/** State and properties of a plate. Numbers are 0 while they are unknown. */
 typedef struct hrt_plate_report {
   uint32_t struct_size;
   /** State of the plate. */
@@ -138,27 +139,23 @@ typedef struct hrt_plate_report {
   hrt_plate_fault fault;
   /** Content of the report, and warnings. */
   hrt_plate_report_flags flags;
-  /** Last reported plate orientation, from -360 to 360. For hrt_sample::plate_orientation_deg. @ccw */
+  /** Last reported plate orientation, from -360 to 360. Copy it to hrt_sample::plate_orientation_deg. @ccw */
   double orientation_deg;
-  /** Last command that was sent, within the stops. @ccw */
+  /** Orientation of the last command, after the choice of an equivalent orientation within the stops. @ccw */
   double command_deg;
   /** Time since the last report of the orientation was received. */
   int64_t age_ns;
-  /** Time from a command to the plate's motion: latency of the plate plus half of the round trip. For
-   *  hrt_session_config::plate.latency_ns. 0: unknown. */
+  /** Time from a command to the plate's motion: latency of the plate plus half of the round trip. */
   int64_t latency_ns;
   /** Median time from a message to its answer at the serial port. */
   int64_t round_trip_ns;
-  /** Maximum speed of the plate: the specified one, or the observed one if that is lower. For
-   *  hrt_session_config::plate.max_speed_deg_s. */
+  /** Maximum speed of the plate: that of its settings or its file, or the observed speed if that is lower. */
   double max_speed_deg_s;
-  /** Maximum acceleration that `hrt-plate commission` measured; 0 if the plate was not opened by its file. For
-   *  hrt_session_config::plate.max_acceleration_deg_s2. */
+  /** Maximum acceleration that `hrt-plate commission` measured; 0 if the plate was not opened by its file. */
   double max_acceleration_deg_s2;
-  /** Lower stop; of a Dynamixel servo, the driver's limit of -360. For hrt_session_config, if the stops are 180 degrees
-   *  apart or more. @ccw */
+  /** Lower stop; for a Dynamixel servo, which has no stop, the driver's limit of -360. @ccw */
   double lower_stop_deg;
-  /** Upper stop. @ccw */
+  /** Upper stop; for a Dynamixel servo, the driver's limit of 360. @ccw */
   double upper_stop_deg;
   /** Number of messages that the plate rejected or that were damaged in transmission. */
   uint64_t refused_messages;
@@ -181,9 +178,9 @@ typedef struct hrt_plate_report {
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                                                       hrt_plate* out_plate) HRT_NOEXCEPT;
 
-/** Turns the plate to the nearest orientation that has the same ridges as the given one: they repeat every 180 degrees.
- *  If the stops allow no such orientation, turns the plate to the nearest stop. The plate holds its orientation until
- *  the next command. The command is sent within 5 ms, unless the computer is busy.
+/** Turns the plate to the orientation that is nearest to the present one and has the same ridges as the given one: they
+ *  repeat every 180 degrees. If the stops allow no such orientation, turns the plate to the nearest stop. The plate
+ *  holds its orientation until the next command. The command is sent within 5 ms, unless the computer is busy.
  *
  *  @param orientation_deg  Plate orientation. @range -1e6 to 1e6 @ccw
  *  @return OUT_OF_RANGE naming orientation_deg; WRONG_STATE if the plate is not READY, or if it is UNHOMED and
@@ -197,9 +194,12 @@ HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_set(hrt_plate plate, double ori
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_stop(hrt_plate plate) HRT_NOEXCEPT;
 
-/** Returns the state of the plate. Call it every frame. It reads the monotonic clock.
+/** Returns the state of the plate. Call it every frame: calls also show that the application does not hang
+ *  (hrt_plate_options::host_timeout_ns).
  *
- *  @param out_report  State and properties.  @threadsafety [real-time] */
+ *  @param out_report  State and properties.
+ *  @return WRONG_STATE in the child of a fork.
+ *  @threadsafety [real-time] The call reads the monotonic clock. */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) HRT_NOEXCEPT;
 
 /** Stops the plate, restores the settings of its serial port, and ends its thread within 0.5 s.
@@ -215,8 +215,9 @@ HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
  *  @threadsafety [any-thread] */
 HRT_PLATE_API const char* hrt_plate_last_error(void) HRT_NOEXCEPT;
 
-/** Copies speed, acceleration, latency and stops of a READY plate into a configuration. A configuration cannot contain
- *  stops that are less than 180 degrees apart: both are then set to 0, as for a plate that turns freely.
+/** Copies speed, acceleration, latency and stops of a READY plate into a configuration. A configuration cannot have
+ *  stops that are less than 180 degrees apart: instead of such stops, both are set to 0, as for a plate that turns
+ *  freely.
  *
  *  @threadsafety [any-thread] */
 static inline void hrt_session_config_from_plate(hrt_session_config* config, const hrt_plate_report* report) {

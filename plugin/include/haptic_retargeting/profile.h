@@ -28,9 +28,10 @@
  *
  *   "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
- * Fields and ranges are those of hrt_session_config with the tag @profile. Contacts are stored with the pose of the
- * plate. A session with another pose discards the contacts. A session with the same pose adds an SD of 0.002 to the
- * elements of registration.contact_correction, because trackers drift.
+ * Fields and ranges are those of hrt_session_config with the tag @profile. If the session has contacts
+ * (hrt_reach_touched()), they are stored with the pose of the plate. hrt_profile_load() ignores the contacts of a
+ * profile with another pose than the session's. Otherwise, it adds 0.002 squared to the variance of each element of
+ * registration.contact_correction, because trackers drift.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
@@ -46,7 +47,8 @@ typedef uint32_t hrt_condition_flags;
 #define HRT_CONDITION_PLATE UINT32_C(1)   /**< the name of the plate */
 #define HRT_CONDITION_TRACKER UINT32_C(2) /**< the name of the tracker */
 
-/** Conditions of a measurement. The host sets them, because the library reads no clock and knows no devices. */
+/** Conditions under which a user was measured. The host sets them, because the library reads no clock and knows no
+ *  devices. */
 typedef struct hrt_conditions {
   uint32_t struct_size;
   /** Output: conditions that the profile and the host both name, and that differ. Not read as input. */
@@ -71,8 +73,8 @@ typedef struct hrt_conditions {
 HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
-/** Returns the conditions under which the user was measured: those of the loaded profile; after a later calibration,
- *  the present conditions; otherwise, all are unknown.
+/** Returns the conditions under which the user was measured: those of the last calibration in this session or of the
+ *  last loaded profile, whichever is later. Without either, all fields are 0 or empty.
  *
  *  @param out_conditions  Conditions of the measurement. `differing` compares them with the present ones.
  *  @threadsafety [one-thread] */
@@ -89,9 +91,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;
 
-/** Copies a profile into the session's configuration. Of the fields that the profile lacks, person.mean,
- *  person.covariance and those of correlated noise are reset to their defaults; all others keep their values. Unknown
- *  fields are an error.
+/** Copies the user, the noise of the tracker and the contacts of a profile into the session's configuration. The pose
+ *  of the plate is kept. Of the fields that the profile lacks, person.mean, person.covariance and those of correlated
+ *  noise are reset to their defaults; the others keep their values. Unknown fields are an error.
  *
  *  @param text    Profile in UTF-8.
  *  @param length  Bytes of the profile.
@@ -102,7 +104,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const cha
 
 /** Prepares the session for another user: resets fingertip_offset_m, all fields of hrt_session_person except
  *  max_felt_error_deg, and the fields of hrt_session_paper that profiles contain. Plate, tracker, registration and
- *  targets are kept, so that HRT_SETUP_ALL_MISSING measures only the user.
+ *  targets are kept. If the plate is registered, HRT_SETUP_ALL_MISSING then measures only fingertip and user.
  *
  *  @return WRONG_STATE during a reach or a set-up.
  *  @threadsafety [one-thread] */

@@ -32,8 +32,8 @@ extern "C" {
 
 /** @flags HRT_REACH Options of a reach: hrt_reach_config::flags. */
 typedef uint32_t hrt_reach_flags;
-/** hrt_reach_config::plate_orientation_deg is set. Otherwise, the plate is assumed to be at the session's last command,
- *  and at 0 before the first command. */
+/** hrt_reach_config::plate_orientation_deg is set. Without this flag, the plate is assumed to be at the last command of
+ *  a reach or set-up of this session, and at 0 before the first command. */
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
 /** The reach starts at the first position of the finger instead of hrt_session_config::start_position_m; directions and
  *  distances are measured from this position. Until the first position, the plate turns as for the configured start,
@@ -54,8 +54,8 @@ typedef struct hrt_reach_config {
    *  other than this session has turned the plate: the controller plans from this orientation. @range -1e6 to 1e6
    *  @default 0 @ccw */
   double plate_orientation_deg;
-  /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the task dictates it. A correct value improves the
-   *  first corrections, a wrong one impairs them. 0: unknown, and estimated from the progress of the finger.
+  /** Expected duration of the motion, if the task dictates it. Used under GUIDANCE_ARRIVAL only. A correct value
+   *  improves the first corrections, a wrong one impairs them. 0: estimated from the progress of the finger.
    *  @range 0 or 0.1 to 20 @default 0 */
   double duration_s;
 } hrt_reach_config;
@@ -67,7 +67,7 @@ typedef uint32_t hrt_sample_flags;
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
 #define HRT_SAMPLE_PLATE_POSITION UINT32_C(2)    /**< finger_position_m, in plate coordinates */
 #define HRT_SAMPLE_PLATE_ORIENTATION UINT32_C(4) /**< plate_orientation_deg, as measured */
-#define HRT_SAMPLE_LIFTED UINT32_C(8)            /**< the finger does not touch the plate: the reach is interrupted */
+#define HRT_SAMPLE_LIFTED UINT32_C(8)            /**< the finger does not touch the plate; its position is ignored */
 #define HRT_SAMPLE_WORLD_POSITION UINT32_C(16)   /**< finger_position_m, in the engine's world */
 /** plate_position_m and plate_rotation, with WORLD_POSITION, if the plate is tracked too. Otherwise, the pose in the
  *  session's configuration is used. */
@@ -82,21 +82,21 @@ typedef struct hrt_sample {
   uint32_t struct_size;
   /** Fields that are set. */
   hrt_sample_flags flags;
-  /** Time of the sample on the caller's monotonic clock, with any origin; never less than that of the last sample.
+  /** Time of the sample on the caller's monotonic clock, with any origin. Must not decrease within a reach or set-up.
    *  @range any */
   int64_t time_ns;
   /** Direction of the finger's motion, assumed to be exact. If the position is known, set finger_position_m instead:
    *  GUIDANCE_ARRIVAL needs positions. @range -180 to 180 @ccw */
   double finger_direction_deg;
-  /** Position of the fingertip. @range -1000 to 1000 */
+  /** Position of the fingertip or, with HRT_SAMPLE_JOINT_ROTATION, of the tracked joint. @range -1000 to 1000 */
   double finger_position_m[3];
   /** Measured plate orientation, from which the model corrects the orientation that it expects from the commands. If
    *  the plate has no stops, multiples of 180 degrees are ignored: the model uses the equivalent orientation that is
    *  nearest to the expected one. @range -1e6 to 1e6 @ccw */
   double plate_orientation_deg;
-  /** Position of the plate in the world; see hrt_session_plate. @range -1000 to 1000 */
+  /** Position of the plate in the world, as in hrt_session_plate::position_m. @range -1000 to 1000 */
   double plate_position_m[3];
-  /** Rotation of the plate's mount in the world. @norm 0.999 to 1.001 @unit 1 */
+  /** Rotation of the plate's mount in the world, as in hrt_session_plate::rotation. @norm 0.999 to 1.001 @unit 1 */
   double plate_rotation[4];
   /** Rotation of the tracked joint: the unit quaternion x, y, z, w from its axes to those of the world.
    *  @norm 0.999 to 1.001 @unit 1 */
@@ -106,24 +106,27 @@ typedef struct hrt_sample {
 /** @flags HRT_COMMAND Reasons of a command, and warnings: hrt_command::flags. */
 typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_HELD UINT32_C(1) /**< the controller computed no new command: the last one is repeated */
-/** The sample is a dropout; under FIXED_DIRECTION, all samples of the present and the last step are dropouts. */
+/** The model predicts the finger: the motion has begun, and the sample is a dropout or, under FIXED_DIRECTION, all
+ *  samples of the present and the last step are dropouts. */
 #define HRT_COMMAND_PREDICTED UINT32_C(2)
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< a bound of the plate orientation or a stop limits the command */
-#define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the maximum speed of the plate limits the command */
+#define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed limits the command; FIXED_DIRECTION only */
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
-#define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the reach is interrupted */
+#define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the last command is repeated */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 /** The motion differs from the model by more than noise explains: estimates and UNREACHABLE are unreliable. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
-/** The end of the motion, predicted or actual, is probably more than 1.5 degrees off the bearing of the real target;
- *  or, after three tenths of the path, the finger is more than 60 degrees off it. */
+/** Under ARRIVAL: the bearing of the end of the motion, predicted or actual, probably differs by more than 1.5 degrees
+ *  from that of the real target. Under either guidance: after three tenths of the path, the finger is more than 60
+ *  degrees off the bearing of the target, or it has ended far from the target (see HRT_COMMAND_ARRIVED). */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
-#define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the last command is repeated */
-/** The solver stopped before it found the optimum; the command is within its limits. */
+/** Under ARRIVAL: the finger has stopped or was lifted after the onset of the motion; the last command is repeated. */
+#define HRT_COMMAND_RESTING UINT32_C(512)
+/** Under FIXED_DIRECTION: the solver stopped before it found the optimum; the command is within its limits. */
 #define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
 /** A defect in this library: a value was not a finite number. The value is replaced: a plate orientation by that of
- *  the last command, any other value by 0. The log reports the defect once for each session, at the calls listed under
- *  REGISTRATION. */
+ *  the last command, any other value by 0. The log reports the first defect of each session, at the calls listed at
+ *  HRT_COMMAND_REGISTRATION. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older than registration.max_age_ns, less accurate than registration.max_sd_deg, or
  *  missing although one of these limits is set. Set up again (setup.h). The log reports it at the next call of
@@ -133,9 +136,9 @@ typedef uint32_t hrt_command_flags;
 /** The motion has ended; hrt_reach_retarget() may continue the reach. The finger was at the start or has moved; then it
  *  has rested for 0.4 s near the real target, after nine tenths of the path, or for 2 s at most 60 degrees off the
  *  target's bearing, after three tenths of the path. If the finger is not near the target, OFF_TARGET is set. "Near" is
- *  within a quarter of the target's distance from the start, or within 15 mm if this is more. A lift, a dropout of 0.2
- *  s, or a move of the real target by 2 mm or more restarts the time. Never set in a reach with directions only: use a
- *  time limit there. */
+ *  within a quarter of the target's distance from the start, or within 15 mm if this is more. A lift, a dropout of more
+ *  than 0.2 s, or a move of the real target by 2 mm or more restarts the time. Not set in a reach with directions only:
+ *  use a time limit there. */
 #define HRT_COMMAND_ARRIVED UINT32_C(8192)
 /** Contacts (hrt_reach_touched()) contradict the registration: they shift the real target further than 99.9 % of
  *  correct registrations would require. The plate or the tracker's coordinate system has moved, or another object was
@@ -144,20 +147,19 @@ typedef uint32_t hrt_command_flags;
 /** The finger rests more than 15 mm from the start and has not been at the start: ask the user to move to the start.
  *  The motion begins when the finger has rested at the start, or moves from its present position. */
 #define HRT_COMMAND_NOT_AT_START UINT32_C(32768)
-/** The miss is unknown, because no sample shows a motion, or because FIXED_DIRECTION does not predict it.
+/** The miss is unknown: no sample shows a motion; or, in a command under FIXED_DIRECTION, it is not predicted.
  *  predicted_miss_deg and miss_deg are 0, miss_sd_deg is 180. */
 #define HRT_COMMAND_MISS_UNKNOWN UINT32_C(65536)
 /** Times, units or axes are probably wrong: times do not advance in nanoseconds; the finger is faster than 5 m/s,
  *  further than three plate radii from the plate's centre, or moving away from the virtual target; the start or the
  *  real target is further than two radii from the centre; the directions of all targets are probably in radians; or the
  *  finger ends beyond the virtual target, on the side away from the real target. The log names the cause at the calls
- *  listed under REGISTRATION. The reach does not change the estimates of the user. */
+ *  listed at HRT_COMMAND_REGISTRATION. The reach does not change the estimates of the user. */
 #define HRT_COMMAND_IMPLAUSIBLE UINT32_C(131072)
 
-/** Value of hrt_command::time_to_go_s while the finger rests before or within the motion, or, under FIXED_DIRECTION,
- *  while the time is unknown. */
+/** Value of hrt_command::time_to_go_s before the motion and in a pause; under FIXED_DIRECTION, in every command. */
 #define HRT_NOT_MOVING (-1)
-/** Value of hrt_command::time_to_go_s once the motion has ended, or should have ended. */
+/** Value of hrt_command::time_to_go_s once the motion has ended, or should have ended according to the model. */
 #define HRT_ARRIVED 0
 
 /** Writes flags of a command or summary as words, such as "unreachable, off target"; an empty text for 0.
@@ -171,7 +173,7 @@ typedef uint32_t hrt_command_flags;
 HRT_NODISCARD HRT_API hrt_result hrt_flags_text(hrt_command_flags flags, uint64_t capacity, char* out_text,
                                                 uint64_t* out_length) HRT_NOEXCEPT;
 
-/** Part of hrt_command: values of the controller of the paper. Under GUIDANCE_ARRIVAL, step is -1 and the directions
+/** Part of hrt_command: values of the controller of the paper. Under GUIDANCE_ARRIVAL, `step` is -1 and the directions
  *  are 0. */
 typedef struct hrt_command_paper {
   /** Index of the model's step, from 0; -1 before the finger moves. */
@@ -196,18 +198,18 @@ typedef struct hrt_command {
   /** Bearing of the finger, seen from the start of the reach; 0 until the finger moves. In a reach with directions
    *  only, the direction of the last step. @ccw */
   double bearing_deg;
-  /** Direction that the user perceives under this command, predicted by the model. @ccw */
+  /** Direction of motion that the user perceives according to the model: at the present plate orientation or, under
+   *  FIXED_DIRECTION, at the end of the step. @ccw */
   double perceived_direction_deg;
   /** Estimated present perceived-direction error (perceived minus intended direction), which the user could notice.
-   *  Users notice about 4.5 degrees of visual redirection; no threshold of redirection by touch is published. 0 under
-   *  FIXED_DIRECTION. @ccw */
+   *  Users notice about 4.5 degrees of visual redirection; no threshold of redirection by touch is published. 0 before
+   *  the motion and under FIXED_DIRECTION. @ccw */
   double felt_error_deg;
-  /** Predicted bearing of the position of arrival minus that of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN.
-   *  @ccw */
+  /** Bearing of the predicted position of arrival or, while the finger rests, of the finger, minus that of the real
+   *  target; 0 with HRT_COMMAND_MISS_UNKNOWN. @ccw */
   double predicted_miss_deg;
   /** SD of the bearing of the finger's true position, from the uncertainty of the estimator, plate.covariance (after
-   *  contacts, registration.contact_covariance) and tracker.bearing_sd_deg. At the end, the SD of
-   *  hrt_reach_summary::miss_deg. 180 with HRT_COMMAND_MISS_UNKNOWN. */
+   *  contacts, registration.contact_covariance) and tracker.bearing_sd_deg. 180 with HRT_COMMAND_MISS_UNKNOWN. */
   double miss_sd_deg;
   /** Distance along the plate to the real target, from the finger or, until its first position, from the start. */
   double distance_to_go_m;
@@ -234,15 +236,15 @@ typedef struct hrt_reach_counts {
 
 /** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. HRT_ADAPTATION_CARRIED
  *  writes slightly different estimates into hrt_session_config::person: those of a second pass of the filter over the
- *  motion, with the observed HRT_PERSON_LOG_WANDER. Under FIXED_DIRECTION, curve and bias are 0.
+ *  motion, with the observed HRT_PERSON_LOG_WANDER. Under FIXED_DIRECTION, curve, bias and their SDs are 0.
  *
  *  Under ARRIVAL, the SDs of weight and bias are too small after many reaches with gaps on the same side, where a
  *  weight and a bias have the same effect: after 20 reaches, the 95 % intervals contain the true weight of about 78 %
  *  of simulated people and the true bias of 93 %, although reaches still end at the target. To measure a user,
  *  alternate the sides: the intervals then contain the true values of at least 97 %. */
 typedef struct hrt_reach_learnt {
-  double tactile_weight;    /**< tactile weight at the end; see hrt_command @unit 1 */
-  double tactile_weight_sd; /**< SD of tactile_weight; see hrt_command @unit 1 */
+  double tactile_weight;    /**< value of hrt_command::tactile_weight at the end @unit 1 */
+  double tactile_weight_sd; /**< value of hrt_command::tactile_weight_sd at the end @unit 1 */
   /** Curvature of the illusion: HRT_PERSON_CURVE. If it exceeds twice illusion_curve_sd, the illusion is not linear,
    *  and tactile_weight is valid at 60 degrees only. @unit 1 */
   double illusion_curve;
@@ -265,7 +267,7 @@ typedef struct hrt_reach_paper {
   /** perceived_direction_deg minus the intended direction: virtual direction plus the user's bias as configured before
    *  the reach. @ccw */
   double perceived_error_deg;
-  /** Estimated motor variance, starting from the configured one. @flatten motor_variance_deg2 */
+  /** Estimate of paper.motor_variance_deg2; the configured value without adaptation. @flatten motor_variance_deg2 */
   double motor_variance_deg2;
   /** SD of motor_variance_deg2; close to the configured one if the reach had too little data; 0: assumed to be exact.
    *  @flatten motor_variance_sd_deg2 */
@@ -286,21 +288,20 @@ typedef struct hrt_reach_summary {
   double bearing_deg;
   /** bearing_deg minus the bearing of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN. @ccw */
   double miss_deg;
-  /** SD of miss_deg: the last hrt_command::miss_sd_deg. 180 under FIXED_DIRECTION, where the fields from
-   *  peak_felt_error_deg to duration_s are 0. */
+  /** SD of miss_deg: the last hrt_command::miss_sd_deg. 180 under FIXED_DIRECTION. */
   double miss_sd_deg;
   /** Distance along the plate to the real target, from the last position or, without positions, from the start. */
   double distance_to_target_m;
-  /** Largest absolute hrt_command::felt_error_deg. */
+  /** Largest absolute hrt_command::felt_error_deg while the finger moved. */
   double peak_felt_error_deg;
   /** Root mean square of hrt_command::felt_error_deg while the finger moved. */
   double rms_felt_error_deg;
   /** Largest hrt_command::misfit. @unit 1 */
   double misfit;
-  /** Estimated duration of the motion. */
+  /** Estimated duration of the motion; 0 under FIXED_DIRECTION. */
   double duration_s;
   hrt_reach_counts counts; /**< numbers of samples and steps @flatten * */
-  hrt_reach_learnt learnt; /**< estimates about the user @flatten * */
+  hrt_reach_learnt learnt; /**< estimates of the user and the tracker @flatten * */
   hrt_reach_paper paper;   /**< results of the controller of the paper @flatten paper_* */
 } hrt_reach_summary;
 
@@ -332,10 +333,10 @@ typedef struct hrt_contact {
 HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the command for the plate. Call it every frame, at any frame rate, also before the
- *  motion: GUIDANCE_ARRIVAL estimates the start and the noise of the tracker from these samples. With positions, the
- *  command changes at every sample; with directions, once in a step period. A position that equals the last one is a
- *  dropout for 50 ms, since a tracker may be slower than the application. Steps without samples are predicted, under
- *  FIXED_DIRECTION at most 64 in a call.
+ *  motion: GUIDANCE_ARRIVAL estimates the start and the noise of the tracker from these samples. During the motion, a
+ *  command is computed for each position or, if samples have directions only, once in a step period. A position that
+ *  equals the last one is a dropout for 50 ms, since a tracker may be slower than the application. Steps without
+ *  samples are predicted, under FIXED_DIRECTION at most 64 in a call.
  *
  *  @param sample       Finger, and plate if its orientation is measured.
  *  @param out_command  Command for the plate.
@@ -347,11 +348,11 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
 /** Redirects the reach to other targets, or to moved targets (hrt_target_set()); call it every frame while targets
- *  move. From now on, the direction of the real target is measured from the finger, that of the virtual target from the
- *  perceived position; if samples have directions only, both are measured from the start. The next command has
- *  UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short. If the
- *  real target has moved by 2 mm or more, the rest that HRT_COMMAND_ARRIVED requires starts again. On an error, the
- *  reach is unchanged.
+ *  move. After this call, the direction of the real target is measured from the finger, that of the virtual target from
+ *  the position that the user perceives. Before the motion, and if samples have directions only, both are measured from
+ *  the start. The next command has UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the
+ *  remaining path is too short. If the real target has moved by 2 mm or more, the rest that HRT_COMMAND_ARRIVED
+ *  requires starts again.
  *
  *  @param real_target     Target to which the hand is steered.
  *  @param virtual_target  Target that the user reaches for.
@@ -362,9 +363,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_tar
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
 /** Reports that the finger has touched the real object, during a reach or after hrt_reach_end(), at most once for each
- *  reach. The contact reveals the error of the tracker's coordinate system: from the next reach on,
- *  hrt_session_config::registration.contact_correction corrects the finger's positions, and the estimated bias of the
- *  user changes by the angle of this correction.
+ *  reach. The contact reveals an error of the tracker's coordinate system: from the next reach on,
+ *  hrt_session_config::registration.contact_correction corrects the finger's positions, and HRT_PERSON_BIAS, if it was
+ *  estimated, changes by the angle of this correction.
  *
  *  @param contact  Position of contact. Null: the default.
  *  @return OUT_OF_RANGE naming the field, or the position if it is within 10 mm of start_position_m or too far from the

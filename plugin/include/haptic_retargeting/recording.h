@@ -20,8 +20,11 @@
  * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. It has a row for each call
  * hrt_reach_begin, _update, _retarget, _touched, _cancel and _end, and hrt_setup_update, _finish and _cancel, also for
  * a failed call if its handle and structs can be read. Comments contain configurations, targets, calls of
- * hrt_setup_begin() and the plate orientation. Numbers have full precision. A thread of the library writes the file, so
- * that a slow or full disk never delays a call; rows that cannot be written are dropped and counted.
+ * hrt_setup_begin() and the plate orientation at the start. Numbers have full precision.
+ *
+ * A thread of the library writes the file, so that a slow or full disk does not delay the recorded calls; calls that
+ * cannot be written are dropped and counted. In WebAssembly without threads, a recorded call writes the file itself
+ * when 8192 calls are waiting.
  */
 #ifndef HAPTIC_RETARGETING_RECORDING_H
 #define HAPTIC_RETARGETING_RECORDING_H
@@ -35,11 +38,12 @@ extern "C" {
 /** State of a recording. */
 typedef struct hrt_recording_status {
   uint32_t struct_size;
-  /** errno of the first failed write, after which nothing is written; 0: no write failed. */
+  /** Value of errno of the first failed write, after which nothing is written; 0: no write failed. */
   int32_t system_error;
   /** Rows that the operating system has accepted for writing. If no row was lost, hrt_replay_report::rows is equal. */
   uint64_t rows_written;
-  /** Number of rows that were dropped, because the disk was slow or failed. 0 after stopping: the file is complete. */
+  /** Number of rows and comments that were dropped, because the disk was slow or failed. If rows_lost and system_error
+   *  are 0 after hrt_recording_stop(), the file is complete. */
   uint64_t rows_lost;
 } hrt_recording_status;
 
@@ -83,7 +87,7 @@ typedef uint32_t hrt_recording_ending;
 #define HRT_ENDING_ALTERED 3   /**< the checksum in the end line does not match the text before it */
 
 /** The fields of hrt_command that hrt_replay_report::hash covers, in this order: WHOLE(name) for each integer,
- *  NUMBER(name) for each double. A new field of hrt_command is not listed, so that the hash stays the same. */
+ *  NUMBER(name) for each double. The list does not change, so that hashes of different versions can be compared. */
 #define HRT_HASHED_FIELDS(WHOLE, NUMBER) \
   WHOLE(flags)                           \
   NUMBER(plate_orientation_deg)          \
@@ -111,8 +115,8 @@ typedef struct hrt_replay_report {
   /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows are equal,
    *  bit for bit. */
   uint64_t first_different_line;
-  /** FNV-1a hash of the replayed commands, equal on every host: of the fields of HRT_HASHED_FIELDS for each successful
-   *  row "update", each as 8 bytes, least significant byte first. */
+  /** Hash (FNV-1a, 64 bits) of the replayed commands, equal on all machines: it covers the fields of HRT_HASHED_FIELDS
+   *  for each successful row "update", each field as 8 bytes, least significant byte first. */
   uint64_t hash;
   /** How the recording ended. */
   hrt_recording_ending ending;
@@ -121,12 +125,12 @@ typedef struct hrt_replay_report {
 
 /** Replays a recording: repeats its calls and compares results, commands, summaries, and steps and results of set-ups.
  *
- *  @param path        Name of the file, of at most 1 GiB. Not read if `text` is given.
+ *  @param path        Name of the file, of at most 1 GiB. Not used, and may be null, if `text` is given.
  *  @param text        Content of a recording, or null.
  *  @param length      Bytes of the content.
  *  @param out_report  Result of the comparison.
- *  @return BAD_FORMAT naming the line, or a version that is not supported; SYSTEM if the file cannot be read;
- *          OUT_OF_MEMORY.
+ *  @return BAD_FORMAT naming the line, or for a text that does not begin like a recording of version 4; SYSTEM if the
+ *          file cannot be read; OUT_OF_MEMORY.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_replay(const char* path, const char* text, uint64_t length,
                                                       hrt_replay_report* out_report) HRT_NOEXCEPT;

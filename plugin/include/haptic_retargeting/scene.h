@@ -38,9 +38,9 @@ typedef struct hrt_scene_info {
   uint32_t struct_size;
   /** Number of targets, real and virtual. */
   uint32_t target_count;
-  /** Position of the plate in the world; see hrt_session_config. */
+  /** Position of the plate in the world; see hrt_session_plate::position_m. */
   double plate_position_m[3];
-  /** Rotation of the plate in the world; see hrt_session_config. @unit 1 */
+  /** Rotation of the plate in the world; see hrt_session_plate::rotation. @unit 1 */
   double plate_rotation[4];
   /** Radius of the plate. */
   double plate_radius_m;
@@ -55,8 +55,8 @@ typedef struct hrt_scene_target {
   uint32_t struct_size;
   /** Role of the target. */
   hrt_target_role role;
-  /** Index of the real target that is assigned to this virtual target: the target that the file names, otherwise the
-   *  nearest in direction, the first of equally near ones; -1 for a real target. */
+  /** Index of the real target that is assigned to this virtual target: the target that the file names, or else the
+   *  nearest in direction (of equally near ones, that with the smallest index). -1 for a real target. */
   int32_t served_by;
   uint32_t reserved;
   /** Position in plate coordinates; y is the height above the plate. */
@@ -74,9 +74,10 @@ typedef struct hrt_scene_target {
 } hrt_scene_target;
 
 /** Loads a scene from a .gltf or .glb file or from memory. Logs a warning if targets are further than ten plate radii
- *  from the plate. If memory is exhausted while the file is parsed, the process may end (PROCESS.md).
+ *  from the plate's centre: the file is probably not in metres. If memory is exhausted while the file is parsed, the
+ *  process may end (PROCESS.md).
  *
- *  @param path       Name of the file. If `bytes` is not null, it is only used in error texts.
+ *  @param path       Name of the file, not null. If `bytes` is given, the name is used in messages only.
  *  @param bytes      Content of the file, not used after the call. Null: the file is read.
  *  @param length     Bytes of the content.
  *  @param out_scene  Handle of the scene.
@@ -86,9 +87,8 @@ typedef struct hrt_scene_target {
 HRT_NODISCARD HRT_API hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
                                                 hrt_scene* out_scene) HRT_NOEXCEPT;
 
-/** Destroys a scene. Registered targets are kept.
+/** Destroys a scene. Targets that hrt_scene_register() has added to sessions are kept.
  *
- *  @return INVALID_HANDLE; BUSY if another thread is in a call on this scene, as in the calls below.
  *  @threadsafety [one-thread] */
 HRT_API hrt_result hrt_scene_destroy(hrt_scene scene) HRT_NOEXCEPT;
 
@@ -106,14 +106,16 @@ HRT_NODISCARD HRT_API hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_i
 HRT_NODISCARD HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index,
                                                       hrt_scene_target* out_target) HRT_NOEXCEPT;
 
-/** Copies a scene into a session: sets plate, start and, if the file has one, the servo's speed, and adds all targets
- *  by their position on the plate, each virtual target with its hrt_target_config::served_by. Replaces a registered
- *  pose of the plate. On an error, nothing changes.
+/** Copies a scene into a session: sets the plate's pose and radius, the start and, if the file has one, the servo's
+ *  speed; and adds all targets by their positions in plate coordinates, each virtual target with its
+ *  hrt_target_config::served_by. A radius of a target above 1 m is stored as 1 m. Clears HRT_SESSION_REGISTERED,
+ *  because the pose of the scene replaces the registered one.
  *
  *  @param capacity     Number of elements of `out_targets`.
  *  @param out_targets  Ids of the targets in the order of the scene. May be null if `capacity` is 0.
- *  @return BUFFER_TOO_SMALL; NAME_TAKEN; OUT_OF_RANGE for a radius or a position; LIMIT_REACHED; WRONG_STATE during a
- *          reach or a set-up; OUT_OF_MEMORY.
+ *  @return BUFFER_TOO_SMALL; NAME_TAKEN; OUT_OF_RANGE if the plate's radius is outside the range of
+ *          hrt_session_plate::radius_m or a target is over 10 m from the plate's centre; LIMIT_REACHED; WRONG_STATE
+ *          during a reach or a set-up; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] for the scene and for the session. */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
                                                     hrt_target* out_targets) HRT_NOEXCEPT;

@@ -44,12 +44,12 @@ typedef uint32_t hrt_control;
 #define HRT_CONTROL_MPC 0         /**< a model-predictive controller, which `guidance` selects */
 #define HRT_CONTROL_FIXED_PLATE 1 /**< a constant plate orientation, as a baseline of studies */
 
-/** @enumeration HRT_GUIDANCE Goal of the controller. It also selects the controller. */
+/** @enumeration HRT_GUIDANCE Goal of the controller under HRT_CONTROL_MPC; each goal has its own controller. */
 typedef uint32_t hrt_guidance;
 /** Steers the finger along the direction of the real target, seen from the start: the controller of the paper. It
  *  assumes that the illusion is linear. Choose it to reproduce the paper, or if only directions are tracked. */
 #define HRT_GUIDANCE_FIXED_DIRECTION 0
-/** Steers the finger to the position of the real target at arrival. It estimates the duration of the motion, the
+/** Steers the finger so that it arrives at the position of the real target. Estimates the duration of the motion, the
  *  nonlinear illusion, bias, habits and tracker noise. Requires positions: if samples have directions only,
  *  FIXED_DIRECTION is used. Tested with simulated people only. */
 #define HRT_GUIDANCE_ARRIVAL 1
@@ -57,33 +57,33 @@ typedef uint32_t hrt_guidance;
 /** @enumeration HRT_ADAPTATION Estimation of the user's parameters: under GUIDANCE_ARRIVAL of all traits in
  *  person.mean, otherwise of the tactile weight and the motor variance. */
 typedef uint32_t hrt_adaptation;
-/** person.tactile_weight and person.bias_deg are assumed to be exact, and the illusion to be linear. Errors of these
- *  values are not corrected. */
+/** person.tactile_weight and person.bias_deg are assumed to be exact, and the illusion to be linear; under
+ *  GUIDANCE_ARRIVAL, only while person.covariance is 0. */
 #define HRT_ADAPTATION_OFF 0
 /** The parameters are estimated within each reach. Each reach starts from the configured values, so that reaches of a
  *  study do not depend on earlier reaches. */
 #define HRT_ADAPTATION_REACH 1
-/** As REACH; in addition, the end of a reach writes the estimates into the configuration: person.mean,
- *  person.covariance, person.tactile_weight and person.tactile_weight_sd. Their uncertainty is increased, because
- *  people change. A reach that ends early, does not fit the model (HRT_COMMAND_MISFIT) or is implausible writes
- *  nothing. Under FIXED_DIRECTION, a reach writes person.tactile_weight, paper.motor_variance_deg2 and their SDs; it
- *  changes the variance by a factor of 2 at most. */
+/** As REACH; in addition, hrt_reach_end() writes the estimates into the configuration: person.mean, person.covariance,
+ *  person.tactile_weight and person.tactile_weight_sd, with increased uncertainty, because people change. A reach that
+ *  ends early, does not fit the model (HRT_COMMAND_MISFIT) or is implausible writes nothing. Under FIXED_DIRECTION, a
+ *  reach writes person.tactile_weight, paper.motor_variance_deg2 and their SDs, if it is not implausible; it changes
+ *  the variance by a factor of 2 at most. */
 #define HRT_ADAPTATION_CARRIED 2
 
 /** @flags HRT_SESSION Options of a session: hrt_session_config::flags. */
 typedef uint32_t hrt_session_flags;
-/** The plate does not move until the finger moves. Set this flag if the finger rests on the ridges before a reach,
- *  because the user feels a plate that turns under a resting finger. Without the flag, the plate turns as soon as the
- *  reach begins, to the orientation that the start of the motion requires. With the flag, fewer fast reaches end at
- *  the target. */
+/** Under GUIDANCE_ARRIVAL, the plate does not move until the finger moves. Set this flag if the finger rests on the
+ *  ridges before a reach, because the user feels a plate that turns under a resting finger. Without the flag, the first
+ *  command already turns the plate to the orientation that the start of the motion requires, and more fast reaches end
+ *  at the target. Under FIXED_DIRECTION, the plate waits in any case. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
-/** The plate's pose is from a registration made at registration.time_ns. HRT_SETUP_REGISTRATION sets this
- *  flag; hrt_scene_register(), which writes the scene's pose, clears it. Both discard contacts. */
+/** The plate's pose is from a registration made at registration.time_ns. HRT_SETUP_REGISTRATION sets this flag; a
+ *  failed HRT_SETUP_CHECK and hrt_scene_register() clear it. All three discard contacts (hrt_reach_touched()). */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 /** The user finds start_position_m by touch, for example by a dimple. A finger that rests before a reach is then
  *  assumed to be at the start, even if the tracker reports another position, and positions are measured relative to
- *  this rest. A different point of contact on the skin or a shift of the tracker's coordinate system therefore does not
- *  rotate a reach. Read under GUIDANCE_ARRIVAL only. HRT_SETUP_GUIDES sets this flag. */
+ *  this rest: a shift of the tracker's coordinate system does not rotate a reach. Under FIXED_DIRECTION, the flag only
+ *  affects HRT_COMMAND_ARRIVED and HRT_COMMAND_NOT_AT_START. HRT_SETUP_GUIDES sets this flag. */
 #define HRT_SESSION_START_FELT UINT32_C(4)
 
 /* Indices of the user's parameters (traits) in hrt_session_config::person.mean. */
@@ -96,9 +96,8 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_GAIN 2
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
-/** Habit, a curvature of the path: the aimed direction at the start minus that at the end, halved. Estimated as a mean
- *  over reaches; towards different targets, the habits of a recorded person differ by 7 deg (SD). @range -45 to 45
- *  @unit deg @ccw */
+/** Habit, a curvature of the path: half of the aimed direction at the start minus that at the end. Mean over reaches;
+ *  towards different targets, the habits of a recorded person differ by 7 deg (SD). @range -45 to 45 @unit deg @ccw */
 #define HRT_PERSON_HABIT 4
 /** Speed profile of the motion, from 0: minimum jerk, to 1: constant speed. @range 0 to 1 @unit 1 */
 #define HRT_PERSON_EVENNESS 5
@@ -119,19 +118,19 @@ typedef uint32_t hrt_session_flags;
 
 /** Part of hrt_session_config: limits of the plate and its servo, and the plate's pose in the world. */
 typedef struct hrt_session_plate {
-  /** Maximum speed of the plate's servo; 0: no limit. Commands do not exceed it. Set the measured speed: if the value
-   *  is too high, the plate lags behind its commands; if it is too low, the controller turns the plate more slowly than
-   *  necessary. @range 0 to 1e6 @default 0 */
+  /** Maximum speed of the plate's servo, which the controller expects; 0: no limit. Set the measured speed: if the
+   *  value is too high, the plate lags behind the model; if it is too low, the controller turns the plate earlier or
+   *  more slowly than necessary. @range 0 to 1e6 @default 0 */
   double max_speed_deg_s;
-  /** Maximum acceleration of the servo; 0: no limit. Commands do not exceed it. A wrong value has the same effects as a
-   *  wrong max_speed_deg_s. @range 0 to 1e8 @default 0 */
+  /** Maximum acceleration of the servo, which the controller expects; 0: no limit. A wrong value has the same effects
+   *  as a wrong max_speed_deg_s. @range 0 to 1e8 @default 0 */
   double max_acceleration_deg_s2;
   /** Time from a command to the plate's first motion. The controller plans from the orientation that the plate will
    *  have after this time. Set the measured time: a value that is too small makes every correction late. At most 8
    *  times paper.step_period_ns. @range 0 to 1 s @default 0 */
   int64_t latency_ns;
-  /** Lower mechanical stop as a plate orientation: no command lies beyond it. If both stops are 0, the plate turns
-   *  freely. If a stop limits a command, HRT_COMMAND_SATURATED is set, and the plate may not sustain the gap.
+  /** Lower mechanical stop: commands are limited to it. If both stops are 0, the plate turns freely. If a stop limits a
+   *  command, HRT_COMMAND_SATURATED is set, and the plate may not sustain the gap.
    *  @range -3600 to 3600 @default 0 @ccw */
   double lower_stop_deg;
   /** Upper mechanical stop, at least 180 degrees above the lower one. @range -3600 to 3600 @default 0 @ccw */
@@ -165,14 +164,14 @@ typedef struct hrt_session_tracker {
    *  @profile */
   double noise_m;
   /** SD of the correlated part of the noise in each coordinate, under GUIDANCE_ARRIVAL; tracker.noise_m is then the
-   *  white part only. A set-up measures it. If it is 0 (unknown), slow drifts of the tracker are estimated as motions
-   *  of the finger. @range 0 to 0.1 @default 0 @profile tracker.correlated_noise_m */
+   *  white part only. 0: unknown. A calibration measures it. If it is too small, slow drifts of the tracker are taken
+   *  for motions of the finger. @range 0 to 0.1 @default 0 @profile tracker.correlated_noise_m */
   double correlated_noise_m;
   /** Time in which the correlated part decays to 1/e. Read if tracker.correlated_noise_m is not 0. @range 0.01 to 2
    *  @default 0.1 @profile tracker.correlated_noise_m */
   double correlation_s;
-  /** Age of a position at the time_ns of its sample, under GUIDANCE_ARRIVAL. Set the value of the device (SETUP.md):
-   *  latency that is not configured makes fast reaches miss. @range 0 to 0.5 s @default 0 */
+  /** Age of a position at the time_ns of its sample. Used under GUIDANCE_ARRIVAL only. Set the value of the device
+   *  (SETUP.md): latency that is not configured makes fast reaches miss. @range 0 to 0.5 s @default 0 */
   int64_t latency_ns;
   /** SD of the tracker's error in the bearing of a reach. The error is constant within a reach, so the samples do not
    *  show it, and differs from reach to reach. The SD contributes to miss_sd_deg, OFF_TARGET and hrt_gap::miss_share,
@@ -180,47 +179,49 @@ typedef struct hrt_session_tracker {
   double bearing_sd_deg;
 } hrt_session_tracker;
 
-/** Part of hrt_session_config: the user. With HRT_ADAPTATION_CARRIED, reaches update the estimates; set-ups and
- *  profiles write them too. */
+/** Part of hrt_session_config: the user. Calibrations, profiles and, with HRT_ADAPTATION_CARRIED, reaches write
+ *  estimates into these fields. */
 typedef struct hrt_session_person {
-  /** Tactile weight w_T: fraction of touch, rather than of the arm's own sense, in the perceived direction. The higher
-   *  the user's weight, the further a rotation of the plate steers the hand. If this value is above the user's weight,
-   *  the controller steers too little. Under GUIDANCE_ARRIVAL, it is the perceived shift divided by the angle between
-   *  motion and ridge normal, at 60 degrees, and person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2
-   *  @profile @flatten tactile_weight */
+  /** Tactile weight w_T: weight of touch in the perceived direction; the arm's own sense has the weight 1 - w_T. The
+   *  higher the user's weight, the further a rotation of the plate steers the hand. If this value is above the user's
+   *  weight, the controller steers too little. Under GUIDANCE_ARRIVAL, w_T is the perceived shift divided by the angle
+   *  between motion and ridge normal, at 60 degrees; it is not read if person.covariance is not 0.
+   *  @range 0.001 to 0.499 @unit 1 @default 0.2 @profile @flatten tactile_weight */
   double tactile_weight;
   /** SD of person.tactile_weight, from which adaptation starts. A larger value makes adaptation faster and noisier;
    *  under GUIDANCE_ARRIVAL, it also raises the uncertainty of the illusion curve in proportion. @range 0.001 to 0.49
    *  @unit 1 @default 0.05 @profile @flatten tactile_weight_sd */
   double tactile_weight_sd;
   /** Perceptual bias: perceived minus true direction of a virtual target. The user aims at the virtual direction plus
-   *  this bias. A set-up measures it; GUIDANCE_ARRIVAL estimates the remaining bias. @range -45 to 45 @default 0
-   *  @profile @ccw @flatten bias_deg */
+   *  this bias. A calibration measures it. Under GUIDANCE_ARRIVAL, reaches estimate the bias too, as HRT_PERSON_BIAS of
+   *  person.mean. @range -45 to 45 @default 0 @profile @ccw @flatten bias_deg */
   double bias_deg;
-  /** Maximum predicted perceived-direction error (perceived minus intended direction) under GUIDANCE_ARRIVAL. Lowering
-   *  it makes the illusion less noticeable, but fewer reaches end at the target: with simulated users, 2 in 100 fewer
-   *  at 3.5 degrees. The actual error is larger because of noise and of errors of the estimates. @range 0.1 to 45
+  /** Maximum predicted perceived-direction error (perceived minus intended direction) that the plate may cause under
+   *  GUIDANCE_ARRIVAL. Lowering it makes the illusion less noticeable, but fewer reaches end at the target: with
+   *  simulated users, 2 in 100 fewer at 3.5 degrees. The actual error may be larger, because of noise and of errors of
+   *  the estimates. @range 0.1 to 45
    *  @default 5 @flatten max_felt_error_deg */
   double max_felt_error_deg;
   /** Maximum angle between the plate orientation and the direction of the motion under GUIDANCE_ARRIVAL. Raising it
    *  allows larger gaps for users whose illusion still increases at that angle; published data cover angles up to 60
-   *  degrees. The controller never exceeds the peak of the user's illusion. @range 1 to 89 @default 75
+   *  degrees. The controller does not plan beyond the estimated peak of the illusion. A calibration writes this field.
+   *  @range 1 to 89 @default 75
    *  @flatten motion_bound_deg */
   double motion_bound_deg;
-  /** Mean of the traits HRT_PERSON_*, whose comments have the ranges. Reaches, set-ups and profiles write it. Read if
-   *  person.covariance is not 0. @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0
+  /** Mean of the traits HRT_PERSON_*, whose comments have the ranges. Used if person.covariance is not 0.
+   *  @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0
    *  @profile person.covariance */
   double mean[HRT_PERSON_TRAITS];
-  /** Covariance of person.mean: lower triangle, row by row; positive definite. All 0: the user is unknown, and only
-   *  person.tactile_weight, person.tactile_weight_sd and person.bias_deg are read. @unit mixed @range -1e4 to 1e4
-   *  @default 0 @profile person.covariance */
+  /** Covariance of person.mean: lower triangle, row by row; positive definite. All 0: the user is unknown, and
+   *  person.tactile_weight, person.tactile_weight_sd and person.bias_deg are used instead of person.mean. @unit mixed
+   *  @range -1e4 to 1e4 @default 0 @profile person.covariance */
   double covariance[HRT_PERSON_COVARIANCES];
 } hrt_session_person;
 
 /** Part of hrt_session_config: age and accuracy of the registration, and its correction by contacts with real objects
  *  (hrt_reach_touched()). */
 typedef struct hrt_session_registration {
-  /** Time of the registration, on the clock of the samples. Read if HRT_SESSION_REGISTERED is set. @range any
+  /** Time of the registration, on the clock of the samples. Used with max_age_ns. @range any
    *  @default 0 */
   int64_t time_ns;
   /** Maximum age of the registration at a sample. HRT_COMMAND_REGISTRATION is set if the registration is older, or if
@@ -232,21 +233,21 @@ typedef struct hrt_session_registration {
    *  requires more touches in a set-up. 0: not checked. @range 0 to 180 @default 0 */
   double max_sd_deg;
   /** Matrix D, row by row, that corrects the registration by contacts: a finger that is tracked at the vector r from
-   *  the start (to the right, away from the user) is in fact at r + D r. Read if registration.contact_covariance is not
-   *  0 and HRT_SESSION_REGISTERED is set. hrt_reach_touched() writes it. A call that changes the plate's pose, but not
-   *  this field, resets it to 0. @unit 1 @range -0.5 to 0.5 @default 0 @flatten contact_correction
-   *  @profile registration.contact_covariance */
+   *  the start (to the right, away from the user) is in fact at r + D r. Used if registration.contact_covariance is not
+   *  0 and HRT_SESSION_REGISTERED is set. hrt_reach_touched() and HRT_SETUP_GUIDES write it. A call of
+   *  hrt_session_set() that changes the plate's pose, but neither this field nor contact_covariance, resets both to 0.
+   *  @unit 1 @range -0.5 to 0.5 @default 0 @flatten contact_correction @profile registration.contact_covariance */
   double contact_correction[4];
   /** Covariance of registration.contact_correction: lower triangle, row by row; positive definite. All 0: no contact
    *  yet. @unit 1 @range -1e4 to 1e4 @default 0 @flatten contact_covariance @profile registration.contact_covariance */
   double contact_covariance[10];
 } hrt_session_registration;
 
-/** Part of hrt_session_config: the controller of the paper, and the noise of the user in its model. Read under
- *  FIXED_DIRECTION only. */
+/** Part of hrt_session_config: the controller of the paper, and the noise of the user in its model. Without effect on
+ *  commands under GUIDANCE_ARRIVAL, unless samples have directions only. */
 typedef struct hrt_session_paper {
-  /** Steps that the controller plans ahead. With a horizon of 1, most reaches miss; a horizon above 3 changes little
-   *  and costs time. @range 1 to 20 @default 3 */
+  /** Number of steps that the controller plans ahead. With a horizon of 1, most reaches miss; a horizon above 3 changes
+   *  little and takes more computing time. @range 1 to 20 @default 3 */
   uint32_t horizon;
   /** Duration of one step of the model and of the controller. Shorter steps correct more often. If you change it, scale
    *  the variances below, which are per step. @range 1 ms to 10 s @default 100 ms */
@@ -286,21 +287,20 @@ typedef struct hrt_session_config {
   hrt_adaptation adaptation;
   /** Options. @default 0 */
   hrt_session_flags flags;
-  /** Plate orientation under HRT_CONTROL_FIXED_PLATE. Of the orientations with the same ridges (which differ by
-   * multiples
-   *  of 180 degrees) and within the stops, the plate turns to the one nearest to its present orientation. @range -180
-   * to 180 @default 0 @ccw */
+  /** Plate orientation under HRT_CONTROL_FIXED_PLATE. Of the orientations within the stops that differ from it by
+   *  multiples of 180 degrees, the plate turns to the one nearest to its present orientation. @range -180 to 180
+   *  @default 0 @ccw */
   double fixed_plate_orientation_deg;
   /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gap of
    *  every pair. The default is on the mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
   double start_position_m[3];
-  /** The finger is assumed to be lifted if its tracked position is more than this height above the plate. If the height
-   *  is too low, noise of the tracker interrupts reaches; if it is too high, a hovering finger is assumed to touch the
-   *  plate. @range 0.0001 to 1 @default 0.015 */
+  /** A finger that is tracked higher than this above the plate is assumed to be lifted. If it is too low, noise of the
+   *  tracker interrupts reaches; if it is too high, a hovering finger is assumed to touch the plate. @range 0.0001 to 1
+   *  @default 0.015 */
   double lift_height_m;
   /** Vector from the tracked joint to the point of contact on the skin, in the axes of the joint. Applied to samples
-   *  with HRT_SAMPLE_JOINT_ROTATION. A set-up measures it, once for each hand; with 0, a hand that rotates shifts the
-   *  positions. @range -1 to 1 @default 0 */
+   *  with HRT_SAMPLE_JOINT_ROTATION. HRT_SETUP_FINGERTIP measures it; measure it again for another hand. @range -1 to 1
+   *  @default 0 */
   double fingertip_offset_m[3];
   hrt_session_plate plate;               /**< limits and pose of the plate @flatten plate_* */
   hrt_session_tracker tracker;           /**< errors of the tracker @flatten tracker_* */
@@ -320,8 +320,8 @@ typedef struct hrt_session_config {
 HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config,
                                                     hrt_session* out_session) HRT_NOEXCEPT;
 
-/** @flags HRT_STATE State of a session, from hrt_session_get(). 0: idle, but the real or the virtual target is missing,
- *  so that no reach can begin. */
+/** @flags HRT_STATE State of a session, from hrt_session_get(). Without READY, REACHING and SETTING_UP: no reach can
+ *  begin, because the session has no real or no virtual target. */
 typedef uint32_t hrt_session_state;
 #define HRT_STATE_READY UINT32_C(1)      /**< there is a real and a virtual target; a reach can begin */
 #define HRT_STATE_REACHING UINT32_C(2)   /**< a reach is in progress */
@@ -330,7 +330,7 @@ typedef uint32_t hrt_session_state;
 
 /** Returns the configuration and the state of a session.
  *
- *  @param session     Session to query. The call returns INVALID_HANDLE if it does not exist.
+ *  @param session     Session to query; INVALID_HANDLE is returned if it does not exist.
  *  @param out_config  Receives the configuration. May be null.
  *  @param out_state   Receives the state. May be null. Later versions may set further bits.
  *  @threadsafety [real-time] */

@@ -44,7 +44,7 @@
 extern "C" {
 #endif
 
-/** @flags HRT_SETUP Parts of a set-up, in the order of execution: each part uses the results of the parts before it. */
+/** @flags HRT_SETUP Parts of a set-up, in the order of execution: later parts use the results of earlier ones. */
 typedef uint32_t hrt_setup_parts;
 /** Measures hrt_session_config::fingertip_offset_m, the offset of the point of contact on the skin from the tracked
  *  joint, from six touches of one mark with different poses of the finger. Requires HRT_SAMPLE_JOINT_ROTATION. */
@@ -58,19 +58,20 @@ typedef uint32_t hrt_setup_parts;
 #define HRT_SETUP_CHECK UINT32_C(4)
 /** Corrects the error that remains after registration. A guide is a strip on the plate from a dimple at the start to a
  *  real object. For each of the first 8 real targets, in the order of their addition, the user makes six slides along
- *  its guide, back and forth without lifting, with a rest of 1.4 s at each end. Compared with a registration by six
- *  marks, guides halve the error, or reduce it further if the tracker's coordinate system is distorted. Sets
- *  registration.contact_correction and HRT_SESSION_START_FELT. Requires HRT_SESSION_REGISTERED and real targets whose
- *  near sides are at least 40 mm from the start. Cannot be combined with REGISTRATION. */
+ *  its guide, back and forth without lifting, with a rest of 1.4 s at each end. With simulated trackers, guides halve
+ *  the error of a registration by six marks. Sets registration.contact_correction and HRT_SESSION_START_FELT. Requires
+ *  HRT_SESSION_REGISTERED and real targets whose near sides are at least 40 mm from the start. Cannot be combined with
+ *  REGISTRATION. */
 #define HRT_SETUP_GUIDES UINT32_C(8)
 /** Measures the user's illusion curve, bias and habit, and the tracker's noise, from slides straight ahead while the
  *  plate does not turn. */
 #define HRT_SETUP_CALIBRATION UINT32_C(16)
-/** As CALIBRATION; in addition, hrt_setup_result::differing compares the result with the former values. Cannot be
- *  combined with CALIBRATION. */
+/** As CALIBRATION; in addition, hrt_setup_result::differing compares the result with the values before the set-up.
+ *  Cannot be combined with CALIBRATION. */
 #define HRT_SETUP_RETEST UINT32_C(32)
-/** Those parts of FINGERTIP, REGISTRATION and CALIBRATION for which the session has no result yet and the samples have
- *  the required fields. Cannot be combined with other parts. */
+/** Those parts of FINGERTIP, REGISTRATION and CALIBRATION for which the session has no result yet, the samples have the
+ *  required fields, and (for CALIBRATION) at least 50 mm of the plate are ahead of the start. Cannot be combined with
+ *  other parts. */
 #define HRT_SETUP_ALL_MISSING UINT32_C(64)
 
 /** Maximum number of marks. */
@@ -127,9 +128,9 @@ typedef uint32_t hrt_setup_instruction;
 #define HRT_STEP_HOLD_STILL UINT32_C(2)    /**< hold the finger still on the mark */
 #define HRT_STEP_REST_AT_START UINT32_C(3) /**< put the finger on the start, and let it rest */
 #define HRT_STEP_SLIDE UINT32_C(4)         /**< slide towards place_m, and rest there */
-#define HRT_STEP_FINISH UINT32_C(5)        /**< the user waits while the application calls hrt_setup_finish() */
+#define HRT_STEP_FINISH UINT32_C(5)        /**< let the user wait, and call hrt_setup_finish() */
 
-/** @enumeration HRT_PROBLEM Problem of the last attempt, which is repeated. hrt_setup_step::text has the reason of
+/** @enumeration HRT_PROBLEM Problem of the last attempt, which the user repeats. hrt_setup_step::text has the reason of
  *  DISAGREES, UPSIDE_DOWN and UNDETERMINED. */
 typedef uint32_t hrt_setup_problem;
 #define HRT_PROBLEM_NONE UINT32_C(0)          /**< no problem */
@@ -153,14 +154,14 @@ typedef uint32_t hrt_setup_observed;
 #define HRT_OBSERVED_TIME UINT32_C(3)      /**< time_ns advances too slowly to be in nanoseconds */
 #define HRT_OBSERVED_FAR UINT32_C(4)       /**< the finger is over 1 m from place_m: check unit of length and pose */
 #define HRT_OBSERVED_PLATE UINT32_C(5)     /**< the plate reports another orientation than the commanded one */
-#define HRT_OBSERVED_ELSEWHERE UINT32_C(6) /**< the finger is not at place_m */
+#define HRT_OBSERVED_ELSEWHERE UINT32_C(6) /**< the finger is more than 25 mm from place_m */
 #define HRT_OBSERVED_WRONG_WAY UINT32_C(7) /**< the last slide went backwards: axes are swapped or mirrored */
 #define HRT_OBSERVED_NO_REST UINT32_C(8)   /**< the finger has not moved to the requested position and rested */
 
-/** Result of hrt_setup_update(): the next action of the user or of the host. */
+/** Result of hrt_setup_update(): the next action of the user or of the application. */
 typedef struct hrt_setup_step {
   uint32_t struct_size;
-  /** Instruction to the user or to the host. */
+  /** Instruction to the user or to the application. */
   hrt_setup_instruction instruction;
   /** Part in progress, one of HRT_SETUP_*; 0: all parts are finished. */
   hrt_setup_parts part;
@@ -170,7 +171,7 @@ typedef struct hrt_setup_step {
   uint32_t done;
   /** Number of touches or slides that this part needs. */
   uint32_t of;
-  /** Index of the mark; of the pose of the finger (FINGERTIP); or of the guide (GUIDES). */
+  /** Index, from 0, of the mark; in FINGERTIP, of the pose of the finger; in GUIDES, of the guide. */
   uint32_t number;
   /** Likely mistake of the application. */
   hrt_setup_observed observed;
@@ -187,8 +188,7 @@ typedef struct hrt_interval {
   double value; /**< estimate @unit mixed */
   double lower; /**< lower end @unit mixed */
   double upper; /**< upper end @unit mixed */
-  /** 0 if the data cannot determine the value. The interval is then that of the fit or the range of the search, and the
-   *  value is the most likely point. @bool */
+  /** 1: the data determine the value. 0: they do not, and `value` is only the most likely point. @bool */
   uint32_t known;
   uint32_t reserved;
 } hrt_interval;
@@ -217,7 +217,7 @@ typedef struct hrt_setup_result {
   uint32_t struct_size;
   /** Parts that were determined and applied since the set-up began. */
   hrt_setup_parts done;
-  /** Parts that are pending: continue to call hrt_setup_update(). 0: the set-up is over. */
+  /** Parts that are not finished: continue to call hrt_setup_update(). 0: the set-up is over. */
   hrt_setup_parts left;
   /** Values that a RETEST found to be different, by Holm's procedure. If nothing has changed, 5 % of retests report a
    *  difference. */
@@ -225,12 +225,13 @@ typedef struct hrt_setup_result {
   /** Patterns that the model does not explain; the estimates of the user are then not applied. 0: no pattern. If the
    *  model fits, each pattern is reported for 1 % of users. */
   hrt_setup_lack_of_fit lack_of_fit;
-  /** Number of slides that were made. */
+  /** Number of completed slides in the last CALIBRATION or RETEST. */
   uint32_t slides;
   /** Number of slides that the fit uses. */
   uint32_t slides_used;
-  /** Parts that ended without a result: after three rejected fits, after six unusable slides in succession, because the
-   *  plate did not turn for a minute, or because of max_slides. Parts that depend on a dropped part are dropped too. */
+  /** Parts that ended without a result, for example after three rejected fits of touches, after two touches that
+   *  disagree (CHECK), after six unusable slides in succession, because the plate did not turn for a minute, or because
+   *  max_slides did not suffice. Parts that depend on a dropped part are dropped too. */
   hrt_setup_parts dropped;
   /** Root mean square distance of the touches from their marks. */
   double registration_residual_m;
@@ -244,7 +245,7 @@ typedef struct hrt_setup_result {
   /** Tactile weight: perceived shift divided by the angle between ridge normal and motion, at 60 degrees, for the speed
    *  of the slides. @unit 1 */
   hrt_interval tactile_weight;
-  /** Bias: aimed minus target direction. @ccw */
+  /** Bias: direction at which the user aims, minus the direction of the target. @ccw */
   hrt_interval bias_deg;
   /** Largest feasible gap (hrt_gap::max_gap_deg), on the side on which it is smaller. */
   hrt_interval max_gap_deg;
@@ -252,8 +253,9 @@ typedef struct hrt_setup_result {
   char reason[HRT_TEXT_SIZE];
 } hrt_setup_result;
 
-/** Begins a set-up. Until it is over, no reach can begin, and only the set-up can change the configuration. A part with
- *  slides takes 1.4 MB of memory. After hrt_setup_cancel(), ALL_MISSING repeats only the parts that were not completed.
+/** Begins a set-up. Until it is over, no reach can begin, and only the set-up can change the configuration. After
+ *  hrt_setup_cancel(), ALL_MISSING repeats only the parts that were not completed. CALIBRATION and RETEST allocate 1.4
+ *  MB with the default max_slides.
  *
  *  @param what    Parts, HRT_SETUP_*.
  *  @param config  Configuration, copied. Null: the defaults.
@@ -278,8 +280,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_update(hrt_session session, const hrt
 
 /** Continues the fit of a part for less than 1 ms, or for up to 3 ms with more than 40 slides. Call it in each frame
  *  whose step has HRT_STEP_FINISH: a fit of touches takes one call, a fit of 16 slides about 300 calls. When the fit is
- *  complete, the call applies its result to the configuration, and the set-up continues with the remaining parts. A
- *  part whose fit is rejected is repeated at most twice; see hrt_setup_result::dropped.
+ *  complete, the call applies its result to the configuration, and the set-up continues with the remaining parts. If a
+ *  fit is rejected, the user repeats the touches or guides, at most twice, or makes more slides of a calibration, up to
+ *  max_slides; then the part is dropped (hrt_setup_result::dropped).
  *
  *  @param out_result  Result so far.  @return WRONG_STATE without a set-up, or before HRT_STEP_FINISH; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
@@ -304,9 +307,9 @@ typedef struct hrt_setup_residual {
   hrt_slide_verdict verdict;
   /** Plate orientation. @ccw */
   double plate_deg;
-  /** Measured direction of the second half of the path. @ccw */
+  /** Direction of the second half of the path, as measured. @ccw */
   double direction_deg;
-  /** Fitted direction of the second half of the path. @ccw */
+  /** Direction of the second half of the path, according to the fitted model. @ccw */
   double fitted_deg;
   /** direction_deg minus fitted_deg. @ccw */
   double residual_deg;

@@ -59,8 +59,8 @@ typedef struct hrt_target_config {
   /** Fields that give the position. @default HRT_PLACE_DIRECTION */
   hrt_target_place place;
   uint32_t reserved;
-  /** Direction from the start. If the directions of all targets are below 1.6 degrees, they are probably in radians:
-   *  reaches get HRT_COMMAND_IMPLAUSIBLE. @range -180 to 180 @default 0 @ccw */
+  /** Direction from the start. If all targets have directions of at most 1.6 degrees, and at least two of these are not
+   *  0, they are probably in radians: reaches get HRT_COMMAND_IMPLAUSIBLE. @range -180 to 180 @default 0 @ccw */
   double direction_deg;
   /** Distance from the start along the plate. @range 0.001 to 10 @default 0.1 */
   double distance_m;
@@ -68,14 +68,15 @@ typedef struct hrt_target_config {
    *  plate, the position must be at least 1 mm from the start; its height has no effect. @range -1000 to 1000
    *  @default (0, 0, 0) */
   double position_m[3];
-  /** Name, unique within the session or empty; error texts and recordings show it. UTF-8, terminated by a zero. */
+  /** Name, unique within the session or empty; error texts and recordings show it. UTF-8 without control characters,
+   *  terminated by a zero. */
   char name[HRT_NAME_SIZE];
-  /** Radius of the real object. hrt_reach_touched() computes the position of contact from it. 0: unknown; contacts are
-   *  then less accurate. @range 0 to 1 @default 0 */
+  /** Radius of the real object, for the position of contact in hrt_reach_touched() and HRT_SETUP_GUIDES. 0: unknown;
+   *  contacts are then less accurate. @range 0 to 1 @default 0 */
   double radius_m;
   /** Real target that is assigned to this virtual target; null, the default: none. hrt_scene_register() sets it, for
-   *  use by the host; the library does not read it, because hrt_reach_begin() and hrt_gap_query() take both targets.
-   *  The real target may have been removed since. Must be null for a real target. */
+   *  the host, which passes both targets to hrt_reach_begin(). It is not updated when the real target is removed. Must
+   *  be null for a real target. */
   hrt_target served_by;
 } hrt_target_config;
 
@@ -93,12 +94,12 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_t
  *
  *  @param target  Target to replace.
  *  @param config  Its new fields.
- *  @return As hrt_target_add().
+ *  @return OUT_OF_RANGE naming the field; NAME_TAKEN; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target target,
                                                 const hrt_target_config* config) HRT_NOEXCEPT;
 
-/** Removes a target from its session. A reach in progress keeps its copy.
+/** Removes a target from its session. A reach in progress continues with its copy of the target.
  *
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_remove(hrt_session session, hrt_target target) HRT_NOEXCEPT;
