@@ -21,7 +21,9 @@ void load(void* library, const char* name, Function& function) {
 // RTLD_NODELETE: dlclose() does not unload the plugin. Unloading would leak memory of the plugin's own C++ runtime.
 Plugin::Plugin(const std::filesystem::path& library)
     : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE), dlclose) {
-  if (library_ == nullptr) throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror());
+  if (library_ == nullptr)
+    throw Failure(ExitCode::plugin,
+                  std::string("the plugin cannot be opened: ") + dlerror() + ": select another plugin (--plugin)");
 #define HRT_LOAD(name) load(library_.get(), #name, this->name);
   HRT_REACH_PLUGIN_FUNCTIONS(HRT_LOAD)
 #undef HRT_LOAD

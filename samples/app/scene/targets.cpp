@@ -114,7 +114,7 @@ std::vector<Mark> read_marks(const std::filesystem::path& file) {
     }
     if (line.empty()) continue;
     Mark mark{cells[0], {}};
-    if (mark.name.empty()) refuse(file, number, "the mark has no name");
+    if (mark.name.empty()) refuse(file, number, "the mark has no name; add one in the first column");
     for (std::size_t i = 0; i < mark.position_m.size(); ++i) {
       const std::optional<double> value_m = number_in(cells[1 + i], -farthest_m, farthest_m);
       if (!value_m) refuse(file, number, "\"" + cells[1 + i] + "\" is not a number of metres from -1 to 1");

@@ -128,7 +128,7 @@ Json parse_json(std::string_view text, const std::string& name) {
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      refuse(parsed.dump(), "occurs twice in one object");
+      refuse(parsed.dump(), "occurs twice in one object; remove one of the two");
     return true;
   };
   try {

@@ -188,7 +188,7 @@ TEST(ExperimentDesign, ErrorsNameTheField) {
   }
   EXPECT_TRUE(has(refusal_of([] { parse_design("{", "study.json"); }), "study.json"));
   EXPECT_EQ(refusal_of([] { parse_design(R"({"seed": 1, "seed": 2})", "study.json"); }),
-            "study.json: \"seed\" occurs twice in one object");
+            "study.json: \"seed\" occurs twice in one object; remove one of the two");
 }
 
 // The plan: 5 minutes for consent, 6 for the set-up, 6 items, 3 trials of 12 s, a break of a minute.
