@@ -28,7 +28,7 @@ if(HRT_BUILD_EXPERIMENT)
   # The header of cpp-httplib calls libcrypto if the package was built with it.
   pkg_check_modules(HRT_HTTPLIB REQUIRED IMPORTED_TARGET GLOBAL cpp-httplib libcrypto)
 endif()
-if(EMSCRIPTEN)  # for the tests of the npm package, and for the page
+if(EMSCRIPTEN)  # for the tests of the npm package, and for samples/web
   find_program(HRT_NPM_PROGRAM npm)
   find_program(HRT_NODE_PROGRAM node REQUIRED)
   if(NOT HRT_NPM_PROGRAM)

@@ -1,5 +1,4 @@
-# Compiler flags of all targets. hrt_add_library and hrt_add_executable are add_library and add_executable with these
-# flags.
+# hrt_add_library and hrt_add_executable are add_library and add_executable with the compiler flags of this file.
 
 add_library(hrt_flags INTERFACE)
 target_compile_features(hrt_flags INTERFACE cxx_std_20)
@@ -142,7 +141,8 @@ function(hrt_bring_runtime name)
   endif()
 endfunction()
 
-# hrt_install_readme(README FOLDER [PICTURES folder/] options of install()...): installs a page by packaged_readme.cmake.
+# hrt_install_readme(README FOLDER [PICTURES folder/] options of install()...): installs a page that
+# packaged_readme.cmake has converted.
 function(hrt_install_readme readme folder)
   cmake_parse_arguments(ARG "" PICTURES "" ${ARGN})
   install(CODE "

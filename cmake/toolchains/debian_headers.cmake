@@ -20,5 +20,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-# The tests' library is built from its source for the target.
+# Debian's GoogleTest is for this machine; the tests build it for the target from its source.
 set(HRT_GOOGLETEST_SOURCE /usr/src/googletest)
