@@ -1,4 +1,4 @@
-// Exit codes of hrt-reach.
+// Exit codes of the programs that use the library hrt_app.
 #pragma once
 
 #include <stdexcept>

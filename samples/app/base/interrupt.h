@@ -1,4 +1,3 @@
-// Ctrl-C, SIGTERM, and SIGHUP when the terminal closes.
 #pragma once
 
 #include <atomic>
@@ -13,7 +12,7 @@ class Interrupted : public std::runtime_error {
   explicit Interrupted(const char* why = "interrupted") : std::runtime_error(why) {}
 };
 
-/// True after SIGINT, SIGTERM or SIGHUP has arrived, in any thread.
+/// True after SIGINT (Ctrl-C), SIGTERM or SIGHUP (the terminal was closed), if note_interrupts() was called before.
 inline std::atomic<bool> interrupt_noted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 

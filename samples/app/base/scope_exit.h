@@ -1,11 +1,10 @@
-// A function that runs at the end of a scope, also after an exception.
 #pragma once
 
 #include <utility>
 
 namespace hrt::app {
 
-/// Runs `action` when it is destroyed. Requires that the action does not throw.
+/// Runs `action` at the end of its scope, also after an exception. Requires that the action does not throw.
 template <class Action>
 class ScopeExit {
  public:

@@ -14,7 +14,7 @@ constexpr int eeprom_end = 64;
 constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_current = 102, profile_acceleration = 108,
               profile_velocity = 112, goal_position = 116, present_position = 132;
 
-// Entry of the control table that may be written, with the range of its values.
+// Entry of the control table that may be written, with its size in bytes and the range of its values.
 struct Writable {
   int address;
   int size;
@@ -57,7 +57,7 @@ std::int64_t EmulatedDynamixel::homing() const {
 std::int64_t EmulatedDynamixel::present(double reading_deg) const {
   const double sign = (get(10, 1) & 1) != 0 ? -1.0 : 1.0;
   const auto steps = std::lround(sign * reading_deg * 4096.0 / 360.0) + 2048;
-  // After power-on the servo knows its position within a turn; from then on it counts turns.
+  // The servo counts turns from power-on: it then reports a position within one turn.
   return steps - turns_ * 4096 + homing();
 }
 

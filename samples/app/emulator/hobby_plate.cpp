@@ -59,7 +59,7 @@ void HobbyPlate::receive(std::string_view bytes, Time now) {
     plate_receive(&plate_, byte);
     LineError error = LINE_OK;
     if (!line_receive(&reader_, byte, &error) || error != LINE_OK) continue;
-    // Without the sequence number and the token at the end, which have five digits.
+    // Removes the sequence number and the token at the end, which have five digits each.
     std::string_view body = reader_.text;
     for (int i = 0; i < 2 && body.size() > 9; ++i) {
       const std::string_view last = body.substr(body.size() - number_size);

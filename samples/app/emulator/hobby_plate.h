@@ -38,7 +38,7 @@ class HobbyPlate {
     Settings settings = commissioned();
     ServoTraits servo = {};
     double orientation_deg = 0.0;                   ///< initial orientation
-    std::string noise;                              ///< bytes sent before the first answer
+    std::string noise;                              ///< bytes that the plate sends before its first line
     bool answers = true;                            ///< false: the plate sends nothing
     std::chrono::milliseconds boot_time{0};         ///< time from power-on to the start of the firmware
     std::chrono::nanoseconds byte_time{87'000};     ///< duration of a byte on the serial line

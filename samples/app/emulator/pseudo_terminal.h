@@ -26,7 +26,7 @@ class Pty {
     if (openpty(&own_, &other_, name.data(), columns == 0 ? &raw : nullptr, columns == 0 ? nullptr : &size) != 0)
       throw std::runtime_error("no pseudo-terminal can be opened: mount /dev/pts");
     fcntl(own_, F_SETFL, O_NONBLOCK);
-    // Programs that a test starts must not keep the terminal open.
+    // Programs that this process starts must not keep the terminal open.
     for (const int end : {own_, other_}) fcntl(end, F_SETFD, FD_CLOEXEC);
     device_ = name.data();
   }

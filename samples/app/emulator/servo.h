@@ -1,4 +1,4 @@
-// Simulation, in simulated time, of a plate on a servo. All emulated devices use it.
+// Simulation of a plate on a servo, which the emulators of devices use. Its time is that of the caller.
 #pragma once
 
 #include <chrono>
@@ -83,7 +83,7 @@ class HobbyServo : public EmulatedServo {
   void run_until(Time now);
   double sensor_mv() { return 2500.0 + reading_deg() * 3000.0 / 180.0; }
 
-  /// Change of the width of the pulse for 180 degrees; negative for a servo that turns clockwise.
+  /// Change of the width of the pulse for 180 degrees; negative for a servo that longer pulses turn clockwise.
   double span_us = 2000.0;
 
  private:

@@ -14,7 +14,7 @@ struct libevdev;
 
 namespace hrt::app {
 
-/// For use by one thread. No call blocks.
+/// Multitouch device that locates one fingertip. For use by one thread. No call blocks.
 class TouchFrame {
  public:
   /// Opens "evdev:PATH?NAME=NUMBER&..." for this program alone, so that touches do not reach the desktop. Throws
@@ -22,10 +22,11 @@ class TouchFrame {
   explicit TouchFrame(const std::string& text);
 
   std::string description() const;  ///< name and size of the device, and positions of objects on it, in one line
-  /// Sets those of noise, latency and bearing SD that are 0 in `tracker`.
+  /// Sets noise_m, latency_ns and bearing_sd_deg of `tracker` where they are 0.
   void configure(hrt_session_tracker& tracker) const;
-  /// Returns the fingertip 12 ms before `now_ns` (CLOCK_MONOTONIC), in plate coordinates, interpolated between the
-  /// reports before and after that time. Throws Failure (ExitCode::tracker) if the device was unplugged.
+  /// Returns the fingertip 12 ms before `now_ns` (CLOCK_MONOTONIC), in plate coordinates, interpolated between two
+  /// reports of the device. Fingertip::lifted is true if nothing was touched then. Throws Failure (ExitCode::tracker)
+  /// if the device was unplugged.
   Fingertip locate(std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch() /
                                          std::chrono::nanoseconds(1));
 

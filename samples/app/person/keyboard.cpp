@@ -20,7 +20,7 @@ Keyboard::Keyboard() {
   if (const pid_t front = tcgetpgrp(STDIN_FILENO); front >= 0 && front != getpgrp()) return;
   if (tcgetattr(STDIN_FILENO, &before) != 0) return;
   termios keys = before;
-  keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // ISIG remains set
+  keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // ISIG remains set, so that Ctrl-C sends SIGINT
   keys.c_cc[VMIN] = 0;
   keys.c_cc[VTIME] = 0;
   has_terminal_ = tcsetattr(STDIN_FILENO, TCSANOW, &keys) == 0;

@@ -13,11 +13,12 @@
 
 namespace hrt::app {
 
-/// For use by one thread. No call except finish() waits for the speech program.
+/// For use by one thread. Only finish() waits for the speech program.
 class Prompt {
  public:
   /// `speak_with`: speech program and its arguments; empty: no speech. `before_print` receives the text before it is
-  /// printed, to clear the status line. `texts`: maps texts to those that say() uses instead. Throws as Speech() does.
+  /// printed, to clear the status line. `texts`: maps texts to those that say() uses instead. Throws Failure
+  /// (ExitCode::usage) if the speech program does not exist.
   Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
          std::map<std::string, std::string> texts = {});
 
@@ -52,7 +53,7 @@ class Prompt {
   bool failure_reported_ = false;
 };
 
-/// Text that listen() prints.
+/// Text of listen(): the meaning of the keys.
 extern const char* const keys_in_words;
 
 }  // namespace hrt::app

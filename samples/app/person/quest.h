@@ -1,5 +1,6 @@
-// QUEST+ (Watson 2017): selects the gap whose answer is expected to reduce the entropy of the posterior over threshold,
-// slope and lapse rate the most. Implemented from the published equations.
+// QUEST+ (Watson 2017), implemented from the published equations: measures the gap (the angle between real and virtual
+// target) that a person can detect. Selects the gap whose answer is expected to reduce the entropy of the posterior
+// over threshold, slope and lapse rate the most.
 #pragma once
 
 #include <cstddef>

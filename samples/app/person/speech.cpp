@@ -50,7 +50,7 @@ std::string one_line(const std::string& text) {
   return line + "\n";
 }
 
-// Starts a process in its own group, with `line` on its standard input and its output discarded.
+// Starts a process in its own group, with `line` on its standard input and its output discarded. Returns 0 or errno.
 int spawn(std::vector<std::string> words, const std::string& line, pid_t& child) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return errno;

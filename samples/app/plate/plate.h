@@ -1,4 +1,3 @@
-// The device that turns the plate.
 #pragma once
 
 #include <haptic_retargeting/plate.h>
@@ -9,8 +8,9 @@
 
 namespace hrt::app {
 
-/// Orientations are in degrees from the mid-line; ridges repeat every 180 degrees. For use by one thread. No call
-/// blocks. Calls may throw Failure (ExitCode::plate) if the device has failed, or XrFailure if the runtime has.
+/// Device, or its simulation, that turns the plate. Orientations are in degrees from the mid-line; ridges repeat every
+/// 180 degrees. For use by one thread. The functions below do not block. They may throw Failure (ExitCode::plate) if
+/// the device has failed, or XrFailure if the OpenXR runtime has.
 class Plate {
  public:
   virtual ~Plate() = default;
@@ -18,8 +18,8 @@ class Plate {
   /// Description of the device in one line; empty for a simulated plate.
   virtual std::string description() const { return {}; }
 
-  /// Limits and telemetry as of the last service(); null if the plate has no limits. `state` is 0 unless the plate is a
-  /// device.
+  /// Limits and telemetry as of the last service(); null if the plate has no limits. hrt_plate_report::state is 0 for a
+  /// simulated plate.
   virtual const hrt_plate_report* report() const { return nullptr; }
 
   /// Exchanges messages with the device. Call it once a frame, also between reaches.

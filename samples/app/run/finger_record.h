@@ -45,8 +45,8 @@ class FingerRecord {
   std::array<Seen, 2> seen_;
 };
 
-/// Waits until the fingertip of a hand has been at the start for settle_ns, and returns this hand. Throws Failure
-/// (ExitCode::no_hand) after the time limit of the context.
+/// Waits until the fingertip of a hand has been at the start for settle_ns (0.3 s), and returns this hand. Throws
+/// Failure (ExitCode::no_hand) after the time limit of the context.
 Hand await_finger_at_start(RunContext& context);
 
 }  // namespace hrt::app

@@ -1,4 +1,3 @@
-// The plate that the command line chooses.
 #pragma once
 
 #include <memory>
@@ -10,8 +9,9 @@
 
 namespace hrt::app {
 
-/// Creates the plate. `simulation`: simulated user who feels the plate; null if the runtime has none. Throws Failure
-/// (ExitCode::plate) if the plate cannot be created, or if it is a device and the runtime's clock is not real time.
+/// Creates the plate that the command line selects. `simulation`: simulated user who feels the plate; null if the
+/// runtime has none. Throws Failure: ExitCode::usage if the name of a device is invalid; ExitCode::plate if the plate
+/// cannot be created, or if it is a device and the runtime's clock is not real time.
 std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation, XrHeadlessSession& session,
                                   const std::string& runtime_name);
 

@@ -38,7 +38,7 @@ struct Options {
   std::string finger;  ///< device of a touch frame (see TouchFrame); empty: hand tracking
   double time_limit_s = 30.0;
   std::chrono::milliseconds runtime_limit{10'000};  ///< limit of a call into, or a wait for, the runtime
-  bool for_people = true;                           ///< false: the paper's controller
+  bool for_people = true;                           ///< true: the default controller; false: the paper's
   std::optional<double> tactile_weight;             ///< unset: 0.15 if !for_people, else the plugin's default
   double motor_variance_deg2 = 0.5;
   std::filesystem::path register_to;   ///< file that a registration writes; empty: no registration

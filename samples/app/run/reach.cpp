@@ -13,8 +13,8 @@
 namespace hrt::app {
 namespace {
 
-constexpr XrDuration lift_ns =
-    500'000'000;  // lift that ends a reach; > settle_ns, so that the other hand can take over
+// Duration of a lift that ends a reach. It is longer than settle_ns, after which the other hand can continue the reach.
+constexpr XrDuration lift_ns = 500'000'000;
 
 double bearing_deg(const Point& from, const Point& to) {
   return std::atan2(from[0] - to[0], from[2] - to[2]) * 180.0 / std::numbers::pi;

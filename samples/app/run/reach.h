@@ -22,9 +22,9 @@ struct ReachResult {
   double saturated_share;  ///< fraction of controller steps at the bound or rate limit of the plate
 };
 
-/// Makes one reach. Every failure stops the plate. Throws XrLost if the session was lost and the reach must be
-/// repeated; Failure (ExitCode::no_hand), with the reason, if the reach did not begin or end in time; for other errors,
-/// Failure or XrFailure.
+/// Makes one reach. A failure during the reach stops the plate. Throws XrLost if the session was lost and the reach
+/// must be repeated; Failure (ExitCode::no_hand), with the reason, if the reach did not begin or end in time; for other
+/// errors, Failure or XrFailure.
 ReachResult run_reach(RunContext& context, const TargetPair& pair);
 
 }  // namespace hrt::app

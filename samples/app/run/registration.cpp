@@ -25,7 +25,7 @@ hrt_setup_result touch(RunContext& context, std::uint32_t what, std::span<const 
 
 using Json = nlohmann::ordered_json;
 
-// Returns a sentence with the largest SD of the bearings at which reaches end, over all targets.
+// Returns text with the largest SD, over all targets, of the bearing at which a reach ends.
 std::string accuracy_text(const RunContext& context) {
   hrt_gap worst = hrt_gap_init();
   for (const TargetPair& pair : context.targets.pairs) {
@@ -44,7 +44,7 @@ std::string accuracy_text(const RunContext& context) {
 constexpr int version = 2;
 constexpr const char* hand_names[] = {"left", "right"};
 
-// Numbers of a registered plate, with their key in the file.
+// An array of numbers of a registered plate, and its key in the file.
 struct Numbers {
   const char* name;
   std::span<double> values;
@@ -142,7 +142,8 @@ double check_plate(RunContext& context, const RegisteredPlate& plate) {
   put_registration(plate, config);
   context.plugin.check(context.plugin.hrt_session_set(context.targets.session, &config));
   context.session.place_plate(plate.space, world);
-  const std::array<Mark, 3> marks{plate.check, plate.check, plate.check};  // only one mark is touched
+  // A set-up needs at least three marks; this one asks for a touch of the first only.
+  const std::array<Mark, 3> marks{plate.check, plate.check, plate.check};
   const hrt_setup_result found = touch(context, HRT_SETUP_CHECK, marks);
   if (found.done == 0)
     throw Failure(

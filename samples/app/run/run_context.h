@@ -52,7 +52,7 @@ struct RunContext {
   Point skin_m{};
 };
 
-constexpr double tip_height_m = 0.008;         ///< height above the plate of the joint, which is inside the finger
+constexpr double tip_height_m = 0.008;         ///< height of the joint, which is inside the finger, during a touch
 constexpr double lifted_height_m = 0.025;      ///< a fingertip higher than this does not touch the plate
 constexpr double start_radius_m = 0.015;       ///< distance within which a finger is at the start
 constexpr XrDuration settle_ns = 300'000'000;  ///< time after which a finger counts as at rest or off the plate
@@ -75,7 +75,7 @@ hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> pl
 /// Sample of a joint in world coordinates. Requires the plate space at `world`.
 hrt_sample world_sample_of(XrTime time, const Fingertip& joint, std::optional<double> plate_orientation_deg);
 
-/// Instructs the simulated participant to slide from the start.
+/// Instructs the simulated participant to slide from the start. Requires that context.simulation is not null.
 void instruct(RunContext& context, Hand hand, double direction_deg, double distance_m);
 
 /// Waits for the next frame, services the plate and handles the user's keys.

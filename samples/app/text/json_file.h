@@ -36,7 +36,7 @@ void check_json(Json& value, const Json& schema, const std::string& where, const
 /// Returns text such as: "a", "b", "c"
 std::string quoted_list(const std::vector<std::string>& texts);
 
-/// A name in a file, and its meaning.
+/// Names in a file, and their meanings.
 template <typename Value>
 using Names = std::vector<std::pair<std::string, Value>>;
 

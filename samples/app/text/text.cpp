@@ -6,7 +6,7 @@
 namespace hrt {
 namespace {
 
-// Every byte of a character but the first is 10xxxxxx.
+// In UTF-8, the bytes of a character after the first are 10xxxxxx.
 bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
 
 std::string spaces(std::string_view text, std::size_t width) {
@@ -54,7 +54,7 @@ std::vector<std::string> csv_fields(std::string_view line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == ',' && !is_quoted)
       fields.emplace_back();
-    else if (line[i] != '"' || (!is_quoted && i > 0 && line[i - 1] == '"'))  // two quotes are one
+    else if (line[i] != '"' || (!is_quoted && i > 0 && line[i - 1] == '"'))  // two quotes in a field represent one
       fields.back() += line[i];
     if (line[i] == '"') is_quoted = !is_quoted;
   }

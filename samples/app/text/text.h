@@ -1,4 +1,4 @@
-// Text for people: columns counted in characters of UTF-8, and markup.
+// Columns of text, whose width is counted in characters of UTF-8; fields of CSV; and escapes of HTML.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ std::vector<std::string> csv_fields(std::string_view line);
 /// The byte order mark that some editors write first.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// `text` escaped for HTML or XML, including attributes; control characters but line ends become '?'.
+/// `text` escaped for HTML or XML, including attributes; control characters except line ends become '?'.
 std::string escaped(std::string_view text);
 
 }  // namespace hrt

@@ -1,4 +1,4 @@
-// CHECK_XR and CALL_XR wrap every OpenXR call. If a call fails, CHECK_XR throws an error that names the call. If a call
+// CHECK_XR and CALL_XR wrap OpenXR calls. If a call fails, CHECK_XR throws an error that names the call. If a call
 // blocks, a watchdog ends the process, as a blocked thread cannot be interrupted. A plate on a serial line then stops
 // by its own timeout, and a recording keeps the rows that were written.
 #pragma once

@@ -20,7 +20,7 @@ constexpr auto poll_period = 2ms;                // period of event polling whil
 constexpr auto own_frame_period = 11'111'111ns;  // 90 Hz, for a runtime whose frames have no times
 constexpr int frames_of_a_second = 90;           // limit of invalid frames in a row that are skipped
 constexpr XrDuration max_step_ns = 5'000'000'000, max_refused_ns = 1'000'000'000;
-constexpr float max_position_m = 100.0f;  // limit of plausible distances from the plate
+constexpr float max_position_m = 100.0f;  // a larger distance of a fingertip from the plate is impossible
 
 // A final failure: the runtime violates the specification, or takes too long.
 [[noreturn]] void fail(const std::string& sentence) { throw Failure(ExitCode::runtime_failed, sentence); }
@@ -77,7 +77,8 @@ SpaceMotion::Change SpaceMotion::advance(XrReferenceSpaceType space, XrTime time
       made = Change::unknown;
       return true;
     }
-    first_[space] = product(inverse(product(identity, change.poseInPreviousSpace)), now(space, identity));
+    const XrPosef normalised = product(identity, change.poseInPreviousSpace);
+    first_[space] = product(inverse(normalised), now(space, identity));
     if (made == Change::none) made = Change::moved;
     return true;
   });
@@ -295,7 +296,7 @@ void XrHeadlessSession::poll_events() {
   }
 }
 
-// A repeated state, or one that this version of the API does not define, has no effect.
+// Begins or ends the session when the runtime requests it. A repeated state has no effect.
 void XrHeadlessSession::change_state(XrSessionState state) {
   switch (state) {
     case XR_SESSION_STATE_READY:

@@ -66,7 +66,7 @@ class XrHeadlessSession {
   /// (ExitCode::registration) if the runtime moved the plate's space by an unknown amount; Interrupted after a signal.
   XrTime next_frame();
 
-  /// Space whose origin persists from run to run, if the runtime has one: STAGE, or else LOCAL.
+  /// STAGE, whose origin persists from run to run, or LOCAL if the runtime has no STAGE.
   XrReferenceSpaceType steady_space() const { return steady_space_; }
   /// Space whose origin is on the floor: STAGE, or else LOCAL_FLOOR; LOCAL, at the user's eyes, if the runtime has
   /// neither.
