@@ -31,8 +31,8 @@ class Matching {
  private:
   bool joins(std::size_t row, std::size_t column) const { return costs_[row * columns_ + column] <= limit_; }
 
-  // Breadth-first search from all unassigned rows: sets the depth of each row, that is, the number of assigned pairs on
-  // the shortest path from an unassigned row to this row. Returns true if an unassigned column can be reached.
+  // Breadth-first search from all unassigned rows: sets the depth of each row to the number of assigned pairs on the
+  // shortest path to it, or to `unserved` if no path leads to it. Returns true if a path reaches an unassigned column.
   bool find_depths() {
     queue_.clear();
     for (std::size_t row = 0; row < column_of_.size(); ++row) {
@@ -57,7 +57,7 @@ class Matching {
   }
 
   // Depth-first search from row `from` along increasing depths. If it reaches an unassigned column, assigns along the
-  // path and returns true. Not recursive, since a path may contain all rows.
+  // path and returns true. Not recursive: a path may contain all rows, which could overflow the call stack.
   bool augment(std::size_t from) {
     path_.assign(1, from);
     while (!path_.empty()) {
@@ -97,7 +97,7 @@ class Matching {
   std::vector<std::size_t> column_of_;
   std::vector<std::size_t> row_of_;
   std::vector<std::size_t> depth_;
-  std::vector<std::size_t> next_;  // for each row, the next column that the search tries
+  std::vector<std::size_t> next_;  // for each row, the next column that augment() tries
   std::vector<std::size_t> queue_;
   std::vector<std::size_t> path_;
   std::size_t size_ = 0;

@@ -15,8 +15,9 @@ using T = PersonState;
 // Variance of the square of a normal variable, in units of the squared variance.
 constexpr double square_variance = 2.0;
 
-// Returns true if the weight has dropped by more than illusion_fall_deviations SDs. The filter may have mistaken the
-// drop for a maximum of the illusion at a small angle, beyond which the controller would never observe the illusion.
+// Returns true if the weight has dropped by more than illusion_fall_deviations SDs. Such a drop may be an error of the
+// filter: if the estimated illusion has its maximum at a small angle, plans stay below this angle, and later reaches do
+// not observe the illusion at the angles that would correct the estimate.
 bool has_fallen(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
   const LinearIllusion was = linear_illusion(before);
   return was.weight - linear_illusion(learnt).weight > tuning.illusion_fall_deviations * was.weight_sd;

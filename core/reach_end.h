@@ -5,9 +5,8 @@
 //            if that is more), if the finger has covered nine tenths of the path or the path is at most 15 mm long
 //   of 2 s   if the finger has covered three tenths of the path, at most 60 degrees off the direction of the target;
 //            the reach has missed if the finger is not near the target
-// The path begins at the start or, after a jump of the target, at the position of the finger at that time. The times
-// exceed the pauses of people, who begin a correction within 0.3 s of the end of a first motion and pause for longer
-// only before they are near the target.
+// The path begins at the start or, after a jump of the target, at the position of the finger at that time. Near the
+// target, people begin a correction within 0.3 s of the end of a first motion; farther away, they may pause for longer.
 #pragma once
 
 #include "core/reach/finger_sample.h"
@@ -18,14 +17,15 @@ namespace hrt {
 
 /// A finger within this distance of the start is at the start.
 inline constexpr double at_start_mm = 15.0;
-/// A target that moves by less than this in one call of retarget() does not restart the time of the rest.
+/// A call of retarget() that moves the target by at least this distance is a jump: path and rest begin again.
 inline constexpr double max_target_step_mm = 2.0;
 
-/// Detector for one reach. Uses no heap, lock or exception.
+/// Uses no heap, lock or exception.
 class ReachEnd {
  public:
   ReachEnd() = default;
-  /// Begins a reach from `start` to another point, `target`. `start_is_felt`: the finger first rests at `start`.
+  /// Begins a reach from `start` to another point, `target`. `start_is_felt`: the first rest of the finger is at
+  /// `start`, so tracked positions are shifted by `start` minus the tracked position of this rest.
   ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt)
       : start_(start), target_(target), way_from_(start), start_is_felt_(start_is_felt) {}
 
@@ -35,7 +35,8 @@ class ReachEnd {
   /// Processes a sample. `finger`: the phase detector, which has already processed this sample.
   void observe(const FingerSample& sample, const FingerPhase& finger);
   const ReachProgress& progress() const { return progress_; }
-  /// True if the finger was first seen elsewhere, and the last sample began its rest at the start: the reach begins.
+  /// True if the finger, first tracked elsewhere, came to rest at the start with the last sample. Retargeter then
+  /// begins the reach again. False after a jump of the target.
   bool came_to_start() const { return came_to_start_; }
 
  private:
@@ -47,7 +48,7 @@ class ReachEnd {
   PlatePoint start_;
   PlatePoint target_;
   PlatePoint way_from_;
-  PlatePoint felt_offset_;  // start minus tracked position of the first rest, if the start is felt
+  PlatePoint felt_offset_;  // start minus tracked position of the first rest; 0 unless start_is_felt_
   bool start_is_felt_ = false;
   bool seen_ = false;
   bool comes_from_elsewhere_ = false;

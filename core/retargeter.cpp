@@ -25,7 +25,7 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
 }
 
 // Returns the noise for the controller for people; nullopt if unknown. A total noise is divided into a white and a
-// correlated part, since neglected correlated noise looks like a motion, and assuming too much of it costs little.
+// correlated part: a filter that assumes white noise alone mistakes correlated noise for a motion.
 std::optional<TrackerNoise> noise_of(const EstimatorConfig& config, const Tuning& tuning) {
   const auto known_mm = [&tuning](double noise_mm) { return std::max(noise_mm, tuning.min_known_noise_mm); };
   if (config.correlated_noise_mm > 0.0)
@@ -99,7 +99,7 @@ const PlateCommand& Retargeter::update(const FingerSample& sample) {
     PlateHandover now = *handover();
     --now.samples;
     begin(reach_, now);
-    return update(sample);  // the new reach processes the sample again; a reach does not end at its first sample
+    return update(sample);  // recurses once: came_to_start() is false before the finger has moved in the new reach
   }
   const ReachProgress& progress = end_.progress();
   command_.arrived = progress.arrived;

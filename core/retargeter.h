@@ -13,7 +13,8 @@
 
 namespace hrt {
 
-/// Controller of successive reaches. Uses no heap, lock or exception. One thread at a time.
+/// Controller of successive reaches. All functions except begin(), has_person_controller(), person_filter() and
+/// learnt() require a preceding begin(). Uses no heap, lock or exception. One thread at a time.
 class Retargeter {
  public:
   /// Requires is_valid(config).
@@ -22,32 +23,30 @@ class Retargeter {
   /// Begins a reach. Requires is_valid(reach, goal) for the goal direction of config.participant.
   void begin(const Reach& reach);
 
-  /// Begins `reach` in place of the present one; the plate continues its motion. Requires begin() and a valid `reach`.
+  /// Begins `reach`, which must be valid as in begin(), in place of the present one; the plate continues its motion.
   void begin_here(const Reach& reach);
 
-  /// Processes one sample, not earlier than the previous one, and returns command(). Requires begin().
+  /// Processes one sample, not earlier than the previous one, and returns command().
   const PlateCommand& update(const FingerSample& sample);
 
   /// Moves the targets of the present reach; estimates are kept. Returns the remaining reach: the real target as seen
   /// from the finger, and the virtual target as seen from where the person will perceive the finger one reaction time
-  /// later. Before the finger moves, and without positions, both are seen from the start. Requires begin().
+  /// later. Before the finger moves, and without positions, both are seen from the start.
   Reach retarget(const PlatePoint& real, const PlatePoint& virtual_place);
 
   /// Advances the paper's controller by one model step, without a clock; the finger moves in `finger_direction_deg`
-  /// (finite). Do not use step() and update() in the same reach. Requires begin().
+  /// (finite). Do not use step() and update() in the same reach.
   const PlateCommand& step(double finger_direction_deg);
 
-  /// The last command; before the first sample, that of begin(). Valid until the next call. Requires begin().
+  /// The last command; before the first sample, that of begin().
   const PlateCommand& command() const { return command_; }
-  /// Summary of the present reach. Requires begin().
   ReachSummary summary() const;
-  /// True if the controller for people runs the reach.
   bool has_person_controller() const { return controller_ && std::holds_alternative<PersonReach>(*controller_); }
   /// State of finger and person; null before begin() and under the paper's controller.
   const PersonFilter* person_filter() const {
     return has_person_controller() ? &std::get<PersonReach>(*controller_).filter() : nullptr;
   }
-  /// Position of the finger; nullopt before the finger moves, and without positions. Requires begin().
+  /// Position of the finger; nullopt before the finger moves, and without positions.
   std::optional<FingerPosition> finger() const;
   /// Posterior of the person, for carried() of learning.h; nullopt under the paper's controller, and if the reach ended
   /// early or the model did not fit.
@@ -63,11 +62,11 @@ class Retargeter {
   Reach reach_{};  // argument of begin(), or result of the last retarget()
   ReachEnd end_;
   PlateCommand command_;
-  // Position of the finger at the beginning or at the last retarget, and the position that the person perceived then.
+  // Position of the finger at begin() or at the last retarget() that was over Tuning::min_leg_mm from the position
+  // before, and the position that the person perceived then.
   PlatePoint waypoint_;
   PlatePoint perceived_waypoint_;
-  // nullopt before begin().
-  std::optional<std::variant<PersonReach, PaperReach>> controller_;
+  std::optional<std::variant<PersonReach, PaperReach>> controller_;  // nullopt before begin()
 };
 
 }  // namespace hrt

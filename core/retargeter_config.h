@@ -22,9 +22,10 @@ enum class ControlMode {
   fixed_plate,  ///< no control: the plate stays at RetargeterConfig::fixed_plate_orientation_deg (paper Fig. 8)
 };
 
-/// Configuration; defaults: the paper's controller. Only ControlMode::reach uses the fields marked [reach].
+/// Configuration of a Retargeter; defaults: the paper's controller. Its reaches use the fields marked [reach] only in
+/// ControlMode::reach.
 struct RetargeterConfig {
-  Participant participant;  ///< model of the participant; adaptation starts at its w_T
+  Participant participant;  ///< model of the participant; adaptation starts at its tactile weight
   MpcConfig mpc;
   ControlMode mode = ControlMode::mpc;
   double fixed_plate_orientation_deg = 0.0;   ///< finite
@@ -34,12 +35,12 @@ struct RetargeterConfig {
   PersonBelief person = unknown_person();     ///< [reach] prior of the person
   ReachControlConfig reach;                   ///< [reach] limits of plate and perceived direction
   std::int64_t tracker_latency_ns = 0;        ///< [reach] age of a position at the time of its sample, 0 to 0.5 s
-  double tracker_bearing_sd_deg = 0.0;        ///< [reach] SD of the tracked bearing of a reach, 0 to 45
-  bool plate_waits = false;                   ///< [reach] the plate does not turn before the motion
-  bool start_is_felt = false;                 ///< [reach] the first rest of the finger is at the start, as in a dimple
+  double tracker_bearing_sd_deg = 0.0;  ///< [reach] SD, from reach to reach, of the tracker's bearing error, 0 to 45
+  bool plate_waits = false;             ///< [reach] the plate does not turn before the motion
+  bool start_is_felt = false;           ///< the first rest of the finger is at the start, as in a dimple
   FrameCovariance frame = FrameCovariance::Zero();  ///< [reach] covariance of the plate's pose
-  TouchedFrame touched;  ///< correction of the tracker's frame; samples are already corrected
-  Tuning tuning;         ///< [reach] tuned numbers
+  TouchedFrame touched;  ///< correction of the tracker's frame; the caller applies it to samples before update()
+  Tuning tuning;         ///< tuned numbers, most of them for ControlMode::reach
 };
 
 bool is_valid(const RetargeterConfig& config);

@@ -26,13 +26,13 @@ struct LeastSquaresFit {
   double penalty = 0.0;  ///< sum of squared deviations of the parameters from the prior means, in prior SDs
 };
 
-/// Runs the descent in steps of bounded time, which a frame loop can distribute over frames.
+/// Runs the descent in short steps, which a frame loop can distribute over frames.
 class Descent {
  public:
   /// `problem` must outlive the descent and must not change.
   Descent(const LeastSquares& problem, Eigen::VectorXd first);
-  /// Computes the derivatives of some groups; after the last group, tries one change of the parameters. Returns true
-  /// when the descent is finished; do not call step() after that.
+  /// Computes the derivatives of some groups or, when all are computed, tries one change of the parameters. Returns
+  /// true when the descent is finished; do not call step() after that.
   bool step();
   const LeastSquaresFit& fit() const { return fit_; }
 

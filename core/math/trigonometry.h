@@ -19,7 +19,7 @@ SinCos sin_cos_deg(double angle_deg);
 inline double sin_deg(double angle_deg) { return sin_cos_deg(angle_deg).sine; }
 inline double cos_deg(double angle_deg) { return sin_cos_deg(angle_deg).cosine; }
 
-/// Returns the angle of the point (x, y) in (-180, 180] degrees, with a relative error below 4.5e-16; 0 at the origin.
+/// Returns the angle of the point (x, y) in [-180, 180] degrees, with a relative error below 4.5e-16; 0 at the origin.
 /// Requires finite arguments whose ratio does not overflow or underflow.
 double atan2_deg(double y, double x);
 

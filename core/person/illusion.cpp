@@ -31,7 +31,7 @@ FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
   const double square = (t / scale_deg) * (t / scale_deg);
   const double full_deg = (illusion.weight - illusion.curve * square) * t;
   const double full_by_offset = illusion.weight - 3.0 * illusion.curve * square;
-  // Fraction of f that is lost, A / (|cos t| + A), and its derivative by t.
+  // A / (|cos t| + A), and its derivative by t.
   const auto [sine, cosine] = sin_cos_deg(t);
   const double lost = illusion.slowness / (std::max(cosine, 1e-6) + illusion.slowness);
   const double lost_by_offset = illusion.slowness > 0.0 ? rad_per_deg * sine * lost * lost / illusion.slowness : 0.0;
@@ -64,7 +64,7 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg) {
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max) {
   const double wanted_deg = std::abs(shift_deg);
   if (wanted_deg >= max.felt.shift_deg) return std::copysign(max.offset_deg, shift_deg);
-  // Newton's method from the chord, within the bracket: g is concave for b > 0 and convex for b < 0.
+  // Newton's method, which begins on the chord of g; bisection replaces a step that leaves the bracket.
   double low_deg = 0.0;
   double high_deg = max.offset_deg;
   double offset_deg = max.offset_deg * wanted_deg / max.felt.shift_deg;

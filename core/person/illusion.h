@@ -2,9 +2,10 @@
 // by
 //   g(t) = (w t - b t (t / 75)^2) (1 - f A / (|cos t| + A))
 // where t is the angle from the direction of motion to the ridge normal, in degrees, wrapped to +-90. g is linear
-// in each of w, b and f, so that a filter can estimate these parameters. If b > 0, g has a maximum. The last factor is
-// the mean fraction of the cue from touch that has not decayed between two ridges: 1 - f at low speed (large A) and for
-// a motion along the ridges, 1 at high speed.
+// in each of w, b and f, so that a filter can estimate these parameters. If b > 0 and f = 0, g has its maximum at
+// t = 75 sqrt(w / (3 b)), if that is below 90. The last factor is the mean fraction of the cue from touch that has not
+// decayed between two ridges: near 1 - f at low speed (large A) and for a motion along the ridges, near 1 at high
+// speed.
 #pragma once
 
 #include "core/person/tuning.h"
@@ -12,7 +13,7 @@
 
 namespace hrt {
 
-/// Parameters of a person's illusion, without unit.
+/// Parameters of a person's illusion, dimensionless.
 struct Illusion {
   double weight;          ///< w: slope at 0
   double curve;           ///< b: a third of the decrease of the slope from 0 to 75 degrees
@@ -37,13 +38,14 @@ struct FeltShift {
 /// Returns the shift for a ridge normal at `offset_deg` (finite) from the direction of motion.
 FeltShift felt_shift(const Illusion& illusion, double offset_deg);
 
-/// The largest shift for ridge normals within a bound of the motion, and the offset that causes this shift.
+/// The largest shift, and the offset that causes this shift.
 struct MaxShift {
   double offset_deg;
   FeltShift felt;
 };
 
-/// Returns the largest shift for ridge normals within `bound_deg` > 0 (89 at most) of the motion. Requires weight > 0.
+/// Returns the largest shift for ridge normals within `bound_deg` > 0 of the motion; a bound above 89 degrees counts as
+/// 89. Requires weight > 0.
 MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
 /// Inverts g on its rising branch, from 0 to `max`: returns the offset that causes `shift_deg`, within

@@ -19,13 +19,13 @@ struct PersonBelief {
 
 inline double trait_sd(const PersonBelief& belief, int trait) { return std::sqrt(belief.covariance(trait, trait)); }
 
-/// Returns the prior of a person who has not been measured. `tactile_weight`, `tactile_weight_sd`: mean and SD of w_T
-/// if the illusion were linear; mean and SD of w and of the curvature b follow from these two values (tuning.h).
+/// Returns the prior of a person who has not been measured. `tactile_weight`, `tactile_weight_sd`: mean and SD of the
+/// weight of a linear illusion; mean and SD of the traits weight and curve follow from them (Tuning::traits).
 /// `bias_deg`: mean of the bias. Means are clamped to the ranges in person_state.h.
 PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05, double bias_deg = 0.0,
                             const Tuning& tuning = {});
 
-/// Returns the prior of a person whose illusion is linear with a known w_T, and whose bias is known.
+/// Returns the prior of a person whose illusion is linear with a known weight, and whose bias is known.
 PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& tuning = {});
 
 /// Sets mean and SD of one trait, and makes it independent of the other traits. `mean` is clamped to the trait's range.
@@ -53,7 +53,6 @@ LinearIllusion linear_illusion(const PersonBelief& belief);
 /// Returns true if each mean is in its range, and the covariance is finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);
 
-/// Results of a calibration.
 struct CalibratedTraits {
   Interval weight;
   Interval curve;
@@ -62,8 +61,8 @@ struct CalibratedTraits {
   Interval habit_deg;
 };
 
-/// Returns the prior of a calibrated person; traits that no calibration determines keep the prior of unknown_person().
-/// Each SD has a lower bound (`min_*_sd` in tuning.h), because people change and their illusion may not be cubic.
+/// Returns the prior of a calibrated person; the other traits have the prior of unknown_person(). Each calibrated SD
+/// has a lower bound (`min_*_sd` in tuning.h), because people change and their illusion may not be cubic.
 PersonBelief calibrated_person(const CalibratedTraits& traits, const Tuning& tuning = {});
 
 }  // namespace hrt

@@ -3,8 +3,8 @@
 //   gate    OutlierGate rejects outliers; a run of outliers is accepted as a jump
 //   phase   FingerPhase: waiting until the onset, moving, paused or lifted (tracker/finger_phase.h)
 //   filter  PersonFilter runs during the motion; ModelFit measures how well the filter predicts the positions
-// The onset is detected late. motion_fit estimates the time of the onset from the first positions, and the filter then
-// processes the positions since the onset, a few with each new sample.
+// A motion is detected some time after its onset. motion_fit then estimates the time of the onset from the first
+// positions, and the filter processes the stored positions since the onset, a few with each new sample.
 #pragma once
 
 #include <optional>
@@ -74,21 +74,23 @@ class PersonEstimator {
   /// Reports that the finger is lifted. The finger may be set down at another position.
   void lift(double time_s, const PlateTrace& plate);
 
-  /// Reports that the target moved at `time_s`, to `virtual_direction_deg`, and made the path `longer_mm` longer. The
-  /// person responds after Tuning::reaction_time_s.
+  /// Reports that the target moved at `time_s`, to `virtual_direction_deg`, and made the path `longer_mm` longer. After
+  /// the onset, the person responds Tuning::reaction_time_s later.
   void retarget(double time_s, double virtual_direction_deg, double longer_mm);
 
   /// True once the onset has been detected.
   bool begun() const { return finger_.has_moved(); }
-  /// True if the finger has begun to move, and is neither lifted nor paused. A rest at the expected end is no pause.
+  /// True if the finger has begun to move, and is neither lifted nor paused. A rest where the filter expects the end of
+  /// the motion is no pause.
   bool moving() const { return begun() && !clock_stopped_; }
-  /// True if the filter has processed all positions, so that its state is that of the last sample.
+  /// True if the filter has processed all stored positions.
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
   const FingerPhase& finger() const { return finger_; }
   /// Returns a copy of the filter after the target's move, before the response; nullopt if no response is pending.
   std::optional<PersonFilter> after_retarget() const;
-  /// Time of the filter's state; before the onset, time of the last position.
+  /// Time of the filter's state, in seconds of the times given to observe(); before the onset, time of the last
+  /// position.
   double time_s() const { return filter_s_; }
   /// Rest position of the finger, which is the origin of the filter's positions.
   const PlatePoint& origin() const { return begun() ? origin_ : finger_.rest_place(); }
@@ -96,10 +98,9 @@ class PersonEstimator {
   PlatePoint place() const;
   const TrackerNoise& noise() const { return finger_.noise(); }
   const ModelFit& fit() const { return fit_; }
-  /// True if the model describes the motion so far.
   bool model_fits() const { return fit_.holds(tuning()); }
   double onset_s() const { return onset_s_; }
-  /// Returns the posterior of the person after the reach.
+  /// Returns the posterior of the person after the reach; see MotionLog::belief().
   PersonBelief learnt() const;
 
  private:
@@ -128,7 +129,7 @@ class PersonEstimator {
   ModelFit fit_;
   MotionLog log_;
 
-  bool clock_stopped_ = false;  // the phase u does not advance: the finger has paused or is lifted
+  bool clock_stopped_ = false;  // the filter's phase does not advance: the finger has paused or is lifted
   int backlog_ = 0;             // number of positions that the filter has not processed
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;

@@ -58,7 +58,8 @@ class PersonFilter {
   PersonFilter with_wander(double change) const;
 
   static constexpr double max_step_s = 0.012;
-  /// Advances the motion by `seconds`, at most max_step_s. `felt_plate_deg`: plate orientation one sensory delay ago.
+  /// Advances the motion by `seconds`, at most max_step_s. `felt_plate_deg`: plate orientation one sensory delay
+  /// (Tuning::sensory_delay_s) before the middle of the step.
   void move(double seconds, double felt_plate_deg);
 
   /// Advances by `seconds` in which the finger rests: the phase u does not change.
@@ -81,7 +82,8 @@ class PersonFilter {
   void place_at(const PlatePoint& position);
 
   /// Changes the target during the motion, to `virtual_direction_deg` and a path that is `longer_mm` longer.
-  /// `answered`: false: the person's response is still to come, and goal_deg() approaches the new goal.
+  /// `answered`: true: the person responds immediately; false: the response is still to come, and goal_deg() approaches
+  /// the new goal with the time constant Tuning::answer_s.
   void retarget(double virtual_direction_deg, double longer_mm, bool answered);
 
   /// Increases the variance of the phase u by that of a time with the SD `seconds`.

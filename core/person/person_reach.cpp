@@ -32,7 +32,7 @@ ReachGoal goal_of(const PersonReachConfig& config, const Reach& reach) {
           .frame_sd_deg = bearing_sd_deg(config.touched, config.frame, reach.start, target)};
 }
 
-// A plate without stops uses the nearest orientation; a plate with stops stays within one half turn for the reach.
+// A plate without stops uses the nearest orientation; a plate with a stop stays within one half turn for the reach.
 PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, double plate_deg) {
   const PlateStops& stops = config.plate.stops;
   const double goal_deg = reach.virtual_direction_deg;

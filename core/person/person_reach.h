@@ -20,29 +20,29 @@ struct PersonReachConfig {
   PersonBelief person;  ///< prior of the person; is_valid()
   ReachControlConfig control;
   PlateDynamics plate;
-  std::optional<TrackerNoise> noise;                ///< noise of the tracker; nullopt: estimated while the finger rests
-  std::int64_t tracker_latency_ns = 0;              ///< age of a position at the time of its sample, 0 to 0.5 s
-  double tracker_bearing_sd_deg = 0.0;              ///< SD of the tracked bearing of a reach, 0 to 45
-  std::int64_t step_period_ns = 100'000'000;        ///< period of the steps that PlateCommand::step counts
-  bool plate_waits = false;                         ///< the plate does not turn before the motion
-  bool start_is_felt = false;                       ///< the first rest of the finger is at the start, as in a dimple
+  std::optional<TrackerNoise> noise;          ///< noise of the tracker; nullopt: estimated while the finger rests
+  std::int64_t tracker_latency_ns = 0;        ///< age of a position at the time of its sample, 0 to 0.5 s
+  double tracker_bearing_sd_deg = 0.0;        ///< SD, from reach to reach, of the tracker's bearing error, 0 to 45
+  std::int64_t step_period_ns = 100'000'000;  ///< period of the steps that PlateCommand::step counts
+  bool plate_waits = false;                   ///< the plate does not turn before the motion
+  bool start_is_felt = false;                 ///< the first rest of the finger is at the start, as in a dimple
   FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; is_frame_covariance()
   TouchedFrame touched;                             ///< correction of the tracker's frame by contacts
   Tuning tuning;
 };
 
-/// Present targets of a reach.
 struct ReachGoal {
   Reach reach;        ///< present targets as seen from the start
   PlatePoint target;  ///< position of the real target
   /// Position of the finger when the targets last moved; nullopt if the targets have not moved during the motion.
   std::optional<PlatePoint> aimed_from;
   double aimed_direction_deg;  ///< direction of the real target from `aimed_from` or from the start
-  double tracker_sd_deg;       ///< SD of the tracked bearing from reach to reach
+  double tracker_sd_deg;       ///< PersonReachConfig::tracker_bearing_sd_deg
   double frame_sd_deg;         ///< SD of the target's bearing from the start due to the uncertain pose of the plate
 
-  /// Returns the largest observed miss for which the true miss is probably within hrt::near_deg. With the observed miss
-  /// x and the SD sigma of tracker and frame, the median of the squared true miss is about x^2 + 0.455 sigma^2.
+  /// Returns the largest observed miss, in degrees, for which the true miss is probably within hrt::near_deg; 0 if
+  /// there is no such miss. With the observed miss x and the SD sigma of tracker and frame, the median of the squared
+  /// true miss is about x^2 + 0.455 sigma^2.
   double near_deg() const;
 };
 
@@ -53,7 +53,7 @@ class PersonReach {
   PersonReach(const PersonReachConfig& config, const Reach& reach,
               const std::optional<PlateHandover>& handover = std::nullopt);
 
-  /// Processes a sample, not earlier than the previous one; its observation must not be a direction.
+  /// Processes a sample, not earlier than the previous one. An observed direction is ignored.
   const PlateCommand& update(const FingerSample& sample);
 
   /// Changes the real target to `real`. `now`: the remaining reach, as seen from the finger.
@@ -74,11 +74,10 @@ class PersonReach {
   const PersonFilter& filter() const { return estimator_.filter(); }
   const FingerPhase& finger() const { return estimator_.finger(); }
 
-  /// Posterior of the person; nullopt if the reach ended early or did not fit the model.
+  /// Posterior of the person; nullopt before the phase Tuning::min_taught_phase, and after a misfit.
   std::optional<PersonBelief> learnt() const;
 
  private:
-  // Result of the last plan.
   struct Decision {
     PlateOrientation plate;
     double predicted_miss_deg = 0.0;

@@ -10,7 +10,7 @@ struct PersonState {
   enum Index {
     weight,    ///< w of the illusion
     curve,     ///< b of the illusion
-    gain,      ///< k: rate at which the perceived error is corrected
+    gain,      ///< k: rate at which a perceived-direction error is corrected
     bias,      ///< B: goal minus virtual direction
     habit,     ///< c: direction of the own path, from +c at the start to -c at the end
     evenness,  ///< a of the pace

@@ -1,5 +1,5 @@
-// Every tuned number of the controller for people, with value, unit, source and meaning. `hrt-study robustness --tune
-// NAME=VALUE` runs a variant; tuning_fields() lists names and ranges.
+// Tuned numbers of the controller for people. `hrt-study robustness --tune NAME=VALUE` runs a variant; tuning_fields()
+// lists names and ranges.
 //
 // A comment has the unit of a number (if it has one) and its meaning. Numbers were chosen by search on the simulated
 // people of hrt-study robustness, except numbers with [model] (from the model, core/person/README.md) and [time]
@@ -24,8 +24,8 @@ struct TraitTuning {
 };
 
 struct Tuning {
-  // Prior. Mean and SD of weight and curve are multiples of the SD of w_T that the host gives; the mean of the weight
-  // is relative to the given w_T. The host gives the mean of the bias.
+  // Prior. The arguments of unknown_person() give the mean and SD of the tactile weight, and the mean of the bias. Mean
+  // and SD of weight and curve are multiples of this SD; the mean of the weight is relative to the given mean.
   TraitTuning traits[PersonState::traits] = {
       {0.9, 1.7, 0.004, 0.05},  // weight
       {1.1, 1.6, 0.01, 0.02},   // curve
@@ -67,7 +67,7 @@ struct Tuning {
   double speed_variance_s = 4e-4;
   double resting_density_mm2_s = 0.5;  ///< mm^2/s: density of the position in a pause
   double wander_s = 0.3;               ///< s: [model] time constant of the wander, the random part of the own path
-  /// SD of the habit from reach to reach divided by the SD of the wander; recorded reaches have 9.1 and 3.8 degrees
+  /// SD of the habit from reach to reach divided by the SD of the wander; 9.1 / 3.8 degrees in recorded reaches
   double habit_scatter = 1.0;
   double min_return_fraction =
       0.1;                 ///< [model] smallest fraction of the path over which the finger returns to the line
@@ -106,12 +106,12 @@ struct Tuning {
 
   // Pauses.
   double min_pausing_nis = 6.0;          ///< lower bound of the NIS of the first position of a pause
-  double min_pausing_speed_mm_s = 25.0;  ///< mm/s: pauses of a slower finger are not detected
-  double pause_clock_sd_s = 0.07;        ///< s: SD of the phase, as a time, added at start and end of a pause
+  double min_pausing_speed_mm_s = 25.0;  ///< mm/s: while the filter expects a lower speed, no pause is detected
+  double pause_clock_sd_s = 0.07;        ///< s: SD of the phase, as a time, added at both ends of a pause and at a jump
   double reaction_time_s = 0.2;          ///< s: [model] time from a target's move to the person's response
 
   // Plan.
-  /// mm/deg: lambda: miss that costs as much as a change of the shift by one degree
+  /// mm/deg: miss that costs as much as a change of the shift by one degree
   double change_weight_mm_deg = 0.08;
   double weight_caution = 0.2;    ///< number of SDs by which the plan's weight is below the mean
   double min_plan_weight = 0.03;  ///< lower limit of the plan's weight
@@ -119,7 +119,7 @@ struct Tuning {
   // Flags.
   /// [model] fraction of the duration after which the person no longer responds to the plate
   double last_phase = 0.97;
-  double first_judged_phase = 0.5;  ///< fraction of the duration before which OFF_TARGET is not raised
+  double first_judged_phase = 0.5;  ///< fraction of the duration up to which PlateCommand::off_target is false
   double min_margin_deg = 0.3;      ///< deg: a gap that is larger than the largest shift minus this is unreachable
   double margin_deviations = 0.9;   ///< number of SDs of shift minus gap that are subtracted from min_margin_deg
   /// if the finger is nearer to the target than this fraction of the distance of the targets,
@@ -131,7 +131,7 @@ struct Tuning {
   double min_known_noise_mm = 0.02;
   double white_noise_fraction = 0.66;       ///< white part of a configured total noise, as a fraction
   double correlated_noise_fraction = 0.75;  ///< correlated part; the squares of both fractions add up to 1
-  double min_leg_mm = 10.0;                 ///< mm: two tracked positions determine a bearing from this distance on
+  double min_leg_mm = 10.0;                 ///< mm: in a retarget, shorter distances do not determine a direction
 
   // Learning.
   /// difference of log_wander between the three filters that motion_log.h compares
@@ -145,9 +145,10 @@ struct Tuning {
   /// SimulationPeople.AWeightThatDrops_IsEstimatedAgainWithinTwoReaches.
   double illusion_fall_deviations = 1.2;
   double min_scatter_deg = 0.2;  ///< deg: lower bound of the scatter
-  /// lower bound of the SD of w_T after a reach under the paper's controller, since people change
+  /// lower bound of the SD of the tactile weight after a reach under the paper's controller, since people change
   double min_carried_weight_sd = 0.01;
-  double min_carried_motor_variance_sd_deg2 = 0.1;  ///< deg^2: the same bound for the SD of sigma_u^2
+  /// deg^2: lower bound of the SD of the motor variance after a reach under the paper's controller
+  double min_carried_motor_variance_sd_deg2 = 0.1;
 };
 
 /// A field of a Tuning: its name, its value, and the range in which it may be set.

@@ -15,7 +15,7 @@ constexpr double max_deg = 180.0;
 
 bool is_frame_covariance(const FrameCovariance& c) {
   if (!c.allFinite() || c.diagonal().minCoeff() < 0.0) return false;
-  // Positive semidefinite: correlations are within [-1, 1], and their determinant is not negative.
+  // Positive semidefinite: correlations are within [-1, 1], and the determinant of their matrix is not negative.
   const auto correlation = [&](int i, int j) {
     const double scale = std::sqrt(c(i, i)) * std::sqrt(c(j, j));
     return scale > 0.0 ? c(i, j) / scale : c(i, j) == 0.0 ? 0.0 : 2.0;
@@ -28,7 +28,7 @@ bool is_frame_covariance(const FrameCovariance& c) {
 }
 
 FrameCovariance frame_covariance(const Registration& registration) {
-  // Rotation about the plate's y axis, and position along its x and -z axes.
+  // Rotation about the plate's y axis (the normal), and position along its x (right) and -z (away) axes.
   Eigen::Matrix<double, 3, 7> in_plane = Eigen::Matrix<double, 3, 7>::Zero();
   in_plane(0, 1) = 1.0;
   in_plane.block<1, 3>(1, 3) = registration.rotation.col(0).transpose();

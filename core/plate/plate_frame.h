@@ -35,7 +35,7 @@ struct Timed {
 };
 using TimedPoint = Timed<PlatePoint>;
 
-/// Returns the direction from `from` to `to`, in (-180, 180]; 0 if the points coincide.
+/// Returns the direction from `from` to `to`, in [-180, 180]; 0 if the points coincide.
 double bearing_deg(const PlatePoint& from, const PlatePoint& to);
 
 double distance_mm(const PlatePoint& from, const PlatePoint& to);

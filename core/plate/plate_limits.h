@@ -1,5 +1,5 @@
-// Limits of the plate orientation: the stops, the half turns after which ridges repeat, and the bound that limits a
-// command. Angles are in degrees. Uses no heap, lock or exception.
+// Limits of the plate orientation by its stops, and the choice between orientations that have the same ridges: ridges
+// repeat every half turn. Angles are in degrees. Uses no heap, lock or exception.
 #pragma once
 
 #include <cmath>
@@ -20,8 +20,8 @@ bool is_valid(const PlateStops& stops);
 
 double clamped(double orientation_deg, const PlateStops& stops);
 
-/// The limit of an orientation. `lower`, `upper`: a bound relative to the goal or to the motion, or a stop;
-/// `rate_down`, `rate_up`: the largest rotation in a step.
+/// The limit that determined an orientation. `lower`, `upper`: a bound relative to the goal or to the motion, or a
+/// stop; `rate_down`, `rate_up`: the largest rotation in a step.
 enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
 
 /// An orientation to command, and the limit that determined this orientation.
@@ -43,8 +43,8 @@ inline double ridge_normal_deg(double plate_orientation_deg, double goal_directi
 /// Returns the orientation nearest to `current_deg` within the stops that has the same ridges as `orientation_deg`.
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops);
 
-/// Interprets a reported orientation, to which the encoder of a plate that turns freely may have added half turns:
-/// returns the orientation with the same ridges nearest to `expected_deg`. With stops, returns `orientation_deg`.
+/// Interprets a reported orientation. The encoder of a plate without stops may have added half turns; for such a plate,
+/// returns the orientation with the same ridges nearest to `expected_deg`, otherwise `orientation_deg`.
 double reported_orientation_deg(double orientation_deg, double expected_deg, const PlateStops& stops);
 
 /// Returns the integer number of half turns that must be added to the range from `lowest_deg` to `highest_deg` so that

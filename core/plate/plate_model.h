@@ -20,7 +20,7 @@ struct PlateDynamics {
 
 bool is_valid(const PlateDynamics& dynamics);
 
-/// Model of a plate. Uses no heap, lock or exception. One thread at a time.
+/// Uses no heap, lock or exception. One thread at a time.
 class PlateModel {
  public:
   /// Begins at rest at `orientation_deg`. Requires is_valid(dynamics).
@@ -79,8 +79,8 @@ class PlateModel {
   int pending_count_ = 0;
 };
 
-/// Plate orientations of at least the last second, for models with delays. Uses no heap, lock or
-/// exception. One thread at a time.
+/// Plate orientations of at least the last second, for models with delays. Uses no heap, lock or exception. One thread
+/// at a time.
 class PlateTrace {
  public:
   void clear() { count_ = 0; }

@@ -161,7 +161,7 @@ Registration fit_any(const RegistrationConfig& config, std::span<const MarkTouch
   const Fit all = fit(config, touches);
   if (is_consistent(config, all)) return finished(config, all, touches);
 
-  // One wrong touch makes every fit that includes this touch inconsistent.
+  // If exactly one touch is wrong, the touches are consistent only without this touch.
   refused = finished(config, all, touches);
   refused.verdict = RegistrationVerdict::inconsistent;
   if (given.size() < touches_to_leave_one_out) return refused;

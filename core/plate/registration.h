@@ -3,8 +3,9 @@
 //
 //   touched_i = s R mark_i + p + noise
 //
-// in closed form (Umeyama, IEEE T-PAMI 13, 1991). A constant offset between the tracked fingertip and the skin is part
-// of the pose while the hand keeps its orientation; otherwise fit_fingertip() determines the offset.
+// in closed form (Umeyama, IEEE T-PAMI 13, 1991). Plate coordinates have their origin in the centre, x to the right, y
+// up along the normal, and z towards the user. A constant offset between the tracked fingertip and the skin is part of
+// the pose while the hand keeps its orientation; otherwise fit_fingertip() determines the offset.
 #pragma once
 
 #include <Eigen/Core>
@@ -71,11 +72,10 @@ struct TurnedTouch {
 };
 
 /// Offset from the joint to the skin in the joint's axes, such that joint + R offset is the same for all touches.
-/// Requires at least 3 touches; with fewer, `known` is false.
 struct FingertipOffset {
   Eigen::Vector3d offset_mm;
   Eigen::Vector3d sd_mm;
-  bool known;  ///< each SD is below 5 mm: the rotations differed enough
+  bool known;  ///< there were at least 3 touches, and each SD is below 5 mm: the rotations differed enough
 };
 FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const TurnedTouch> touches);
 

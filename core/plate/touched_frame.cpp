@@ -48,7 +48,6 @@ Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place
 
 Eigen::Matrix2d matrix(const TouchedFrame& frame) { return Eigen::Matrix2d::Identity() + frame.stretch; }
 
-// Prediction of a contact.
 struct Expectation {
   Eigen::Matrix4d entries;         // covariance of the entries of D
   Matrix24 by;                     // by_entries() at the tracked position

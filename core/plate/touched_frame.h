@@ -27,7 +27,8 @@ struct TouchedFrame {
   bool known() const { return covariance(0, 0) > 0.0; }
 };
 
-/// Returns true if all numbers are finite, the entries of D within +-0.5, and the covariance zero or positive definite.
+/// Returns true if D and its covariance are finite, the entries of D within +-0.5, and the covariance zero or symmetric
+/// and positive definite. Does not check `home`.
 bool is_valid(const TouchedFrame& frame);
 
 PlatePoint corrected(const TouchedFrame& frame, const PlatePoint& seen);
@@ -38,7 +39,6 @@ struct FingerPosition {
   double variance_mm2;
 };
 
-/// Contact of the finger with an object.
 struct Contact {
   PlatePoint finger;    ///< tracked position of the finger, corrected by the frame before the contact
   PlatePoint place;     ///< known position of the contact

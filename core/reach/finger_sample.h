@@ -8,7 +8,6 @@
 
 namespace hrt {
 
-/// Kind of observation in a sample.
 enum class Observation {
   none,       ///< tracking is lost
   lifted,     ///< the finger is lifted from the plate
@@ -16,17 +15,17 @@ enum class Observation {
   position,   ///< FingerSample::position
 };
 
-/// A sample; of `direction_deg` and `position`, only the observed one is read.
+/// `observation` determines which of `direction_deg` and `position` is read, if any.
 struct FingerSample {
   std::int64_t time_ns = 0;  ///< monotonic clock of the caller; not earlier than in the previous sample
   Observation observation = Observation::none;
-  double direction_deg = 0.0;                   ///< finite
+  double direction_deg = 0.0;                   ///< direction of the finger's motion, finite
   PlatePoint position;                          ///< finite
   bool off_plate = false;                       ///< true: the position is beyond the plate's rim
-  std::optional<double> plate_orientation_deg;  ///< plate orientation, if the device reports one
+  std::optional<double> plate_orientation_deg;  ///< orientation that the plate reports; nullopt: no report
 };
 
-/// Longest time over which the motion of the finger is predicted from one sample.
+/// Longest time over which the estimators predict the motion of the finger without an observation.
 inline constexpr double max_gap_s = 2.0;
 
 }  // namespace hrt

@@ -13,9 +13,9 @@ namespace hrt {
 /// s and its derivatives by u and a.
 struct Progress {
   double share;         ///< s
-  double rate;          ///< ds/du, first derivative
+  double rate;          ///< ds/du
   double acceleration;  ///< second derivative of s by u
-  double by_evenness;   ///< d(ds/du) / da, derivative of `rate` by a
+  double by_evenness;   ///< derivative of `rate` by a
 };
 
 /// Returns s and its derivatives at `phase` u, which is clamped to [0, 1]. `evenness` in [0, 1], `skew` in [-1, 1].
@@ -32,7 +32,7 @@ inline Progress progress(double evenness, double phase, double skew = 0.0) {
           .by_evenness = 1.0 - bell * w_by_u};
 }
 
-/// Inverse of progress(): returns u for the fraction `share` of the path, with an error of at most 1e-6.
+/// Inverse of progress(): returns u for the fraction `share` of the path, 0 to 1, with an error of at most 1e-6.
 inline double phase_at(double evenness, double share, double skew = 0.0) {
   double low = 0.0;
   double high = 1.0;

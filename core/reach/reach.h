@@ -14,7 +14,7 @@ namespace hrt {
 /// Feasible gap for a pair of targets and a person.
 struct GapFeasibility {
   bool reachable;      ///< true: the gap is feasible
-  double gap_deg;      ///< angle from the real direction to the direction at which the person aims
+  double gap_deg;      ///< direction at which the person aims minus real direction
   double max_gap_deg;  ///< largest feasible gap, >= 0
   double margin_deg;   ///< max_gap_deg - |gap_deg|; negative if the gap is not feasible
   /// plate orientation that sustains settling_direction_deg; at the plate's bound if the gap is not feasible
@@ -26,7 +26,7 @@ struct GapFeasibility {
 struct Reach {
   /// direction of the real target, finite; within 90 degrees of the goal, the virtual direction plus the bias
   double real_direction_deg;
-  double virtual_direction_deg;        ///< direction of the virtual target, finite
+  double virtual_direction_deg;        ///< finite
   double plate_orientation_deg = 0.0;  ///< plate orientation before the reach
   PlatePoint start;                    ///< position of the finger at rest
   double real_distance_mm = 100.0;     ///< distance from the start to the real target, > 0
@@ -42,7 +42,7 @@ inline bool is_valid(const Reach& reach, double goal_direction_deg) {
          (reach.duration_s == 0.0 || (reach.duration_s >= 0.1 && reach.duration_s <= 20.0));
 }
 
-/// State that a reach passes to the reach that replaces it: the moving plate and the counts of samples.
+/// State that a reach passes to the reach that replaces it: the plate, which may be moving, and the counts of samples.
 struct PlateHandover {
   PlateModel plate;
   double commanded_deg;
@@ -50,10 +50,10 @@ struct PlateHandover {
   std::int64_t dropped_samples;
 };
 
-/// Progress of a reach (reach_end.h).
+/// Progress of a reach, as ReachEnd (reach_end.h) detects it.
 struct ReachProgress {
-  bool arrived = false;     ///< the reach is over
-  bool off_target = false;  ///< the reach ended away from the target, or deviates by over 60 degrees from its direction
+  bool arrived = false;       ///< the reach is over
+  bool off_target = false;    ///< the reach ended away from the target, or leads over 60 degrees off its direction
   bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
 };
 
@@ -70,7 +70,8 @@ struct PlateCommand {
   /// direction to which the finger is steered: that of the real target from the finger; under the paper's controller,
   /// that of the real target from the start or the last retarget, or the nearest feasible direction
   double aimed_direction_deg = 0.0;
-  /// estimated w_T; under the controller for people, the shift of the perceived direction at 60 degrees, divided by 60
+  /// estimate; under the controller for people, the shift of the perceived direction by ridges at 60 degrees to the
+  /// motion, divided by 60 degrees
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;  ///< SD of the tactile weight; 0 without adaptation
   double distance_to_go_mm = 0.0;  ///< distance to the real target from the finger or, before a position, the start
@@ -90,8 +91,8 @@ struct PlateCommand {
   bool unreachable = false;                ///< the gap is not feasible for this person
   bool optimal = true;        ///< false: the solver reached its iteration limit; the command is within its bounds
   bool misfit = false;        ///< the model does not describe the motion: the estimates are not reliable
-  bool off_target = false;    ///< the reach will probably end, or has ended, over `near_deg` off
-  bool resting = false;       ///< the finger rests within the reach, or is lifted; not under the paper's controller
+  bool off_target = false;    ///< the reach will probably end, or has ended, over `near_deg` off the target
+  bool resting = false;       ///< the finger pauses or is lifted after the onset; not under the paper's controller
   bool arrived = false;       ///< the reach is over (reach_end.h)
   bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
   bool miss_unknown = true;   ///< predicted_miss_deg is unknown
@@ -115,7 +116,7 @@ struct FingerEstimate {
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
   double tracker_noise_mm = 0.0;  ///< SD of the noise of a coordinate
-  /// Motor variance (sigma_u^2 of the paper) and its SD; near the configured values if the reach does not show them.
+  /// motor variance (sigma_u^2 of the paper); near the configured value if the reach does not determine it
   double motor_variance_deg2 = 0.0;
   double motor_variance_sd_deg2 = 0.0;
 };
@@ -128,7 +129,7 @@ struct PersonEstimate {
   double gain_sd_per_s = 0.0;
   double bias_deg = 0.0;  ///< goal minus virtual direction
   double bias_sd_deg = 0.0;
-  double duration_s = 0.0;  ///< duration of the motion
+  double duration_s = 0.0;
 };
 
 struct ReachSummary {
@@ -148,7 +149,7 @@ struct ReachSummary {
   double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< value in the last PlateCommand
   double peak_felt_error_deg = 0.0;                   ///< largest absolute value of PlateCommand::felt_error_deg
   double rms_felt_error_deg = 0.0;                    ///< root mean square of PlateCommand::felt_error_deg
-  double nis = 0.0;                                   ///< largest value in a PlateCommand
+  double nis = 0.0;                                   ///< largest PlateCommand::nis
   bool unreachable = false;                           ///< value in the last PlateCommand
   bool misfit = false;                                ///< true if any PlateCommand had this flag
   bool off_target = false;                            ///< the reach probably ended over `near_deg` off the target

@@ -52,7 +52,7 @@ typename PhaseDetector<Point>::Outcome PhaseDetector<Point>::process(double time
     moved_ = true;
     moving_since_s_ = time_s;
   } else if (at_rest()) {
-    rest_on();
+    add_to_rest();
   } else {
     noise_.learn_moving(places_);
   }
@@ -79,9 +79,8 @@ double PhaseDetector<Point>::leaving_mm() const {
   return std::max(tuning_.min_leaving_mm, tuning_.leaving_deviations * sigma_mm());
 }
 
-// Adds the last position to the rest.
 template <class Point>
-void PhaseDetector<Point>::rest_on() {
+void PhaseDetector<Point>::add_to_rest() {
   const Timed<Point>& seen = places_[0];
   if (rest_.places == 0) {
     // If the first sample is near the expected start, the rest position is the start: the finger may be moving already.

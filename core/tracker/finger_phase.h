@@ -34,7 +34,7 @@
 namespace hrt {
 
 /// Parameters of the detector. Fields `..._deviations` are in units of sigma. Numbers were chosen by search on the
-/// simulated people of hrt-study robustness, except numbers with [model], which follow from the model above.
+/// simulated people of hrt-study robustness, except numbers with [model], which follow from the tests above.
 struct PhaseTuning {
   double leaving_deviations = 3.3;  ///< distance from the rest position at which the mean of 3 positions has left
   double min_leaving_mm = 1.0;      ///< mm: lower limit of this distance, for tremor and motion of the skin
@@ -58,16 +58,15 @@ struct PhaseTuning {
   double min_place_sd_mm = 0.05;     ///< mm: lower limit of the SD of the rest position
 };
 
-/// Phase of the finger.
 enum class Phase {
   waiting,  ///< at rest, before its first motion
   moving,
   paused,  ///< at rest, after a motion
-  lifted,  ///< lifted from the plate
+  lifted,
 };
 
-/// Detector. `Point`: PlatePoint, or Eigen::Vector3d for a tracked position off the plate (mm). Uses no heap, lock or
-/// exception. One thread at a time.
+/// `Point`: PlatePoint, or Eigen::Vector3d for a tracked position off the plate (mm). Uses no heap, lock or exception.
+/// One thread at a time.
 template <class Point>
 class PhaseDetector {
  public:
@@ -81,7 +80,8 @@ class PhaseDetector {
     place,    ///< a new position
     set_down  ///< a new position, the first after a lift or at another rest position
   };
-  /// Processes one position, not earlier than the last one. May set the phase to moving; after a lift, to a rest.
+  /// Processes one position, not earlier than the last one. May set the phase to moving or, after a lift or a jump, to
+  /// waiting or paused.
   Outcome process(double time_s, const Point& position);
   /// Tests, after process(), whether a moving finger has come to rest, and returns true if the phase became paused.
   /// `expected_mm_s`: expected speed of the motion, if known. If the expected motion is so slow that a rest cannot be
@@ -122,7 +122,7 @@ class PhaseDetector {
   bool is_outlier(double time_s, const Point& position);
   bool has_left() const;
   double leaving_mm() const;
-  void rest_on();
+  void add_to_rest();
   void set_down();
 
   PhaseTuning tuning_;

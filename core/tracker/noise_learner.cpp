@@ -8,12 +8,13 @@
 namespace hrt {
 namespace {
 
-// Weights of the assumed noise, as numbers of differences. A rest of few time constants does not show correlated noise.
+// Weights of the assumed noise, as numbers of differences. The weight of the correlated part is larger, since a rest of
+// few time constants hardly shows correlated noise.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
-// If the observed noise is below the assumed noise, the assumed correlated part is reduced, at most to this fraction.
+// If the observed noise is below the assumed noise, the assumed correlated part is reduced, but not below this
+// fraction.
 constexpr double min_assumed_share = 0.6;
-// Every eighth difference updates the estimate.
 constexpr int steps_per_estimate = 8;
 // Upper limit of each part of the noise: larger differences are a motion.
 constexpr double max_noise_mm = 4.0;

@@ -75,7 +75,7 @@ class NoiseLearner {
   /// Processes the last of `places` of a moving finger, which shows the white noise only.
   void learn_moving(const RecentPlaces<Point>& places);
 
-  /// The known noise, or a mean of assumed and estimated noise; the weight of the estimate grows with each difference.
+  /// The known noise, or a mean of assumed and estimated noise; the weight of the estimate grows with steps().
   const TrackerNoise& noise() const { return noise_; }
   bool known() const { return known_; }
   /// Number of differences of successive positions, and D at this lag.

@@ -33,7 +33,6 @@ class RecentPlaces {
     return true;
   }
 
-  /// Number of stored positions, from 0 to `capacity`.
   int count() const { return count_; }
   /// Returns the last position for `back` = 0, the position before it for 1, and so on; `back` < count().
   const Timed<Point>& operator[](int back) const { return places_[static_cast<unsigned>(last_ - back) % capacity]; }

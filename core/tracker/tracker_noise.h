@@ -24,8 +24,8 @@ struct RestNoise {
   Interval correlation_s;  ///< searched from 0.7 sample periods, at least 10 ms, to 2 s
 };
 
-/// Fits the noise of all rests, each at its own position, in steps of bounded time. Outliers are excluded. Times must
-/// increase within a rest, and positions must be finite.
+/// Fits the noise of all rests, each at its own position, in short steps. Outliers are excluded. Times must increase
+/// within a rest, and positions must be finite.
 class RestNoiseFit {
  public:
   explicit RestNoiseFit(std::span<const std::vector<TimedPoint>> rests);
@@ -60,8 +60,8 @@ class RestNoiseFit {
 RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 
 /// Returns the noise for a controller; nullopt if the white part is unknown. If the correlated part is unknown,
-/// correlated_mm is 0, and white_mm is the white part. If the correlated part may be 0, or its time constant is
-/// unknown, correlated_mm is 0, and white_mm is the SD of all noise.
+/// correlated_mm is 0, and white_mm is the white part. If the correlated part may be 0, correlated_mm is 0, and
+/// white_mm is the SD of all noise.
 std::optional<TrackerNoise> known_noise(const RestNoise& noise);
 
 }  // namespace hrt
