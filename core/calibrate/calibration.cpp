@@ -12,7 +12,7 @@ namespace {
 
 constexpr double min_plate_span_deg = 40.0;
 constexpr int min_plate_angles = 3;
-// If no slide on one side has a settled offset this large, the largest gap is extrapolated and unknown.
+// If no slide on one side has a settled offset from motion to ridge normal this large, the largest gap is unknown.
 constexpr double min_offset_deg = 60.0;
 // Wider intervals are reported as unknown.
 constexpr double max_weight_width = 0.1;
@@ -30,24 +30,28 @@ constexpr int points_per_step = 16;
 constexpr std::size_t rests_per_step = 8;
 
 std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
-  if (!std::isfinite(goal_direction_deg)) return CalibrationRefusal{"the goal direction is not a finite number"};
+  if (!std::isfinite(goal_direction_deg))
+    return CalibrationRefusal{"the goal direction is not a finite number. Give it in degrees"};
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const std::string name = "trial " + std::to_string(i + 1);
     if (!std::isfinite(trials[i].plate_orientation_deg)) {
-      return CalibrationRefusal{name + ": the plate orientation is not a finite number"};
+      return CalibrationRefusal{name + ": the plate orientation is not a finite number. Correct or remove the trial"};
     }
     const auto& samples = trials[i].samples;
     if (!trials[i].plate_deg.empty() && trials[i].plate_deg.size() != samples.size())
-      return CalibrationRefusal{name + ": not every sample has the plate's orientation"};
+      return CalibrationRefusal{name +
+                                ": not every sample has the plate's orientation. Add it to each sample or to none"};
     for (const double plate_deg : trials[i].plate_deg)
-      if (!std::isfinite(plate_deg)) return CalibrationRefusal{name + ": a plate orientation is not finite"};
+      if (!std::isfinite(plate_deg))
+        return CalibrationRefusal{name + ": a plate orientation is not finite. Correct or remove the trial"};
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (!std::isfinite(samples[k].position.right_mm) || !std::isfinite(samples[k].position.away_mm)) {
-        return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) + ": the position is not finite"};
+        return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) +
+                                  ": the position is not finite. Correct or remove the sample"};
       }
       if (!std::isfinite(samples[k].time_s) || (k > 0 && samples[k].time_s <= samples[k - 1].time_s)) {
         return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) +
-                                  ": the time is not finite or does not increase"};
+                                  ": the time is not finite or does not increase. Correct or remove the sample"};
       }
     }
   }
@@ -71,7 +75,8 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
   const std::string needed = "; at least " + std::to_string(min_trials) + " are needed";
   if (slides.resting.size() < min_trials)
     return CalibrationRefusal{std::to_string(slides.resting.size()) + " of " + std::to_string(trials) +
-                              " trials have a slide of at least 30 mm over a plate at rest" + needed};
+                              " trials have a slide of at least 30 mm over a plate at rest" + needed +
+                              ". Repeat the other slides"};
   const std::vector<SlideVerdict> verdicts = slide_verdicts(slides.resting);
   std::vector<SlideTrack> counting;
   for (std::size_t i = 0; i < slides.resting.size(); ++i)
@@ -86,7 +91,8 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
   if (angles >= min_plate_angles && high->plate_deg - low->plate_deg >= min_plate_span_deg) return std::nullopt;
   return CalibrationRefusal{"the plate was at " + std::to_string(angles) + " different angles over " +
                             decimal(high->plate_deg - low->plate_deg, 1) +
-                            " degrees; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
+                            " degrees; 3 that span 40 degrees are needed to separate tactile weight and bias. Add "
+                            "slides at other plate angles"};
 }
 
 void add_slide(const CalibrationTrial& trial, std::size_t index, double goal_direction_deg, CalibrationSlides* slides) {
@@ -226,8 +232,8 @@ bool CalibrationFit::describe() {
   Calibration calibration = described(person_->result());
   const Interval& w = calibration.tactile_weight;
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight))
-    return refuse("w_T is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) + " to " +
-                  decimal(w.upper, 3) +
+    return refuse("the tactile weight is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) +
+                  " to " + decimal(w.upper, 3) +
                   "; allowed: within 0.02 to 0.48. Add slides, and check that the finger feels the ridges");
   calibration.slides_turned = slides_.turned;
   result_ = std::move(calibration);

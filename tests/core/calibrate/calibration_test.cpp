@@ -75,7 +75,7 @@ TEST(Calibration, SlopesBeyondAnyWeight_AreRejected) {
       trials.push_back(straight_slide(angle_deg, 1.64 * angle_deg + scatter_deg, 90));
     }
   }
-  EXPECT_NE(refused(trials).find("w_T is -0."), std::string::npos) << refused(trials);
+  EXPECT_NE(refused(trials).find("the tactile weight is -0."), std::string::npos) << refused(trials);
 }
 
 // More than 5 s without a sample end a slide: a sample centuries later does not count.
@@ -125,7 +125,7 @@ TEST(Calibration, TooFewSlidesOrAngles_AreRejected) {
 
   CalibrationCondition numb = condition;
   numb.participant.tactile_weight = 0.005;
-  EXPECT_NE(refused(simulate(numb, 4)).find("w_T is"), std::string::npos);
+  EXPECT_NE(refused(simulate(numb, 4)).find("the tactile weight is"), std::string::npos);
 
   std::vector<CalibrationTrial> resting = simulate(condition, 2);
   for (CalibrationTrial& trial : resting) {
@@ -165,17 +165,20 @@ TEST(Calibration, ARotatingPlateDuringASlide_ExcludesTheSlide) {
 TEST(Calibration, InvalidSamples_AreRejectedWithTheirNumber) {
   std::vector<CalibrationTrial> trials = simulate({}, 2);
   trials[3].samples[7].position.away_mm = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refused(trials), "trial 4, sample 8: the position is not finite");
+  EXPECT_EQ(refused(trials), "trial 4, sample 8: the position is not finite. Correct or remove the sample");
   trials = simulate({}, 2);
   trials[0].samples[5].time_s = trials[0].samples[4].time_s;
-  EXPECT_EQ(refused(trials), "trial 1, sample 6: the time is not finite or does not increase");
+  EXPECT_EQ(refused(trials),
+            "trial 1, sample 6: the time is not finite or does not increase. Correct or remove the sample");
   trials[2].plate_orientation_deg = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(refused({trials[2]}), "trial 1: the plate orientation is not a finite number");
+  EXPECT_EQ(refused({trials[2]}), "trial 1: the plate orientation is not a finite number. Correct or remove the trial");
   trials[4].plate_deg = {0.0};
-  EXPECT_EQ(refused({trials[4]}), "trial 1: not every sample has the plate's orientation");
+  EXPECT_EQ(refused({trials[4]}),
+            "trial 1: not every sample has the plate's orientation. Add it to each sample or to none");
   trials[4].plate_deg.assign(trials[4].samples.size(), std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(refused({trials[4]}), "trial 1: a plate orientation is not finite");
-  EXPECT_EQ(refused({}, std::numeric_limits<double>::infinity()), "the goal direction is not a finite number");
+  EXPECT_EQ(refused({trials[4]}), "trial 1: a plate orientation is not finite. Correct or remove the trial");
+  EXPECT_EQ(refused({}, std::numeric_limits<double>::infinity()),
+            "the goal direction is not a finite number. Give it in degrees");
 }
 
 // Mirrored slides with mirrored plate angles: same w_T, opposite bias.
