@@ -45,7 +45,7 @@ struct Calibration {
   LackOfFit lack_of_fit;
   std::vector<CalibratedSlide> slides;  ///< all slides over a plate at rest
   std::size_t slides_turned = 0;        ///< excluded slides, in which the plate turned
-  double max_plate_deg = 0.0;  ///< largest size of a plate angle of the fitted slides; published human data end at 60
+  double max_plate_deg = 0.0;           ///< largest absolute plate angle of the fitted slides
 
   /// True if no test for lack of fit is significant.
   bool fits() const;
@@ -62,15 +62,16 @@ struct CalibrationSlides {
 };
 CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg);
 
-/// A rejected calibration; `reason` is one sentence with the mistake and the requirement.
+/// A rejected calibration; `reason` states the mistake, the requirement and what to do, in at most 160 characters.
 struct CalibrationRefusal {
   std::string reason;
 };
 
-/// Fits a calibration in steps of bounded time. `goal_direction_deg`: direction of the target, finite.
+/// Fits a calibration in short steps. `goal_direction_deg`: direction of the target, finite.
 ///
 /// Requires at least `min_trials` usable slides of at least 30 mm, at three or more plate angles that span 40 degrees:
-/// one angle alone cannot separate w_T from a bias. Rejects a w_T whose interval is not within (0.02, 0.48).
+/// one angle alone cannot separate the tactile weight from a bias. Rejects a tactile weight whose interval is not
+/// within (0.02, 0.48).
 class CalibrationFit {
  public:
   CalibrationFit(std::vector<CalibrationTrial> trials, double goal_direction_deg);

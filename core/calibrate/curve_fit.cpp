@@ -34,7 +34,7 @@ constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
 constexpr double first_slope = 0.18;
-// Lower bound of the prior SD of the change of slope at a knot, which is the larger of slope and weight of the curve.
+// The prior SD of the change of slope at a knot is the larger of slope and weight of the curve, and at least this.
 constexpr double min_steepness = 0.02;
 
 // Step of the one-sided differences, relative to fit_step().

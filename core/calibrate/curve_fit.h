@@ -41,7 +41,7 @@ SlidingPersonModel fitted_person(const FitVector& parameters);
 /// Returns the SD of the steering law's error that is common to all slides, in one part of the path, deg.
 double common_deviation_deg(int part);
 
-/// Runs the fit in steps of bounded time.
+/// Runs the fit in short steps.
 class CurveFitting {
  public:
   /// `slides` must outlive the fit. `parts_covariance`: covariance of a slide's directions, positive definite.

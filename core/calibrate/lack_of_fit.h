@@ -20,7 +20,7 @@ struct LackOfFit {
 /// so at most about 3 % of people whom the model fits get a report (Bonferroni bound).
 inline constexpr double min_fit_p = 0.01;
 
-/// Runs the tests in steps of bounded time, for fits of at least two slides.
+/// Runs the tests in short steps, for fits of at least two slides.
 class LackOfFitTests {
  public:
   /// `order`: position of each slide in the session. `degree`: degree of the polynomials over the plate angle.

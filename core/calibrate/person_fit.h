@@ -37,7 +37,7 @@ struct PersonFit {
 inline constexpr double max_offset_deg = 78.0;
 inline constexpr double max_needed_offset_deg = 85.0;
 
-/// Returns the lower one of the maxima of the curve on both sides.
+/// Returns the lower of the curve's maxima to the left and to the right.
 CurvePeak weaker_peak(const IllusionCurve& curve);
 
 /// Returns, for each slide, whether its settled motion is far enough from the direction of the ridges.
@@ -45,7 +45,7 @@ std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides);
 
 inline constexpr int min_fitted_slides = 8;
 
-/// Runs the fit in steps of bounded time.
+/// Runs the fit in short steps.
 class PersonFitting {
  public:
   /// Selects the slides to fit. `order`: as in LackOfFitTests.

@@ -41,7 +41,7 @@ struct Place {
 };
 
 // Median of a coordinate over sample `i` and `reach` samples to each side.
-double middle_of(const std::vector<TimedPoint>& samples, int i, int reach, double PlatePoint::* coordinate) {
+double middle_of(const std::vector<TimedPoint>& samples, int i, int reach, double PlatePoint::*coordinate) {
   std::array<double, 2 * median_reach + 1> values;
   for (int k = -reach; k <= reach; ++k)
     values[static_cast<std::size_t>(reach + k)] = samples[static_cast<std::size_t>(i + k)].position.*coordinate;
@@ -108,7 +108,7 @@ std::optional<TimedPoint> find_onset(const std::vector<TimedPoint>& samples) {
   return std::nullopt;
 }
 
-// Samples from the onset to the first time without samples that is longer than max_gap_s.
+// Samples from the onset to the first pause between samples that is longer than max_gap_s.
 std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const TimedPoint& onset,
                              double goal_direction_deg) {
   const double sine = sin_deg(goal_direction_deg);

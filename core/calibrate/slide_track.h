@@ -13,7 +13,7 @@ namespace hrt {
 struct CalibrationTrial {
   double plate_orientation_deg = 0.0;  ///< finite
   std::vector<TimedPoint> samples;     ///< times increase; positions finite
-  /// Plate orientation at each sample, finite, continuous. Empty: the plate was at rest.
+  /// Plate orientation at each sample, finite, without jumps by half turns. Empty: the plate was at rest.
   std::vector<double> plate_deg;
 };
 
@@ -34,7 +34,7 @@ struct SlideTrack {
     int window = -1;       ///< index of the window that contains the step; -1: none
     double samples = 0.0;  ///< number of samples in this step
   };
-  double onset_s = 0.0;  ///< time of the onset
+  double onset_s = 0.0;
   double step_s = 0.01;
   std::vector<Step> steps;
   SlideDirections advance_mm = SlideDirections::Zero();  ///< length of each part in the direction of the target

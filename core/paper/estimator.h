@@ -1,4 +1,4 @@
-// Estimates the motion of the finger and w_T of the participant from tracked samples.
+// Estimates the motion of the finger and the participant's tactile weight w_T from tracked samples.
 //
 // An extended Kalman filter whose process is the participant of paper section II-A (equations: README.md). The state is
 // position on the plate, speed, direction of motion and w_T. Directions are taken as exact, as in the paper; positions
@@ -27,8 +27,8 @@ struct EstimatorConfig {
   double motor_variance_sd_deg2 = 0.5;
   /// SD of white noise of a tracked coordinate, in [0, 100]; 0: estimated from the samples.
   double tracker_noise_mm = 0.0;
-  /// For the controller for people: SD of the noise that is correlated with the time constant `correlation_s`, in [0,
-  /// 100]; 0: unknown, and tracker_noise_mm is the SD of all noise.
+  /// SD of the noise that is correlated with the time constant `correlation_s`, in [0, 100]; 0: unknown, and the
+  /// controller for people takes tracker_noise_mm as the SD of all noise.
   double correlated_noise_mm = 0.0;
   /// Time constant of the correlated noise, 0.01 to 2 s.
   double correlation_s = 0.1;
@@ -49,7 +49,7 @@ class Estimator {
   Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
             const PlatePoint& start);
 
-  /// Sets the rest position. Call it before the motion.
+  /// Sets the position, with the variance of a tracked one. Call it before the first move().
   void rest_at(const PlatePoint& place);
 
   void turn_to(double goal_direction_deg) { goal_direction_deg_ = goal_direction_deg; }
@@ -64,10 +64,10 @@ class Estimator {
   /// Sets the direction to an exact observation.
   void observe_direction(double direction_deg);
 
-  /// Processes a position. Returns false for an outlier: NIS above 25, at most `max_outliers` in succession.
+  /// Processes a position. Returns false for an outlier: NIS above 25, at most `max_outliers` in succession. After
+  /// these, the next position replaces the estimated one.
   bool observe_position(const PlatePoint& position);
 
-  /// Sets the SD of the white noise of a coordinate.
   void set_tracker_noise(double white_mm) { noise_mm2_ = white_mm * white_mm; }
 
   PlatePoint position() const { return {state_(right), state_(away)}; }

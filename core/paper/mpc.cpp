@@ -45,7 +45,7 @@ bool is_valid(const MpcConfig& config) {
 }
 
 Mpc::Mpc(const MpcConfig& config) : config_(config) {
-  double cost = 0.0;  // S
+  double cost = 0.0;  // S in "Table of gains" of README.md
   for (int left = 1; left <= config.horizon; ++left) {
     free_gain_[left] = cost / (config.perceived_weight + cost);
     cost = config.actual_weight + config.perceived_weight * free_gain_[left];

@@ -29,7 +29,7 @@ struct MpcPlan {
   std::array<ActiveBound, max_horizon> active;       ///< bound that limits each offset; the plate bound, if both do
 };
 
-/// Solver. Uses no heap, lock or exception, and takes bounded time. Any thread.
+/// Uses no heap, lock or exception, and takes bounded time. Any thread.
 class Mpc {
  public:
   /// Requires is_valid(config).

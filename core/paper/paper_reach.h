@@ -15,7 +15,7 @@
 namespace hrt {
 
 struct PaperReachConfig {
-  Participant participant;  ///< model of the participant; adaptation starts at its w_T
+  Participant participant;  ///< model of the participant; adaptation starts at its tactile weight
   MpcConfig mpc;
   std::optional<double> fixed_plate_orientation_deg;  ///< constant plate orientation without control (paper Fig. 8)
   EstimatorConfig estimator;
@@ -23,8 +23,8 @@ struct PaperReachConfig {
   std::int64_t step_period_ns = 100'000'000;
 };
 
-/// Controller of one reach. Plans at each position, since positions refine the estimate; if directions are observed,
-/// once in a model step. Uses no heap, lock or exception. One thread at a time.
+/// Controller of one reach. Plans at each accepted position, since positions refine the estimate; if directions are
+/// observed, once in a model step. Uses no heap, lock or exception. One thread at a time.
 class PaperReach {
  public:
   /// `handover`: state of the reach that this one replaces; nullopt: the plate is at rest. Requires valid arguments.
@@ -79,7 +79,7 @@ class PaperReach {
   PlateLimits limits_;
   Decision decision_;
   PlateCommand command_;
-  std::int64_t samples_before_ = 0;
+  std::int64_t samples_before_ = 0;  // this and the next field: counts of the replaced reach
   std::int64_t dropped_before_ = 0;
   std::int64_t saturated_steps_ = 0;  // this and the next field: without the step of the last decision
   std::int64_t rate_limited_steps_ = 0;

@@ -9,7 +9,8 @@
 
 namespace hrt {
 
-/// Parameters of a participant. The defaults are condition 1 of Table I, with the sensory variance that fits it.
+/// Parameters of a participant. The defaults are condition 1 of the paper's Table I; the paper does not give the
+/// sensory variance, so its default was fitted to that table.
 struct Participant {
   /// w_T: fraction of touch in the perceived direction, in (0, 0.5); the rest is proprioception.
   double tactile_weight = 0.15;
@@ -111,7 +112,6 @@ class GainWindow {
   /// Returns `horizon` gains, beginning with that of the current step. Valid until advance().
   const double* data() const { return gains_.data() + first_; }
 
-  /// Advances to the next step.
   void advance();
 
  private:

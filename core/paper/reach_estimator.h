@@ -1,4 +1,4 @@
-// Estimates the motion of the finger and w_T of the person in one reach.
+// Estimates the motion of the finger and the tactile weight of the person in one reach.
 //
 // The steps of the model start with the motion. While the finger rests or is lifted, the steps are suspended, since
 // nothing is perceived. A step without samples is predicted.
@@ -16,7 +16,6 @@
 
 namespace hrt {
 
-/// Counts of samples and steps so far.
 struct SampleCounts {
   std::int64_t steps = 0;            ///< model steps with samples
   std::int64_t predicted_steps = 0;  ///< model steps without samples
@@ -42,7 +41,7 @@ class ReachEstimator {
 
   void turn_to(double goal_direction_deg);
 
-  /// Direction of motion P, estimated or predicted.
+  /// Direction of motion, estimated or predicted.
   double direction_deg() const { return direction_deg_; }
   double tactile_weight() const { return estimator_.tactile_weight(); }
   double tactile_weight_sd() const { return estimator_.tactile_weight_sd(); }
@@ -52,10 +51,10 @@ class ReachEstimator {
   std::int64_t current_step() const { return clock_.step(); }
   std::int64_t now_ns() const { return now_ns_; }
   std::int64_t step_end_ns() const { return clock_.end_ns(); }
-  /// Gains K of the current and the next steps; valid until the next sample.
+  /// Kalman gains of the current and the next steps (GainWindow); valid until the next observe() or step().
   const double* gains() const { return gains_.data(); }
 
-  /// Counts since the start of the reach; includes the current step if it has a sample.
+  /// Counts since the start of the reach; `steps` includes the current step if it has a sample.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
   const FingerPhase& finger() const { return finger_; }

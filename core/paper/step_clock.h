@@ -11,7 +11,6 @@ namespace hrt {
 /// Counts the steps of one reach. Uses no heap, lock or exception.
 class StepClock {
  public:
-  /// `period_ns` > 0.
   explicit StepClock(std::int64_t period_ns) : period_ns_(period_ns) {}
 
   std::int64_t period_ns() const { return period_ns_; }
@@ -57,8 +56,8 @@ class StepClock {
   static constexpr std::uint64_t max_catch_up_steps = 64;
 
  private:
-  std::int64_t period_ns_;
-  std::int64_t start_ns_ = 0;
+  std::int64_t period_ns_;     // > 0
+  std::int64_t start_ns_ = 0;  // start of the current step
   std::int64_t step_ = -1;
 };
 

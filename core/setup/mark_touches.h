@@ -14,7 +14,7 @@ struct SetupTouch {
   Eigen::Matrix3d joint_rotation;
 };
 
-/// A touch is a rest of 0.7 s after a motion. Uses no heap, lock or exception.
+/// A touch is a rest of 0.7 s after a motion of 15 mm or a loss of tracking. Uses no heap, lock or exception.
 class MarkTouches {
  public:
   static constexpr int max_touches = 40;

@@ -10,7 +10,8 @@ constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | set
 constexpr std::uint32_t need_plate = setup_guides | slide_parts_of_setup;
 // Capacity per slide: 4 s at 250 Hz on average.
 constexpr std::size_t samples_a_slide = 1000;
-// Plate angles of the slides, see planned_share(). Beyond 0.8, a person with a usual w_T slides along the ridges.
+// Plate angles of the slides, see planned_share(). Beyond 0.8, a person with a usual tactile weight slides along the
+// ridges.
 constexpr std::array<double, first_slides> fractions{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
                                                      0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
 
@@ -75,7 +76,7 @@ void Setup::close() {
 void Setup::drop(SetupProblem problem, std::string_view reason) {
   last_drop_ = {.part = part(), .problem = problem, .observed = observed(), .reason = {}};
   last_drop_.reason.set(reason);
-  // Slides and guides require the plate's pose.
+  // Slides and guides require a pose of the plate; guides also require that its check, if requested, succeeds.
   std::uint32_t need_it = 0;
   if (has_part(setup_registration)) need_it = need_plate;
   if (has_part(setup_check)) need_it = setup_guides;

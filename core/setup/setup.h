@@ -1,5 +1,5 @@
 // Set-up in one loop: requests touches, rests and slides from the user, detects their completion, and stores the data
-// for the fits. setup_fit.h has the fits, which take more time.
+// for the fits (setup_fit.h).
 #pragma once
 
 #include <array>
@@ -31,8 +31,9 @@ struct SetupConfig {
   double slide_distance_mm = 100.0;  ///< length of a slide straight ahead
   double lower_plate_deg = -75.0;
   double upper_plate_deg = 75.0;
-  double enough_weight_width = 0.04;  ///< a calibration ends when the 95 % interval of w_T is this narrow
-  int max_slides = 40;                ///< at least `first_slides`
+  double enough_weight_width =
+      0.04;             ///< a calibration ends when the 95 % interval of the tactile weight is this narrow
+  int max_slides = 40;  ///< at least `first_slides`
   double plate_orientation_deg = 0.0;
 };
 
@@ -40,11 +41,12 @@ struct SetupConfig {
 inline constexpr int first_slides = 16;
 inline constexpr int more_slides = 8;
 
-/// A part is dropped after this number of rejected fits, or of successive rejected slides.
+/// A part is dropped after max_rejected_fits rejected fits (a calibration requests more slides instead), or after
+/// max_failed_slides successive rejected slides.
 inline constexpr int max_rejected_fits = 3;
 inline constexpr int max_failed_slides = 6;
 
-/// A set-up. Allocates at construction only; the time of update() is bounded.
+/// Allocates at construction only; the time of update() is bounded.
 class Setup {
  public:
   explicit Setup(const SetupConfig& config);
@@ -66,7 +68,8 @@ class Setup {
   void close();
   /// Ends the current part without a result, and drops the parts that need its result.
   void drop(SetupProblem problem, std::string_view reason);
-  /// Repeats the current part, or requests more slides. Drops it after max_rejected_fits rejected fits.
+  /// Calibration and retest: requests more slides. Other parts: repeats the part, or drops it at the rejected fit
+  /// number max_rejected_fits.
   void repeat(SetupProblem problem, std::string_view reason);
   std::uint32_t dropped() const { return dropped_; }
   /// The last dropped part. Requires dropped() != 0.

@@ -25,7 +25,7 @@ RetargeterConfig informed_controller(const PersonCondition& condition,
                                      std::span<const PersonState::Index> traits = informed_traits,
                                      const Tuning& tuning = {});
 
-/// Returns the paper's controller, with an assumed w_T of 0.15.
+/// Returns the paper's controller, with an assumed tactile weight of 0.15.
 RetargeterConfig paper_controller();
 
 }  // namespace hrt

@@ -15,7 +15,6 @@ class GuidedHand {
   /// `touch_sd_mm`: SD of each coordinate of the position of a touch or rest.
   GuidedHand(Person person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index);
 
-  /// Sets the person who makes the following slides.
   void set_person(const Person& person) { person_ = person; }
   /// Gives an instruction. Repeating the last instruction has no effect.
   void ask(const SetupStep& step);

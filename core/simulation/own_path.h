@@ -29,8 +29,8 @@ struct OwnPath {
   bool returns = true;   ///< false: o(s) fades to 0 between 0.4 and 0.5 of the path, so that the path does not return
   bool lags = false;     ///< false: the hand follows o(s) without delay; true: o(s) is added to the goal of steering
   double log_duration_sd = 0.0;  ///< SD of the log of the duration from reach to reach
-  /// Recordings: each reach uses path and pace of one of them; null: none. mean_deg and sd_deg then describe the
-  /// recordings, for an informed controller.
+  /// Recordings; each reach uses path and pace of one of them, and an informed controller is given mean_deg and sd_deg,
+  /// which describe them. Null: no recordings.
   std::shared_ptr<const std::vector<RecordedReach>> recorded;
 
   bool any() const { return recorded || mean_deg != PathShape{} || sd_deg != PathShape{}; }
@@ -67,7 +67,7 @@ double own_direction_deg(const OwnPath& path, const PathShape& shape, double pat
 struct RecordedPace {
   double late_power = 3.6;  ///< b
   double first_part = 1.0;  ///< fraction of the path in the first submovement
-  /// fraction of the time in motion after which the finger stops once; above 1: it does not stop
+  /// fraction of the time in motion after which the finger stops once; 1 or more: it does not stop
   double stop_at = 2.0;
   double time_scale = 1.0;  ///< duration of this reach divided by the person's mean duration
 

@@ -57,8 +57,9 @@ std::span<const PeopleFamily> people_families();
 /// Returns the family with that name, or null.
 const PeopleFamily* people_family(const char* name);
 
-/// Draws person `index` of a family, who moves for `duration_s`: w_T in 0.12 to 0.30, gain 5 to 12 /s, delay up to 120
-/// ms, an initial direction from mid-line to virtual target plus 1 degree (SD), a gap of 10 degrees to either side.
+/// Draws person `index` of a family, who moves for `duration_s`: tactile weight 0.12 to 0.30, gain 5 to 12 /s, delay up
+/// to 120 ms, initial direction between mid-line and virtual target, varied by 1 degree (SD), and a gap of 10 degrees
+/// to either side. The family then changes some of these.
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index);
 
 /// Sets the own path, the pace of recorded reaches, and a marker-based tracker of 100 Hz with a noise of 0.2 mm.

@@ -85,7 +85,7 @@ struct Person {
 inline constexpr double ridge_spacing_mm = 10.0;
 inline constexpr double touch_memory_s = 0.3;
 
-/// Returns the mean shift during a motion at `speed_mm_s`, which has an effect only with Steering::crossings.
+/// Returns the mean shift during a motion. The speed has an effect only with Steering::crossings.
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg);
 double max_shift_deg(const Person& person, double speed_mm_s, double bound_deg, double sign);
 

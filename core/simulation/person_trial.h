@@ -24,7 +24,7 @@ struct PersonOutcome {
 
 /// A sample of a reach, with the ground truth.
 struct PersonMoment {
-  double time_s;      ///< time since the reach began, with the finger at rest
+  double time_s;      ///< time since the reach began; the finger rests for the first 0.4 to 0.8 s
   PlatePoint finger;  ///< position of the finger
   PlatePoint felt;    ///< perceived position of the finger
   double plate_deg;   ///< plate orientation, without PersonCondition::plate_offset_deg

@@ -10,8 +10,8 @@
 namespace hrt {
 
 /// Returns two independent draws from N(0, 1) from 64 random bits, by the Box-Muller transform: 40 bits for the radius
-/// (exact tails to 7.5 SDs) and 24 for the angle. Uses only the four operations and the square root, so that all IEEE
-/// compilers compute the same bits.
+/// (exact tails to 7.5 SDs) and 24 for the angle. Uses only the four operations, the square root and frexp, so that all
+/// IEEE compilers compute the same bits.
 std::array<double, 2> normal_pair(std::uint64_t bits);
 
 /// Draws from N(0, 1) for the steps of one trial. The counter {step / 4, trial, condition, 0} gives the numbers of four

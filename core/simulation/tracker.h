@@ -31,7 +31,7 @@ struct TrackerModel {
   double scale = 1.0;                    ///< scale of the tracker's frame about the start
   double shear = 0.0;                    ///< displacement to the right per millimetre away from the start
   double bearing_sd_deg = 0.0;           ///< SD of an additional rotation of the frame in each reach
-  double declared_bearing_sd_deg = 0.0;  ///< SD of the tracked bearing that the controller is given
+  double declared_bearing_sd_deg = 0.0;  ///< SD of the bearing error that the controller is given
   double creep_mm = 0.0;        ///< error while the finger moves; decays after the stop with a time constant of 0.2 s
   double end_loss_share = 0.0;  ///< fraction of reaches with an error of 150 to 900 mm as the finger brakes
   double excursions_hz = 0.0;   ///< rate of excursions at rest: 10 to 16 mm for 50 to 100 ms
