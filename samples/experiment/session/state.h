@@ -64,7 +64,7 @@ struct State {
   unsigned reaches = 0;  ///< number of ended reaches, valid or not
   unsigned presented = 0;
   unsigned refused_in_a_row = 0;
-  std::vector<std::string> profiles;  ///< by condition: profile after the last valid reach; empty: profile of the set-up
+  std::vector<std::string> profiles;  ///< by condition: profile after the last valid reach; empty: that of the set-up
   app::QuestPlus quest;               ///< posterior of all answers, for the threshold
   std::vector<app::QuestPlus> quest_runs;  ///< interleaved runs, which select the gaps
   std::string end;                         ///< "done" or "stopped"; empty: the session has not ended

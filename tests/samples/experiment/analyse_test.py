@@ -1,5 +1,5 @@
-"""Checks the preregistered tests by hand and on simulated studies with and without an effect (HRT_EXPERIMENT_STUDIES sets their number), then complete
-studies of simulated people, from the design to the report.
+"""Checks the registered tests on small data whose results are derived by hand, on simulated studies with and without an effect (HRT_EXPERIMENT_STUDIES
+sets their number), and on complete studies of simulated people, from the design to the report.
 
     analyse_test.py samples/experiment PROGRAM [statistics] [studies]    default: both
 """
@@ -153,7 +153,7 @@ def test_mixed_model():
     nlme = {"a": (2.018984, 0.310147), "b": (4.097882, 0.397902)}
     for condition, (estimate, error) in nlme.items():
         assert abs(fit.estimate[condition] / estimate - 1) < 1e-3 and abs(fit.error[condition] / error - 1) < 1e-3, fit
-    # lme4 1.1-31 with lmerTest 3.1-3.
+    # Values of lme4 1.1-31 with lmerTest 3.1-3.
     assert numpy.allclose(fit.df, [6.9666, 6.9724], rtol=1e-2) and numpy.allclose(fit.p, [3.39e-4, 1.8e-5], rtol=2e-2), fit
     one_sided = analysis.mixed_models([few_trials(7)], "abs_miss_deg", "c", "greater")[0]  # both estimates are above 0
     assert numpy.allclose(2 * one_sided.p, fit.p), one_sided
@@ -174,8 +174,7 @@ def test_mixed_model():
 
 
 def test_own_data():
-    """Tests the false positive rate and the coverage of each outcome and hypothesis that can be registered, in studies drawn from simulated people.
-    The misses in one condition have ten times the SD of those in the other condition."""
+    """Tests false positive rates and coverages of the tests and outcomes that can be registered, in studies drawn from simulated people."""
     reach = {"virtual_deg": 6, "real_deg": 0}
     design = {"title": "own data", "participants": 12, "question": "Bent?", "catch_share": 0.5, "practice_trials": 0, "repeats": 4, "set_up": "none",
               "pairs": [{"name": "left", **reach}, {"name": "right", **reach, "virtual_deg": -6}],
@@ -303,7 +302,8 @@ def power_of_a_design(design):
     assert printed.endswith(hashlib.sha256(design.read_bytes()).hexdigest() + "\n"), printed
     rows = [line.split() for line in printed.splitlines()]
     levels = [float(share) for row in rows if row and row[0] == "1" and row[-1] == "%" for share in row[3:-1]]
-    assert len(levels) == 2 * 3 and max(levels) < 5 + 6, printed  # false positive rates of equivalence and thresholds, %; 6 points: three SDs, and skew
+    # The rows of margin 1 and ratio 1 have false positive rates, nominally 5 %. Three SDs over 200 studies are 4.6 %; skewed data add to this.
+    assert len(levels) == 2 * 3 and max(levels) < 5 + 6, printed
 
 
 def test_report():

@@ -103,8 +103,8 @@ TEST(ExperimentDesign, TenThousandSeedsHaveLegalSequences) {
   }
 }
 
-// Each level has each order equally often, and levels alternate in time. A replacement has the level and the order of
-// the replaced participant.
+// Each level has each order equally often, and participants 2n - 1 and 2n have different levels. A replacement has the
+// level and the order of the replaced participant.
 TEST(ExperimentDesign, LevelsAreCrossedWithOrders) {
   const Design design = small_design(2, [](json& study) {
     study["participants"] = 8;

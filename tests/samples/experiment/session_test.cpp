@@ -93,7 +93,7 @@ TEST(ExperimentCrash, NoFinishedTrialIsLostOrRepeated) {
   EXPECT_GT(number, 80U);
 }
 
-// A session whose every process is killed after 13 to 19 steps.
+// Each process of a session is killed after 13 to 19 steps, until one completes the session.
 TEST(ExperimentCrash, ManyCrashesOfOneSession) {
   const Design design = small_design(2);
   const TemporaryFolder whole, folder;
@@ -354,7 +354,6 @@ class Unplugged : public SimulatedSubject {
   ReachOutcome reach(const ReachOrder&) override { throw Refusal("the plate does not answer"); }
 };
 
-// The tables have all data of the journal except samples: answers, notes, starts, reasons of ends, attempts.
 TEST(ExperimentSession, TablesHaveAllDataOfTheJournal) {
   const Design design = small_design(2, [](json& study) {
     study["participants"] = 4;

@@ -1,4 +1,4 @@
-// Error codes of every function, called without a loader, which would check some arguments itself. Each call has one
+// Error codes of the functions, called without a loader, which would check some arguments itself. Each call has one
 // mistake.
 #include <cmath>
 #include <cstdlib>
@@ -54,7 +54,7 @@ class MockErrors : public MockNegotiation {
     const XrInstanceCreateInfo info = instance_info(extensions);
     ASSERT_XR(XR_SUCCESS, function_of<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance));
   }
-  // Creates a session, and a handle of every type.
+  // Creates a session, and a handle of each type except XrSwapchain.
   void create_session(const std::string& keys = "") {
     start(keys);
     Application::create_session();
@@ -412,7 +412,7 @@ TEST_F(MockErrors, InvalidHandlesAndNullPointers) {
   for_each_function([&](const std::string& name, auto function) { call_zeros(name, function); });
 }
 
-// Every function of a lost session or instance returns the loss, except those that destroy objects.
+// Functions of a lost session or instance return the loss, except xrGetInstanceProcAddr and those that destroy objects.
 TEST_F(MockErrors, LostSessionsAndInstances) {
   for (const auto& [event, loss] :
        {std::pair{"lose_session", XR_ERROR_SESSION_LOST}, {"lose_instance", XR_ERROR_INSTANCE_LOST}}) {

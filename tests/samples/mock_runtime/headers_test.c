@@ -1,5 +1,4 @@
-/* The header of the vendor extension compiles as C11, and its structures have the same layout with every compiler.
- */
+/* The header of the vendor extension compiles as C11, and its structures have this layout with every compiler. */
 #include "samples/app/xr/openxr_hrtx_ridged_plate.h"
 
 #include <assert.h>

@@ -68,7 +68,7 @@ TEST_F(MockScript, InvalidScriptIsRejectedAndTheCallLogNamesTheKey) {
   }
 }
 
-// Returns the JSON objects of a document: each begins after a quotation mark, a bracket or at the start of a line.
+// Returns the JSON objects of a document: each begins at the start of a line, or after a quote or a parenthesis.
 std::vector<std::string> examples_of(const std::string& document) {
   const std::string text = read_file(std::string(HRT_MOCK_DOCUMENTS) + "/" + document);
   std::vector<std::string> found;
@@ -243,7 +243,7 @@ TEST_F(MockScript, FixingOneTraitDoesNotChangeTheRandomDrawOfAnother) {
   EXPECT_NE(weights[0], weights[1]);
 }
 
-// An application can continue an interrupted run.
+// Therefore an application can continue an interrupted run: it sets the seed and the number of the next reach.
 TEST_F(MockScript, SeedAndNumberDetermineTheReach) {
   begin_with(R"({"seed": 9})");
   const std::array<double, 3> whole{final_direction(), final_direction(), final_direction()};

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <fstream>
 
-// Suppressions of the leak sanitizer: ignores leaks of Debian's loader 1.0.20, and with them leaks of the
-// runtime in calls through the loader; the tests of MockNegotiation, which use no loader, still detect the latter.
+// Makes the leak sanitizer ignore leaks in calls through Debian's loader 1.0.20, which itself leaks. The tests of
+// MockNegotiation, which call the runtime without a loader, detect leaks of the runtime.
 extern "C" __attribute__((visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:libopenxr_loader.so";
 }

@@ -64,7 +64,6 @@ class Application : public ::testing::Test {
 
   XrPath path(const std::string& text);
 
-  /// Locations and velocities of all joints of a hand in a space.
   struct Hand {
     bool active = false;
     std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
@@ -117,7 +116,6 @@ class MockRuntime : public Application {
   /// Reads all events and returns the session states that they report.
   std::vector<XrSessionState> all_states();
 
-  /// Returns the last line of the call log.
   std::string last_call();
 
   /// Places a plate with a radius of 75 mm at the origin of `in`.

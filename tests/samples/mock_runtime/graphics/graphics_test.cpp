@@ -267,7 +267,7 @@ TEST_F(MockGraphics, PicturesShowBothEyesOfTheFirstProjectionAndNoQuad) {
   EXPECT_TRUE(has(read_file(folder / "pictures.txt"), "left 64x48 " + hash_of(left) + "\n"));
 }
 
-// Engines wait and render on two threads. The format has blue in the first byte of a pixel.
+// Some engines wait and render on two threads. The format has blue in the first byte of a pixel.
 TEST_F(MockGraphics, PictureIsCorrectIfOneThreadWaitsAndAnotherRenders) {
   begin_drawing(R"({"picture_every_frames": 5})");
   const XrSwapchain swapchain = make_swapchain(swapchain_info(VK_FORMAT_B8G8R8A8_SRGB));
