@@ -1,4 +1,3 @@
-// An allocator of the host that counts, and fails on request.
 #pragma once
 
 #include <malloc.h>
@@ -15,8 +14,8 @@
 
 namespace hrt::test {
 
-/// Counts requests, blocks and bytes. Fails at request number `fail_at` (and at all later ones with `fail_on`), and
-/// beyond `budget` bytes.
+/// The allocator of the library during the lifetime of the object. Counts requests, blocks and bytes. Fails at request
+/// number `fail_at` (and at all later ones with `fail_on`), and beyond `budget` bytes.
 class CountingAllocator {
  public:
   CountingAllocator() {

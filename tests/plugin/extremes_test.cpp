@@ -1,4 +1,4 @@
-// For all configurations and samples within the documented ranges, every output is finite.
+// Outputs are finite for random configurations and samples within the documented ranges.
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -62,7 +62,7 @@ inline hrt_session_config config_of(hrt_session session) {
   return config;
 }
 
-/// Configures the controller of the paper, without estimation of the user's parameters.
+/// Returns a configuration of the paper's controller, without estimation of the user's parameters.
 inline hrt_session_config paper_config() {
   hrt_session_config config = session_config();
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
@@ -107,7 +107,7 @@ inline hrt_target_config target_config(std::uint32_t role, double direction_deg,
   return config;
 }
 
-/// Configures a target on the plate, `forward_m` ahead of its centre and `right_m` to the right.
+/// Returns a target on the plate, `forward_m` ahead of its centre and `right_m` to the right.
 inline hrt_target_config placed(std::uint32_t role, double right_m, double forward_m) {
   hrt_target_config config = target_config(role, 0.0);
   config.place = HRT_PLACE_PLATE_POSITION;

@@ -16,7 +16,7 @@ constexpr double start_forward_m = -0.05;
 bool has_begun(const hrt_command& command) { return (command.flags & HRT_COMMAND_MISS_UNKNOWN) == 0; }
 
 struct ReachOutcome {
-  double bearing_error_deg = 0.0;  ///< error of the true position of the finger
+  double bearing_error_deg = 0.0;  ///< true final bearing of the finger, minus that of the real target
   std::vector<hrt_command> commands;
   hrt_reach_summary summary{};
 
@@ -94,7 +94,7 @@ bool is_unknown(const hrt_session_config& config) {
                      [](double value) { return value == 0.0; });
 }
 
-// With a plate at 0, this person would reach the virtual target, 10 degrees from the real one.
+// With a plate at 0, this person would end near the virtual target, about 10 degrees from the real one.
 TEST_F(PersonTest, DefaultSessionSteersAPersonToTheRealTarget) {
   for (const double virtual_deg : {5.0, -5.0}) {
     PersonCondition condition = steady_person();

@@ -1,4 +1,4 @@
-// Wrong units, axes and clocks of a host are reported, and such reaches never count as a success.
+// Wrong units, axes and clocks of a host are reported by HRT_COMMAND_IMPLAUSIBLE and in the log.
 #include <cmath>
 #include <functional>
 
@@ -9,7 +9,7 @@ namespace {
 
 class PlausibilityTest : public SessionTest {
  protected:
-  /// Runs a reach with the slide of SessionTest, rotated by `bend_deg`, and a mistake in each sample.
+  /// Runs a reach whose slide, slid_m(), is rotated by `bend_deg`, with a mistake in each sample.
   hrt_reach_summary slide_with(const std::function<void(hrt_sample*)>& mistake, double bend_deg = 0.0) {
     begin_reach();
     for (std::int64_t t = 0; t < 2500; t += 10) {

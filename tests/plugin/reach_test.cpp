@@ -9,7 +9,9 @@ namespace {
 
 using ReachTest = PaperTest;
 
-// With horizon 3 and no active bound, the optimal error is e_0 = 3/5 (p - p_R). The first Kalman gain is 5/6:
+// In degrees from the virtual target: p is the direction of the finger, p_R that of the real target, t the plate
+// orientation, and e_0 the perceived-direction error. With horizon 3 and no active bound, the optimal error is
+// e_0 = 3/5 (p - p_R). The first Kalman gain is K_0 = 5/6:
 //   K_0 = sigma_u2/(sigma_u2 + sigma_h2),  e_0 = K_0 (w_T t + (1 - w_T) p),  t = (0.6 (p - p_R)/K_0 - (1 - w_T) p)/w_T.
 // With p_R = -1 (a gap of 1) and the finger on the goal, p = 0: t = 0.6/(5/6)/0.15 = 4.8.
 TEST_F(ReachTest, FirstCommandIsAsDerivedByHand) {
@@ -77,7 +79,7 @@ TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
 }
 
 // The plate is at (1, 2, 3) in the world, rotated by 90 degrees to the left about the upward axis, so that its
-// mid-line, -z, is the world's -x. A motion from (1, 2, 3) along -x is straight ahead.
+// mid-line, -z, is the world's -x. A motion along the world's -x is straight ahead.
 TEST_F(ReachTest, WorldPositionsGiveTheCommandsOfPlatePositions) {
   double on_plate_deg[21];
   begin_reach();
@@ -201,7 +203,7 @@ TEST_F(ReachTest, MeasuredPlateOrientationReplacesTheExpectedOne) {
 }
 
 // The participant's w_T differs from the configured one. The controller estimates it within a reach, and reaches the
-// real target; with CARRIED, the next reach starts with the estimate.
+// real target; with CARRIED, the estimate is written to the configuration.
 TEST_F(ReachTest, AdaptationEstimatesTheTactileWeightAndCarriesIt) {
   create(paper_config(), [](auto& c) { c.adaptation = HRT_ADAPTATION_CARRIED; });
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);

@@ -85,7 +85,7 @@ class RealTimeTest : public SessionTest {
     reach = reach_config(add(HRT_TARGET_REAL, -5.0), add(HRT_TARGET_VIRTUAL, 5.0));
   }
 
-  /// Makes every real-time call, with success and with every error. Returns the number of unexpected results.
+  /// Makes the real-time calls of reaches, with success and with errors. Returns the number of unexpected results.
   int call_everything() const {
     int wrong = 0;
     const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
@@ -150,7 +150,7 @@ class RealTimeTest : public SessionTest {
     return wrong;
   }
 
-  /// Updates a calibration that was begun before: rests and slides, and every error.
+  /// Updates a calibration that was begun before: rests, slides and errors. Returns the number of unexpected results.
   int set_up() const {
     int wrong = 0;
     const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
@@ -207,7 +207,7 @@ TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
   ASSERT_OK(hrt_setup_cancel(session));
 }
 
-// After this call, the kernel terminates this process with SIGSYS at any system call except exit_group.
+// After this call, the kernel terminates this process at any system call of this thread except exit_group (_exit()).
 bool forbid_system_calls() {
   sock_filter filter[] = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),

@@ -29,7 +29,7 @@ TEST_F(RegistrationTest, GapHasTheBearingSdOfRegistrationAndTracker) {
   EXPECT_NEAR(gap_with(6.0, 0.0, 4.0).bearing_sd_deg, 5.0, 1e-9);
 }
 
-// Reaches from the centre of the plate to a target at a distance of 100 mm.
+// Reaches from the centre of the plate.
 class RegisteredReachTest : public SessionTest {
  protected:
   hrt_command command_at(std::int64_t time_ns, const hrt_session_config& config) {

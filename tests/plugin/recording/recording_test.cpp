@@ -166,7 +166,7 @@ TEST_F(RecordingTest, LinesMayEndInCrLf) {
   expect_same(replay(text));
 }
 
-// The end line has a checksum of all preceding lines, so any change is detected.
+// The end line has a checksum of all preceding lines.
 TEST_F(RecordingTest, AlteredOrTruncatedRecordingIsNotComplete) {
   const std::string text = recording();
   EXPECT_EQ(ending(text), HRT_ENDING_COMPLETE);
