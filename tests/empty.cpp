@@ -1,1 +1,1 @@
-// CMake makes precompiled headers for a target with sources.
+// CMake precompiles headers only for a target that has a source.

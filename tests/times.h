@@ -1,10 +1,9 @@
-// The unit in which tests write times.
 #pragma once
 
 #include <cstdint>
 
 namespace hrt {
 
-inline constexpr std::int64_t ms = 1'000'000;  ///< in ns
+inline constexpr std::int64_t ms = 1'000'000;  ///< one millisecond in ns
 
 }  // namespace hrt

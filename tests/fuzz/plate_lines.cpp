@@ -1,6 +1,6 @@
 // Passes arbitrary bytes to the firmware and to the host as lines of the plate's protocol: unchanged, and with correct
-// checksums. Then answers each device of the driver with these bytes, from its opening on, and opens a device whose
-// name they are.
+// checksums. Then answers each device of the driver with these bytes, from its opening on, and parses the bytes as the
+// name of a device.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -28,8 +28,8 @@ TEST(SceneGeometry, DefaultStartIsTwoThirdsTowardsTheUser) {
   EXPECT_EQ(scene.targets[1].served_by, 0u);
 }
 
-// Two real targets are at 60 degrees, one at -170. The latter is 100 degrees from a target at 90 degrees, and 40
-// degrees from one at 150.
+// Two real targets are at 60 degrees, one at -170. The real target at -170 degrees is 100 degrees from the virtual
+// target at 90 degrees, and 40 degrees from the one at 150.
 TEST(SceneGeometry, WithoutServedByTheNearestInDirectionIsAssigned) {
   const auto at = [](const char* name, const char* role, double direction_deg) {
     const PlatePoint place = point_ahead({0.0, -50.0}, direction_deg, 50.0);
@@ -42,7 +42,7 @@ TEST(SceneGeometry, WithoutServedByTheNearestInDirectionIsAssigned) {
   EXPECT_EQ(scene.targets[4].served_by, 0u);
 }
 
-// The target is 40 mm ahead of the start, 30 mm to the left and 120 mm up; the height has no effect: 3-4-5.
+// The target is 40 mm ahead of the start, 30 mm to the left and 120 mm up. Its distance along the plate is 50 mm.
 TEST(SceneGeometry, DirectionsAreMeasuredFromTheStartNodeAlongThePlate) {
   const Json start = node("Start", haptic("start"), {{"translation", {0.03, 0.005, 0.02}}});
   const Scene scene = load(document({plate(), start, real({{"translation", {0.0, 0.12, -0.02}}})}));

@@ -1,4 +1,4 @@
-// Properties of every scene: a rigid motion of the scene changes no plate coordinates; a mirrored scene has negated
+// Properties of random scenes: a rigid motion of the scene changes no plate coordinates; a mirrored scene has negated
 // directions.
 #include <gtest/gtest.h>
 

@@ -44,7 +44,7 @@ mesh = tetrahedron()
 desk = add("Desk", None, (1.0, 2.0, 0.7), unrelated="not haptic", numbers=[1.0, 2.0])
 rig = add("Rig", desk, (0.2, 0.0, 0.0))
 rig.rotation_euler = (0.0, 0.0, math.radians(30))
-# The scales are not uniform, as in the scene of a designer who never applies them.
+# The scales are not uniform, as in the scene of a designer who does not apply them.
 add("Plate", rig, (0, 0, 0), mesh, (0.075, 0.075, 0.002), haptic_role="plate", haptic_radius_m=0.075,
     haptic_max_speed_deg_s=400)
 add("Brass", rig, at(0), mesh, (0.005, 0.005, 0.02), haptic_role="real", haptic_name="cylinder")
