@@ -6,12 +6,13 @@ using UnityEngine.Events;
 namespace Hrt
 {
     /// <summary>
-    /// Passes a plate, a finger and targets of the scene to the controller in each frame. Begin a reach with
+    /// Passes the finger and the plate to the controller in each frame of a reach or a set-up. Begin a reach with
     /// <see cref="BeginReach(Transform)"/>, turn the real plate to the orientation of <see cref="Commanded"/> or
     /// <see cref="onPlateOrientation"/>, and call <see cref="EndReach"/> when <see cref="Arrived"/> is raised.
     ///
-    /// Samples are taken in LateUpdate, after all other scripts, with the unscaled time of the frame, because a game that
-    /// is slowed down or paused does not slow the hand. One unit of length is one metre.
+    /// Samples are taken in LateUpdate, with a late execution order, so that other scripts have moved the finger. Their
+    /// time is the unscaled time of the frame, because a game that is slowed down or paused does not slow the hand. One
+    /// unit of length is one metre.
     /// </summary>
     [DefaultExecutionOrder(10000)]
     [AddComponentMenu("Haptic Retargeting/Haptic Retargeting")]
@@ -37,7 +38,7 @@ namespace Hrt
         [Tooltip("Start of reaches. None: on the plate, 5 cm from its centre towards the user.")]
         public Transform start;
 
-        [Tooltip("Object that turns with the real plate, about its y axis. Optional.")]
+        [Tooltip("Object that shows the commanded plate orientation: it turns about its y axis. Optional.")]
         public Transform ridges;
 
         [Tooltip("Real objects, to which the hand is steered.")]
@@ -47,24 +48,24 @@ namespace Hrt
         public List<Transform> virtualTargets = new List<Transform>();
 
         [Header("Events")]
-        [Tooltip("Plate orientation, in degrees counter-clockwise seen from above, when it changes.")]
+        [Tooltip("Raised when the commanded plate orientation changes; in degrees, counter-clockwise seen from above.")]
         public OrientationEvent onPlateOrientation = new OrientationEvent();
 
-        /// <summary>Raised with each command, once a frame during a reach.</summary>
+        /// <summary>Raised in each frame of a reach with the command, unless the sample is refused.</summary>
         public event Action<Command> Commanded;
 
-        /// <summary>Raised when the flags of the command change, except Held, which alternates between steps.</summary>
+        /// <summary>Raised at the first command of a reach, and when flags other than Held change.</summary>
         public event Action<CommandFlags> FlagsChanged;
 
-        /// <summary>Raised when the finger has arrived: once per reach, and again after <see cref="RetargetReach"/>. Call
-        /// <see cref="EndReach"/>, here or later. With the flag OffTarget, the finger has probably missed.</summary>
+        /// <summary>Raised when a command gets the flag Arrived: the motion has ended. Call <see cref="EndReach"/>, here or
+        /// later. With the flag OffTarget, the finger has probably missed.</summary>
         public event Action<Command> Arrived;
 
         /// <summary>Raised by <see cref="EndReach"/>.</summary>
         public event Action<ReachSummary> ReachEnded;
 
         /// <summary>Raised when the instruction to the user in a set-up changes: show its text, and its position with
-        /// <see cref="PlaceOf"/>. At Step.Finish the user waits for a fit, which takes at most 1 ms of each frame.</summary>
+        /// <see cref="PlaceOf"/>. At Step.Finish the user waits for a fit, which continues in each frame.</summary>
         public event Action<SetupStep> SetupStepped;
 
         /// <summary>Raised when the set-up is over and its results are applied.</summary>
@@ -89,7 +90,7 @@ namespace Hrt
 
         public bool IsSettingUp { get; private set; }
 
-        /// <summary>The last command, of this reach or else of the previous one.</summary>
+        /// <summary>The last command, of this reach or else of the previous one; zeros before the first.</summary>
         public Command LastCommand { get; private set; }
 
         /// <summary>Set this to false while the finger is not tracked and its Transform is outdated.</summary>
@@ -99,7 +100,8 @@ namespace Hrt
         /// follow its commands as its speed and latency allow.</summary>
         public double? MeasuredPlateOrientationDeg { get; set; }
 
-        /// <summary>Begins a reach to a virtual target, with the real target that leaves the largest margin.</summary>
+        /// <summary>Begins a reach to a virtual target, with the real target that has the largest
+        /// <see cref="Gap.marginDeg"/>.</summary>
         public void BeginReach(Transform virtualTarget)
         {
             PrepareReach();
@@ -220,14 +222,14 @@ namespace Hrt
             if (IsSettingUp) Guide(ReadFinger());
         }
 
-        // Runs in each frame and allocates no managed memory.
+        // Allocates no managed memory, unless the sample is refused.
         internal void Step(Sample sample)
         {
             if (Session.TryUpdate(sample, out Command command)) Apply(command);
             else Refuse(HapticRetargetingLibrary.LastError);
         }
 
-        // Keeps the last command. Reports the error once per reach or set-up, not in each frame.
+        // Reports the error once per reach or set-up, not in each frame.
         void Refuse(string why)
         {
             if (!refused) Debug.LogError("Haptic retargeting: " + why, this);
@@ -322,7 +324,7 @@ namespace Hrt
             return Session;
         }
 
-        /// <summary>Returns the session's id of a virtual target, once a reach has begun.</summary>
+        /// <summary>Returns the id of a virtual target in the session. Targets get their ids when a reach begins.</summary>
         public TargetId IdOf(Transform virtualTarget) => IdOf(virtualTarget, virtualIds, nameof(virtualTarget));
 
         TargetId IdOf(Transform target, Dictionary<Transform, TargetId> ids, string argument)

@@ -27,7 +27,7 @@ namespace Hrt
             }
         }
 
-        /// <summary>Error of this thread's last failed call; empty if no call has failed.</summary>
+        /// <summary>Error text of this thread's last failed call; empty if no call has failed.</summary>
         public static string LastError
         {
             get
@@ -46,7 +46,7 @@ namespace Hrt
             {
                 if (loaded) return;
                 CheckVersion();
-                // The editor keeps native objects when it reloads the scripts: they would call a collected delegate.
+                // The editor reloads scripts without unloading the library, which would then call a collected delegate.
                 AppDomain.CurrentDomain.DomainUnload += (sender, arguments) => Shutdown();
                 AppDomain.CurrentDomain.ProcessExit += (sender, arguments) => Shutdown();
                 Result result = SetLog(Marshal.GetFunctionPointerForDelegate(onLog));
@@ -123,7 +123,7 @@ namespace Hrt
         [MonoPInvokeCallback(typeof(HostLog))]
         static void OnLog(IntPtr context, uint level, IntPtr text)
         {
-            // Called by a thread of the library, into which no exception may propagate.
+            // Native code calls this method; no exception may propagate into it.
             try
             {
                 Log((LogLevel)level, Utf8.Read(text));

@@ -3,9 +3,10 @@ using System;
 namespace Hrt
 {
     /// <summary>
-    /// An object of the library, which exists until it is disposed of or collected, or until the scripts are unloaded. A
-    /// refused call throws a <see cref="HapticRetargetingException"/> with the library's text and changes nothing. Two
-    /// threads must not call the same object at the same time: the second call fails with
+    /// An object of the library, which exists until it is disposed of or collected, or until the scripts are unloaded. If
+    /// the library refuses a call, the object is unchanged, and the method throws a
+    /// <see cref="HapticRetargetingException"/> with the library's text, unless the name of the method begins with Try.
+    /// Two threads must not call the same object at the same time: the second call fails with
     /// <see cref="Result.Busy"/>.
     /// </summary>
     public abstract class NativeObject : IDisposable
@@ -53,7 +54,7 @@ namespace Hrt
             }
         }
 
-        // Every call of the library ends here: KeepAlive() keeps the finaliser from running during the call.
+        // KeepAlive() prevents that the finaliser runs during the call that returned `result`.
         internal void Check(Result result)
         {
             GC.KeepAlive(this);

@@ -58,7 +58,7 @@ namespace Hrt
             return Encoding.UTF8.GetString(bytes, 0, end < 0 ? bytes.Length : end);
         }
 
-        /// <summary>Decodes a C string as UTF-8 on every platform, unlike the conversions of Marshal.</summary>
+        /// <summary>Decodes a C string in UTF-8. A null pointer becomes an empty text.</summary>
         internal static string Read(IntPtr text)
         {
             if (text == IntPtr.Zero) return "";

@@ -30,7 +30,7 @@ namespace HrtSamples
                 Retargeting.virtualTargets.Add(MakeTarget(virtualNames[i], virtualDirectionsDeg[i]));
         }
 
-        // The ridges are children of the plate's mount and turn relative to it.
+        // Returns the parent of all ridges, which HapticRetargeting turns. At orientation 0, the ridges run along x.
         Transform MakeRidges()
         {
             Transform ridges = Empty("ridges", Vector3.zero);

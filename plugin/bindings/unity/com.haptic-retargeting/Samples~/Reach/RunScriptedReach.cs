@@ -4,7 +4,7 @@ using UnityEngine;
 namespace HrtSamples
 {
     /// <summary>Add this to any object, assign reach_hash.txt, and press play: the console shows whether the commands
-    /// of this machine equal those of every other host of the library.</summary>
+    /// equal those of the library in other engines and languages.</summary>
     public sealed class RunScriptedReach : MonoBehaviour
     {
         public TextAsset expectedHash;

@@ -3,8 +3,8 @@ using Hrt;
 
 namespace HrtSamples
 {
-    /// <summary>The reach that every host of the library runs: passes a scripted finger to a session, and hashes the
-    /// bits of the resulting commands. A simulation: no real finger was recorded.</summary>
+    /// <summary>The reach that a sample of each language and engine ("host") runs: passes a scripted finger to a session,
+    /// and hashes the bits of the resulting commands.</summary>
     public sealed class ScriptedReach
     {
         /// <summary>FNV-1a hash of the commands, as in ReplayReport.hash; the same on every host.</summary>
@@ -56,7 +56,7 @@ namespace HrtSamples
             return seed % 1001 - 500;
         }
 
-        // Returns sample i. Each coordinate is a quotient of two integers, the same double on every host.
+        // Returns sample i. Coordinates are constants or quotients of integers: the same doubles on every host.
         Sample Scripted(int i, double plateDeg)
         {
             long moved = Math.Min(Math.Max(i - 10, 0), 120), distanceUm = moved * moved * (180 - moved) * 25 / 216;

@@ -47,7 +47,7 @@ namespace Hrt.Tests
             component.Step(At(0));
             // The distance is that to the cone: a chord of 3 degrees at 10 cm. The cylinder is further away.
             component.finger.position = virtualTarget.position;
-            for (int i = 1; i <= 3; ++i) component.Step(At(60000000L * i));  // the third equal position is not an outlier any more
+            for (int i = 1; i <= 3; ++i) component.Step(At(60000000L * i));  // a jump is an outlier at first
             Assert.That(component.LastCommand.distanceToGoM, Is.EqualTo(0.0052).Within(1e-4));
         }
 
@@ -75,7 +75,7 @@ namespace Hrt.Tests
                     Command command = component.LastCommand;
                     Assert.AreEqual(expected.paperStep, command.paperStep);
                     Assert.AreEqual(expected.flags, command.flags);
-                    // Unity's positions have 24 bits: 0.1 micrometres here, which the controller amplifies.
+                    // Unity's floats resolve about 0.1 micrometres here, and the controller amplifies the rounding.
                     Assert.That(command.plateOrientationDeg, Is.EqualTo(expected.plateOrientationDeg).Within(0.1));
                     Assert.That(command.distanceToGoM, Is.EqualTo(expected.distanceToGoM).Within(1e-6));
                 }
@@ -176,13 +176,13 @@ namespace Hrt.Tests
             Assert.AreEqual(3, arrived);
         }
 
-        // Moves the finger to the target in a second, then rests.
+        // Moves the finger to the target in a second, then rests for `rest` frames.
         void MoveTo(Vector3 target, ref int frame, int rest)
         {
             Vector3 from = component.finger.position, way = target - from;
             for (int i = 1; i <= 90 + rest; ++i)
             {
-                component.finger.position = from + way * Math.Min(1, i / 90f) + Vector3.up * (1e-5f * (i % 2)); // no repeated values
+                component.finger.position = from + way * Math.Min(1, i / 90f) + Vector3.up * (1e-5f * (i % 2)); // a repeated position is a dropout
                 component.Step(At(++frame * 11111111L));
             }
         }
@@ -319,7 +319,7 @@ namespace Hrt.Tests
             Assert.Greater(settings, 20);
         }
 
-        // The simulated person touches the marks of a plate at (0.3, 0.75, 0.4) that is rotated by 20 degrees to the left.
+        // The simulated person touches the marks of a plate at (0.3, 0.75, 0.4) in Unity's axes, rotated 20° to the left.
         [Test]
         public void ASetupMovesThePlateToItsMeasuredPose()
         {
