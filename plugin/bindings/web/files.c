@@ -4,7 +4,7 @@
 #include <fcntl.h>
 #include <haptic_retargeting/host.h>
 
-/* Receives a line of the library's log. */
+/* Receives a line of the library's log. Defined in memory.mjs. */
 __attribute__((import_module("env"), import_name("hrt_web_log"))) void hrt_web_log(void* context, hrt_log_level level,
                                                                                    const char* text);
 
@@ -17,14 +17,14 @@ __attribute__((constructor)) static void take_log(void) {
 
 struct stat;
 
-/* Returns a descriptor, or the negative number of an error. */
+/* Opens a file. Returns a descriptor, or the negative number of an error. Defined in memory.mjs. */
 __attribute__((import_module("env"), import_name("hrt_web_open"))) long hrt_web_open(const char* path, int writes);
 
 /* Replaces the weak function of the C library. */
 long __syscall_open(const char* path, long flags, ...);
 long __syscall_open(const char* path, long flags, ...) { return hrt_web_open(path, (flags & O_ACCMODE) != O_RDONLY); }
 
-/* Functions that the C library expects from JavaScript. */
+/* Functions that the C library would import from JavaScript. They report that no file exists. */
 #define NOT_THERE(name, ...) \
   long name(__VA_ARGS__);    \
   long name(__VA_ARGS__) { return -ENOENT; }

@@ -13,8 +13,8 @@ type Output<Struct> = Omit<Struct, "struct_size" | "reserved">;
 type Input<Struct> = {
   [Field in Exclude<keyof Struct, "struct_size" | "reserved">]?: Struct[Field] extends bigint ? bigint | number : Struct[Field];
 };
-/** A struct that is used in each frame, without a new object. 64-bit integers are numbers, which are exact to 2^53 (104 days in
- *  nanoseconds). Properties cannot be added. */
+/** A struct that is used in each frame, without a new object. 64-bit integers are numbers, which are exact to 2^53 (104
+ *  days in nanoseconds). Properties cannot be added. */
 type Frame<Struct> = {
   [Field in Exclude<keyof Struct, "struct_size" | "reserved">]: Struct[Field] extends number[] ? Float64Array
     : Struct[Field] extends bigint ? number : Struct[Field];
@@ -44,7 +44,8 @@ export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | 
 export interface Library {
   readonly version: { readonly major: number; readonly minor: number; readonly patch: number };
   createSession(config?: Input<hrt_session_config>): Session;
-  /** Creates a simulated person, whose hand the plate deflects. The same seed gives the same person on every host. */
+  /** Creates a simulated person, whose hand the plate deflects. The same seed and configuration give the same person on
+   *  every platform. */
   createPerson(seed?: number | bigint, config?: Input<hrt_person_config>): Person;
   /** Loads a scene from the bytes of a .gltf or .glb file; error texts contain `name`. */
   loadScene(bytes: ArrayBuffer | Uint8Array, name?: string): Scene;

@@ -1,5 +1,5 @@
-// The plugin for browsers and bundlers: loads the WebAssembly module, and wraps its C functions. In node, node.mjs is loaded instead.
-// Types and documentation: index.d.ts; fields of structs: abi.d.ts.
+// The plugin for browsers and bundlers: loads the WebAssembly module, and wraps its C functions. node.mjs adapts this
+// file to node. Types and documentation: index.d.ts; fields of structs: abi.d.ts.
 import * as abi from "./abi.js";
 import { Command, readCommand, readSample, Sample, writeSample } from "./frame.mjs";
 import { HapticRetargetingError, Host, Memory, readText } from "./memory.mjs";
@@ -30,7 +30,7 @@ async function instantiate(source, imports) {
                     '"haptic-retargeting" or its node.mjs.');
   }
   const response = await fetch(url);
-  if (!response.ok) throw new Error(`the module cannot be loaded: ${response.url}: ${response.status} ${response.statusText}`);
+  if (!response.ok) throw new Error(`the module cannot be loaded: ${response.url}: ${response.status} ${response.statusText}; serve the file there, or pass its address or its bytes to load()`);
   const streamed = response.headers.get("content-type")?.startsWith("application/wasm");
   return streamed ? WebAssembly.instantiateStreaming(response, imports) : WebAssembly.instantiate(await response.arrayBuffer(), imports);
 }
@@ -101,7 +101,7 @@ class Native {
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
 
-// `using` destroys an object by its method of this name. Where Symbol.dispose is missing, compilers emulate it by Symbol.for().
+// `using` destroys an object by its method of this name. Where Symbol.dispose is missing, some compilers use Symbol.for().
 const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 
 class Session {
@@ -199,7 +199,7 @@ class Session {
     this.#native.call("hrt_reach_cancel");
     this.#log();
   }
-  /** Writes the log lines that the reach has stored, because the calls of a reach may not block. */
+  /** Writes the log lines that the reach has stored, because update() may not block. */
   #log() {
     this.#native.call("hrt_host_set_log", 0);
   }

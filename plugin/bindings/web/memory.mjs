@@ -165,7 +165,7 @@ function fieldNames(type) {
   return Object.keys(abi.structs[type].fields).filter((name) => name !== "struct_size" && name !== "reserved");
 }
 
-// Functions that the module imports: files, which are kept in memory.
+// Functions that the module imports: log, clock, and files, which are kept in memory.
 const EBADF = 8, ENOENT = 44;
 
 export class Host {

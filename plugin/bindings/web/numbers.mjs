@@ -26,8 +26,8 @@ export function checked(name, type, value) {
   return wide ? BigInt(value) : Number(value);
 }
 
-// For use in each frame, without a new object: 64-bit integers are numbers, which are exact to 2^53. A value that is not a number
-// is written as NaN, which the library rejects.
+// For use in each frame, without a new object: 64-bit integers are numbers, which are exact to 2^53. Doubles are not
+// checked.
 export function writeU32(view, at, name, value) {
   if (value >>> 0 !== value) throw new RangeError(`${name} is ${String(value)}; a whole number from 0 to 4294967295 is needed`);
   view.setUint32(at, value, true);

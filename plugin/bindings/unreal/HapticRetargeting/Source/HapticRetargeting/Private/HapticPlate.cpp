@@ -1,4 +1,5 @@
-// The device that turns the component's plate, by libhrt_plate. Only ClosePlate waits for the device, at most 0.5 s.
+// The device that turns the component's plate, by libhrt_plate. ClosePlate, which OpenPlate also calls, waits for at most
+// 0.5 s; the other functions do not wait.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"

@@ -1,4 +1,4 @@
-// Reaches of the component: processes samples and broadcasts commands.
+// Reaches of the component, and the simulated finger.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"

@@ -32,18 +32,19 @@ bool UHapticRetargetingComponent::HasLibrary() const
 	}
 	if (!bMissingIsLogged)
 	{
-		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the plugin's library is missing: an earlier line of the log names the DLL and its folder"));
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the plugin's library is missing: copy the DLLs that an earlier line of the log names to the folder that it names"));
 	}
 	bMissingIsLogged = true;
 	return false;
 }
 
-/** Sends the session's log to the engine's log from now on, and writes the lines that the last reach has stored. */
+/** Connects the session's log to the engine's log. Lines that the last reach has stored are written immediately. */
 bool UHapticRetargetingComponent::TakeLog() const
 {
 	hrt_host Host = hrt_host_init();
 	Host.log = [](void*, uint32_t, const char* Text)
 	{
+		// Hints on units are for callers of the C interface, who pass metres.
 		std::string Line = Text;
 		if (const size_t Unit = Line.find("in metres"); Unit != Line.npos)
 		{
@@ -54,7 +55,8 @@ bool UHapticRetargetingComponent::TakeLog() const
 	return HAPTIC_CALL(hrt_host_set_log(Session, &Host));
 }
 
-/** Applies the settings and the component's pose to the session, between reaches. */
+/** Creates the session or updates its configuration, from the settings and the component's pose. Does nothing during a
+ *  reach or a set-up. Returns false, and logs the reason, on failure. */
 bool UHapticRetargetingComponent::Configure()
 {
 	if (!HasLibrary())
@@ -157,7 +159,7 @@ void UHapticRetargetingComponent::OnComponentDestroyed(bool bDestroyingHierarchy
 	Super::OnComponentDestroyed(bDestroyingHierarchy);
 }
 
-/** Also called for components that were never part of a level. */
+/** The engine calls this function, but not OnComponentDestroyed(), for components that were never part of a level. */
 void UHapticRetargetingComponent::BeginDestroy()
 {
 	CloseSession();

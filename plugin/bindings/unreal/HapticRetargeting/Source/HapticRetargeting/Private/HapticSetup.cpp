@@ -1,4 +1,4 @@
-// Set-ups of the component: processes samples and broadcasts instructions.
+// Set-ups of the component.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"
@@ -20,7 +20,8 @@ bool UHapticRetargetingComponent::BeginSetup(int32 What)
 	return true;
 }
 
-/** Broadcasts a step when it changes. The plate orientation may change in every frame, and is broadcast as in a reach. */
+/** Processes a sample of a set-up. Broadcasts a change of the plate orientation by OnPlateCommanded, and any other change
+ *  of the step by OnSetupStepped. */
 bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 {
 	hrt_setup_step Now = hrt_setup_step_init();

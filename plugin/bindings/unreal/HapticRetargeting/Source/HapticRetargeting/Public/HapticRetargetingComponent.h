@@ -25,7 +25,7 @@ DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupFinished, const FHapticS
 
 /**
  * One user and one plate. The component's transform is the plate's pose, which may change: X away from the user, Y right,
- * Z up. Do not scale it. Calls that are refused return false, change nothing, and log the error and the allowed values.
+ * Z up. Do not scale it. Calls that fail return false and log the reason.
  */
 UCLASS(ClassGroup = "Haptic Retargeting", meta = (BlueprintSpawnableComponent))
 class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
@@ -33,7 +33,7 @@ class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
 	GENERATED_BODY()
 
 public:
-	/** Settings of the session, checked at their next use. Changes during a reach apply after its end. */
+	/** Settings of the session, checked at their next use. Changes during a reach or a set-up apply after its end. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
 	FHapticSettings Settings;
 
@@ -45,11 +45,11 @@ public:
 	UPROPERTY(BlueprintReadWrite, Category = "Haptic Retargeting")
 	double MeasuredPlateYaw = 0.0;
 
-	/** Broadcasts the orientation to which the plate must turn. */
+	/** Broadcasts the orientation to which the plate must turn: a yaw in degrees, clockwise from the mid-line. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticPlateCommanded OnPlateCommanded;
 
-	/** Broadcast when the flags of the command change, for example Saturated, Predicted or Lifted. */
+	/** Broadcast when flags of the command other than Held change, for example Saturated, Predicted or Lifted. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticFlagsChanged OnFlagsChanged;
 
@@ -108,12 +108,13 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
 
-	/** Reports contact with the real object, at a position with the SD PositionSd (cm; 0: the real target's radius). The contact corrects
-	 *  the tracked positions of later reaches. Requires a registration. Allowed once per reach, at Arrived or after EndReach. */
+	/** Reports contact with the real object at a position in the world. PositionSd is the SD of a coordinate in cm; 0: the
+	 *  radius of the real target, or 1 cm if it is unknown. The contact corrects the tracked positions of later reaches.
+	 *  Requires a registration. Allowed once per reach, also after EndReach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool ReachTouched(const FVector& Location, double PositionSd = 0.0);
 
-	/** Reports contact at the near side of the real target. */
+	/** Reports contact as ReachTouched does, at the near side of the real target. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool ReachTouchedRealTarget();
 
@@ -131,9 +132,9 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
-	/** Begins a set-up of the parts What: the plate's pose, the offset of the skin from a joint, the user. Until the set-up is over,
-	 *  updates pass their samples to it, and broadcast OnPlateCommanded. A registration sets the component's transform to the plate's
-	 *  pose. At the step Finish the user waits for a fit, which takes at most 1 ms of each update. */
+	/** Begins a set-up of the parts What: the plate's pose, the offset of the skin from a joint, the user. Until the set-up is
+	 *  over, updates pass their samples to it, and broadcast OnPlateCommanded. A registration sets the component's transform
+	 *  to the plate's pose. At the step Finish the user waits for a fit, which each update continues. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool BeginSetup(UPARAM(meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticSetupFlags")) int32 What);
 
@@ -148,24 +149,27 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting|Setup")
 	bool IsSettingUp() const { return bSettingUp; }
 
-	/** Replaces finger and servo by a simulated person, who moves towards the virtual target, feels the plate and is deflected by
-	 *  it, or follows the set-up if the target's Id is 0. A model, not a measurement of people. The same seed gives the same
-	 *  person. */
+	/** Replaces finger and servo by a simulated person, who moves towards the virtual target, feels the plate and is deflected
+	 *  by it, or follows the set-up if the target's Id is 0. A model, not a measurement of people. The same seed gives the
+	 *  same person. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool BeginSimulatedFinger(const FHapticTarget& Virtual, int64 Seed);
 
-	/** Advances the simulated finger to Time. Call it instead of Update Finger. Out Location is the finger's tracked position. */
+	/** Advances the simulated finger to Time. Call it instead of UpdateFinger. OutLocation is the tracked position of the
+	 *  finger in the world. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool UpdateSimulatedFinger(double Time, FVector& OutLocation);
 
 	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
-	 *  commission` writes. Some seconds later, the device is ready: from then on, it receives each command, and each update and
-	 *  BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed, acceleration, latency and stops are copied to Settings
-	 *  once, between reaches. A failure is logged. Returns false if the name or the file is not valid. */
+	 *  commission` writes. Some seconds later, the device is ready: from then on, it receives each command, and UpdateFinger,
+	 *  UpdateJoint and BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed, acceleration, latency
+	 *  and stops are copied to Settings once, between reaches. Failures are logged. Returns false if opening cannot start,
+	 *  for example because the name is not valid. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool OpenPlate(const FString& Device);
 
-	/** Returns true if the plate accepts commands. The plate stops after 0.3 s without this call or an update. */
+	/** Returns true if the plate accepts commands. The plate stops after 0.3 s without this call, UpdateFinger or
+	 *  UpdateJoint. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool IsPlateReady();
 
@@ -197,7 +201,8 @@ public:
 	/** For C++: returns the session for calls of the C headers, with the value 0 on failure. After a call that changes the
 	 *  configuration, call TakeFromSession(). */
 	hrt_session GetSession();
-	/** Copies what C calls have changed in the session's configuration into Settings. If the plate's pose has changed, moves the component there. */
+	/** Copies what C calls have changed in the session's configuration into Settings. If the plate's pose has changed, moves
+	 *  the component there. */
 	void TakeFromSession();
 
 	virtual void OnComponentDestroyed(bool bDestroyingHierarchy) override;
@@ -226,7 +231,7 @@ private:
 	hrt_plate Device{};
 	bool bDeviceIsTaken = false;
 	bool bDeviceIsRefused = false;
-	/** Transform of the component that the plugin has set; the session has exactly the same pose. */
+	/** Transform to which the plugin has moved the component, if bPlacedByPlugin. Configured has the pose without rounding. */
 	FTransform PlatePlace;
 	bool bPlacedByPlugin = false;
 	hrt_session_config Configured{};

@@ -1,4 +1,4 @@
-// The plugin's library and its C headers, which CMake builds.
+// The libraries and the C headers, which plugin/bindings/unreal/CMakeLists.txt copies into this folder.
 
 using System.IO;
 using UnrealBuildTool;
@@ -30,13 +30,13 @@ public class HapticRetargetingLibrary : ModuleRules
 				PublicAdditionalLibraries.Add(Path.Combine(Folder, Name));
 				RuntimeDependencies.Add(Path.Combine(Folder, Name));
 			}
-			// Names by which the libraries are loaded.
+			// Sonames, by which the system loads the libraries.
 			RuntimeDependencies.Add(Path.Combine(Folder, "libhaptic_retargeting.so.0.5"));
 			RuntimeDependencies.Add(Path.Combine(Folder, "libhrt_plate.so.0.5"));
 		}
 		else
 		{
-			throw new BuildException("Haptic Retargeting has no library for " + Target.Platform);
+			throw new BuildException("Haptic Retargeting has no library for " + Target.Platform + "; build for Win64 or Linux");
 		}
 	}
 }
