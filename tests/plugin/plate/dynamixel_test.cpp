@@ -141,7 +141,8 @@ TEST_F(DynamixelTest, OpeningWritesTheControlTable) {
   EXPECT_NEAR(device->limits().speed_deg_s, 200.0, 0.7);
   EXPECT_EQ(device->limits().max_deg, 360.0);
   EXPECT_TRUE(device->is_measured());
-  // A request of 14 bytes and an answer of 12 to 15 bytes, at 174 us per byte, and the servo's delay of 500 us.
+  // Reads of the position: a request of 14 bytes and an answer of 15, at 174 us per byte, and the servo's delay of 500
+  // us.
   EXPECT_NEAR(std::chrono::duration<double>(*device->round_trip()).count(), 5.4e-3, 0.4e-3);
   turn(*device, 9.0, 100ms);
   EXPECT_EQ(servo.get(112, 4), 146);  // 200 degrees/s, in units of 0.229 * 6
@@ -362,8 +363,7 @@ TEST_F(DynamixelTest, CommandsOfAnotherProgramEndTheTorque) {
   }
 }
 
-// At rest, the profile has a speed of 1.4 degrees/s: after the line is unplugged, a goal of another program turns the
-// plate by 0.42 degrees, until the watchdog expires.
+// A profile velocity of 1 is 1.4 degrees a second: a goal of another program turns the plate slowly.
 TEST_F(DynamixelTest, APlateAtRestHasASlowProfile) {
   const auto device = open();
   turn(*device, 45.0, 500ms);

@@ -1,4 +1,3 @@
-// Serial line to an emulated device, in simulated time.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +9,8 @@
 
 namespace hrt::plate {
 
-/// Serial line on which time passes only in wait() and pause(). Each byte takes Device::byte_time(), and the device
-/// answers after Device::answer_delay() at the earliest.
+/// Serial line to an emulated device, in simulated time, which passes in wait(), pause() and the destructor. Each byte
+/// takes Device::byte_time(), and the device answers after Device::answer_delay() at the earliest.
 template <class Device>
 class EmulatedLine : public Line {
  public:

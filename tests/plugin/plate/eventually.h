@@ -1,4 +1,3 @@
-// Waits for a condition of a plate in real time.
 #pragma once
 
 #include <gtest/gtest.h>

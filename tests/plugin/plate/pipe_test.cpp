@@ -1,4 +1,4 @@
-// Tests of the serial line of Windows over a named pipe: overlapped reads and writes, and the end of a line.
+// Tests of the serial line on Windows over a named pipe: overlapped reads and writes, and a line that is unplugged.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>

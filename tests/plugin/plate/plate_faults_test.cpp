@@ -31,7 +31,7 @@ using namespace std::chrono_literals;
 
 // Interval over which the speed is measured (five pulses of a hobby servo), and the time between the two faults.
 constexpr auto window = 100ms;
-constexpr double place_deg = -20.0;  // initial plate orientation
+constexpr double initial_deg = -20.0;
 enum Phase { open, idle, home, move, hold, close };
 constexpr const char* phases[] = {"open", "idle", "home", "move", "hold", "close"};
 
@@ -62,7 +62,8 @@ struct Hobby {
   static constexpr bool homes = true, refuses_second_host = true;
 
   static HobbyPlate make(Phase phase) {
-    return HobbyPlate({.settings = phase == home ? settings_default() : commissioned(), .orientation_deg = place_deg});
+    return HobbyPlate(
+        {.settings = phase == home ? settings_default() : commissioned(), .orientation_deg = initial_deg});
   }
   static void greet(HobbyPlate& board) { board.receive_line("HELLO 2 00042"); }
   static double force_n(const HobbyPlate&) { return 0.0; }  // unknown: the firmware does not limit the force
@@ -101,7 +102,7 @@ struct Xl330 {
 
   static EmulatedDynamixel make(Phase) {
     EmulatedDynamixel servo;
-    servo.motor.turn_by_hand(place_deg);
+    servo.motor.turn_by_hand(initial_deg);
     servo.restart();
     return servo;
   }
@@ -187,7 +188,8 @@ struct Operation {
       }
       const double seconds = std::chrono::duration<double>(board.now() - from).count();
       max_deg_s = std::max(max_deg_s, std::abs(board.orientation_deg() - from_deg) / seconds);
-      if (!is_set) before_first_set_deg = std::max(before_first_set_deg, std::abs(board.orientation_deg() - place_deg));
+      if (!is_set)
+        before_first_set_deg = std::max(before_first_set_deg, std::abs(board.orientation_deg() - initial_deg));
     }
   }
   void open_host() {

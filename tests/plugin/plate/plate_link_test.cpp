@@ -95,7 +95,6 @@ TEST_F(PlateLinkTest, WaitsForABoardThatStarts) {
   EXPECT_EQ(link->limits().speed_deg_s, 200.0);
 }
 
-// The plate reports 200 degrees a second, and turns at 120.
 TEST_F(PlateLinkTest, ReportsTheObservedSpeedIfItIsLower) {
   open({.servo = {.speed_deg_s = 120.0}});
   EXPECT_EQ(link->limits().speed_deg_s, 200.0);

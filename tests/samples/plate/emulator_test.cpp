@@ -84,7 +84,7 @@ TEST_F(Firmware, EchoesSequenceNumbersWithinMilliseconds) {
     board_.run_for(100us);
     for (const std::string& line : board_.take_lines()) is_echoed = is_echoed || line.ends_with(echo);
   }
-  // The two lines have 11 and 22 bytes of 0.09 ms; the next tick follows within a millisecond.
+  // The two lines have 16 and 22 bytes of 0.09 ms; the board sends its answer in the next tick, within a millisecond.
   EXPECT_LT(board_.now() - sent, 6ms);
   std::printf("from a line to its echo: %.2f ms\n", static_cast<double>((board_.now() - sent).count()) * 1e-6);
 }
@@ -159,7 +159,6 @@ TEST_F(Firmware, DamagedLinesMoveNothing) {
 
 TEST_F(Firmware, DeclaresABrownOutAtFourPointThreeVolts) { EXPECT_EQ(board_.extended_fuse(), 0xFC); }
 
-// The host continues to send commands after a reset of the board.
 TEST_F(Firmware, AResetEndsThePulsesUntilTheNextGreeting) {
   set(90.0, 150ms);
   board_.take_lines();
@@ -189,7 +188,6 @@ TEST_F(Firmware, EmergencyStopCompletesTheLastPulse) {
   EXPECT_TRUE(has_sent("STOPPED emergency"));
 }
 
-// Without a sensor, the compare unit omits seven of eight pulses for 8 s.
 TEST_F(FirmwareWithoutSensor, IsHomedByOnePulseInEight) {
   set(-40.0, 500ms);
   EXPECT_TRUE(has_sent("STOPPED unhomed"));

@@ -167,8 +167,8 @@ TEST(Firmware, WithExchangedReadingsThePlateTurnsByLessThan15Degrees) {
   }
 }
 
-// A sensor with an offset of 4 degrees, as a potentiometer may have, and a plate that starts beyond its limits.
-TEST_F(FirmwareLogic, AcceptsASensorOffsetAndAStartBeyondTheLimits) {
+// An offset of 4 degrees between the servo and its sensor, as a potentiometer may have.
+TEST_F(FirmwareLogic, AcceptsASensorOffset) {
   plate_.settings.value[SETTING_ZERO_US] += 4400;  // 44 us, which are 4 degrees
   for (const double orientation_deg : {0.0, 50.0, -50.0}) {
     board_.receive_line("HELLO 2");
@@ -340,7 +340,7 @@ class FirmwareWithoutSensor : public FirmwareLogic {
   }
 };
 
-// With one pulse in eight, the servo turns at an eighth of its 250 degrees a second or less.
+// With one pulse in eight, the servo turns at about an eighth of its 250 degrees a second.
 TEST_F(FirmwareWithoutSensor, IsHomedSlowly) {
   home(-40.0);
   for (double before_deg = 20.0; board_.orientation_deg() > -39.0;) {
@@ -371,7 +371,7 @@ TEST_F(FirmwareWithoutSensor, IsStoppedWhileItIsHomed) {
   }
 }
 
-// Emergency stop pressed, plate turned by hand, emergency stop released.
+// A hand turns the plate while the emergency stop is pressed, or after a reset.
 TEST_F(FirmwareWithoutSensor, OrientationIsUnknownAfterAnEmergencyAndAReset) {
   for (const bool reset : {false, true}) {
     home(0.0, 8200ms);

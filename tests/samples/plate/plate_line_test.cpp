@@ -41,7 +41,7 @@ TEST(PlateLine, IsRefusedIfDamagedOrIncomplete) {
     EXPECT_FALSE(decode(line)) << line;
 }
 
-// Makers of other devices will copy the examples of the page.
+// The examples of protocol.md.
 TEST(PlateLine, DocumentedExamplesAreValid) {
   std::ifstream page(HRT_PLATE_PAGES "/protocol.md");
   int lines = 0;

@@ -55,7 +55,6 @@ TEST(ReachWithFirmware, ReachesTheTarget) {
   std::printf("%s", outcome.out.c_str());
 }
 
-// A reset (a power failure, or another program that opens the line), and a pressed emergency stop.
 TEST(ReachWithFirmware, IsEndedByAResetOfTheBoardAndByTheEmergencyStop) {
   for (const bool reset : {true, false}) {
     PtyDevice<BoardWithServo> board;

@@ -1,4 +1,3 @@
-// Tests of the firmware's settings: ranges, pulses, and their form in EEPROM.
 #include "samples/app/firmware/settings.h"
 
 #include <gtest/gtest.h>

@@ -276,7 +276,6 @@ ServoTraits random_traits(Uniform& between, unsigned seed, double fastest_deg_s)
           .seed = seed};
 }
 
-// Emulated plate with a disturbance.
 template <class Emulated>
 struct Disturbed : Emulated {
   using Emulated::Emulated;
@@ -320,8 +319,8 @@ struct Xl330 : Disturbed<EmulatedDynamixel> {
     const auto open = [&](const std::string&, int) { return line_to(*this); };
     const Measurements found = commission([&] { return device_named(name)(open, Start::hold); },
                                           {reader_of(entered({"", "y", ""})), [](const std::string&) {}});
-    motor.limit_speed(std::round(std::round(speed_deg_s) / 1.374) *
-                      1.374);  // closing the device has cleared the profile velocity
+    // Closing the device has set the profile velocity of rest. The unit of the velocity is 1.374 degrees a second.
+    motor.limit_speed(std::round(std::round(speed_deg_s) / 1.374) * 1.374);
     return found;
   }
   EmulatedServo& physics() { return motor; }
