@@ -14,7 +14,6 @@
 
 namespace hrt::app {
 
-// Functions of the plugin that the samples call.
 #define HRT_REACH_PLUGIN_FUNCTIONS(X) \
   X(hrt_result_string)                \
   X(hrt_last_error)                   \

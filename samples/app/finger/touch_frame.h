@@ -14,7 +14,7 @@ struct libevdev;
 
 namespace hrt::app {
 
-/// Multitouch device that locates one fingertip. For use by one thread. No call blocks.
+/// For use by one thread. No call blocks.
 class TouchFrame {
  public:
   /// Opens "evdev:PATH?NAME=NUMBER&..." for this program alone, so that touches do not reach the desktop. Throws

@@ -25,7 +25,7 @@ typedef enum Setting {
   SETTING_SUPPLY,      /**< 1: the servo's supply is measured at A1 and must be present; 0: it is not measured */
   SETTING_BEND_0,      /**< bend i: error of the sensor at i / BEND_PARTS of its range of readings; is subtracted */
   SETTING_BEND_LAST = SETTING_BEND_0 + 8,
-  SETTING_SERIAL, /**< serial number */
+  SETTING_SERIAL, /**< serial number, which identifies the plate in its plate file */
   SETTING_COUNT
 } Setting;
 

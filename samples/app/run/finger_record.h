@@ -8,21 +8,22 @@
 
 namespace hrt::app {
 
-/// Record of both hands' index fingertips since construction.
 class FingerRecord {
  public:
   explicit FingerRecord(const Point& start_m) : start_m_(start_m) {}
 
   void add(Hand hand, const Fingertip& tip);
 
-  /// Message: why no finger rested at the start, and what to do.
+  // ---- Texts for the user.
+
+  /// Why no finger rested at the start, and what to do.
   std::string why_not_begun(const RunContext& context) const;
-  /// Message: why a reach did not end, and what to do.
+  /// Why a reach did not end, and what to do.
   std::string why_not_ended(const RunContext& context, const TargetPair& pair) const;
-  /// Message: why no finger came to rest on a mark, and what to do.
+  /// Why no finger came to rest on a mark, and what to do.
   std::string why_no_touch(const RunContext& context) const;
-  /// Message: position of the first tracked finger of the hands in use. If `plate_is_placed` is false, because the
-  /// plate's pose is unknown, the message only says whether a finger is tracked.
+  /// Position of the first tracked finger of the hands in use. If `plate_is_placed` is false, because the plate's pose
+  /// is unknown, the text only says whether a finger is tracked.
   std::string where(const RunContext& context, bool plate_is_placed = true) const;
 
  private:

@@ -12,7 +12,6 @@
 
 namespace hrt::app {
 
-/// Plate that the command line selects.
 struct PlateChoice {
   enum class Kind { runtime, servo, device } kind = Kind::runtime;
   double servo_speed_deg_per_s = 400.0;

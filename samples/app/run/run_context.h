@@ -20,9 +20,9 @@ using Point = std::array<double, 3>;
 /// The state after one frame. Positions in plate coordinates.
 struct Moment {
   XrTime time;
-  bool tracked;                      ///< false: `position_m` is that of the last tracked frame, or the start
-  std::array<double, 3> position_m;  ///< tracked position of the fingertip
-  double bearing_deg;                ///< direction of the finger, seen from the start
+  bool tracked;  ///< false: `position_m` is that of the last tracked frame, or the start
+  std::array<double, 3> position_m;
+  double bearing_deg;            ///< direction of the finger, seen from the start
   double felt_direction_deg;     ///< perceived direction: ground truth of the simulation, else the plugin's estimate
   double plate_orientation_deg;  ///< measured orientation, else the commanded one
   double distance_to_go_m;       ///< from the fingertip to the real target
@@ -32,7 +32,6 @@ struct Moment {
   bool is_feasible;  ///< the gap is feasible, by the controller's estimate of the user
 };
 
-/// Objects and settings that reaches and set-ups use.
 struct RunContext {
   const Plugin& plugin;
   const TargetSet& targets;

@@ -37,7 +37,6 @@ struct TargetSet {
   std::vector<TargetPair> pairs;  ///< one for each virtual target, in the scene's order
 };
 
-/// Converts a pose of the plugin to OpenXR.
 XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]);
 
 /// Loads the scene and creates the session from `config`, in which the scene sets the start and the plate.

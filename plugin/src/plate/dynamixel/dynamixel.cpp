@@ -161,8 +161,6 @@ class Servo : public Device {
   }
   double speed_deg_s() const { return static_cast<double>(speed_units()) * deg_s_per_unit; }
 
-  // ---- Opening.
-
   void identify() {
     for (const auto give_up = now() + ping_limit; now() <= give_up;) {
       const std::optional<Packet> answer = bus_.try_once(bus_.ping_request());
@@ -209,13 +207,10 @@ class Servo : public Device {
     motion_in_servo_ = bus_.read(motion);
   }
 
-  // Returns a value of the entry `motion`.
   static std::int64_t motion_of(std::int64_t profile_units, std::int64_t goal) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(goal) << 32U |
                                      static_cast<std::uint64_t>(profile_units));
   }
-
-  // ---- Operation.
 
   void exchange() {
     if (const std::optional<Packet> answer = bus_.answer()) handle_answer(*answer);
