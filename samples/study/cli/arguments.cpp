@@ -44,7 +44,8 @@ std::optional<std::vector<double>> parse_list(std::string_view text, const Numbe
   return values;
 }
 
-// Adds an option whose text is converted by `parsed`, which returns nullopt if the text is not `allowed`.
+// Adds an option whose text `parsed` converts; it returns nullopt if the text is not allowed. `allowed` and `standard`
+// describe the allowed texts and the default in the help.
 template <typename Value>
 CLI::Option* add_parsed(CLI::App& app, const std::string& name, Value& value, const std::string& allowed,
                         const std::string& standard, const std::string& help,
@@ -80,7 +81,7 @@ std::optional<PersonState::Index> trait_of(std::string_view name) {
   return trait == traits.end() ? std::nullopt : std::optional(trait->index);
 }
 
-// Returns `tuning` with the fields set by `text`.
+// Returns `tuning` with the fields of `text`, "NAME=VALUE,NAME=VALUE"; nullopt if a name or a value is not allowed.
 std::optional<Tuning> tuned(Tuning tuning, const std::string& text) {
   std::vector<TuningField> fields = tuning_fields(tuning);
   for (const std::string_view assignment : split(text, ',')) {

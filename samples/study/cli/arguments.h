@@ -25,12 +25,12 @@ struct NumberRange {
   double high;
   bool low_allowed = true;
   bool high_allowed = true;
-  bool infinity_allowed = false;  ///< "inf" is allowed, too
-  bool whole = false;             ///< whole numbers only
+  bool infinity_allowed = false;  ///< also above `high`
+  bool whole = false;
 
   bool contains(double value) const;
-  std::optional<double> parse(std::string_view words) const;  ///< nullopt if not allowed
-  std::string text() const;                                   ///< "a number in (0, 0.5)"
+  std::optional<double> parse(std::string_view words) const;  ///< nullopt if `words` is not an allowed number
+  std::string text() const;                                   ///< for example "a number in (0, 0.5)"
 };
 
 inline constexpr NumberRange tactile_weight_range{0.0, 0.5, false, false};
@@ -86,7 +86,7 @@ CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>& famil
 CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonState::Index>& traits,
                         const std::string& standard, const std::string& help);
 
-/// Adds --tune, fields of `tuning` by name.
+/// Adds --tune, which sets `tuning` to its defaults with the given fields: NAME=VALUE[,NAME=VALUE...].
 CLI::Option* add_tuning(CLI::App& app, Tuning& tuning);
 /// Returns the names that --tune accepts, with their ranges.
 std::string tuning_names();

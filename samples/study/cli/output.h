@@ -13,7 +13,7 @@
 
 namespace hrt::study {
 
-/// An invalid argument: one line that names the argument and its allowed values. Exit code 2.
+/// An invalid argument or input file: one line that names it and what is allowed. Exit code 2.
 class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -26,7 +26,7 @@ inline std::string not_allowed(const std::string& name, std::string_view text, c
 /// Returns `value` with `decimals` digits after the point; "-" for NaN.
 std::string cell(double value, int decimals);
 
-/// Returns "0.38-0.47" with `dash` between the bounds; "?" for a bound that is NaN (unknown).
+/// Returns for example "0.38-0.47"; "?" for a bound that is NaN.
 std::string between(double low, double high, int decimals, const std::string& dash = "-");
 
 /// Writes a file like write_whole_file() (samples/app/text/whole_file.h). Throws std::runtime_error on failure.
@@ -36,7 +36,7 @@ void replace_file(const std::filesystem::path& path, std::string_view content);
 /// an unwritable destination is reported first.
 class Output {
  public:
-  /// Throws UsageError naming `argument` if `path` cannot be written.
+  /// Throws UsageError naming `argument` if `path` cannot be written, or if another argument names the same file.
   Output(const std::string& argument, const std::string& path);
 
   /// Writes the complete result. Throws std::runtime_error on failure.
@@ -54,7 +54,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Reports progress: `done` of `total` > 0.
+  /// `total` must be above 0.
   void update(std::uint64_t done, std::uint64_t total);
 
  private:
@@ -64,8 +64,8 @@ class Progress {
   std::chrono::steady_clock::time_point last_drawn_;
 };
 
-/// Returns the content of the file at `path`. Throws UsageError naming `argument` if it cannot be read or exceeds
-/// `max_bytes`.
+/// Returns the content of the file at `path`. Throws UsageError naming `argument` if the file cannot be read, exceeds
+/// `max_bytes`, or is the destination of an Output.
 std::string read_input(const std::string& argument, const std::string& path, std::size_t max_bytes);
 
 }  // namespace hrt::study

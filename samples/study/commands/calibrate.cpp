@@ -19,7 +19,7 @@ namespace hrt::study {
 namespace {
 
 struct CalibrationReport {
-  std::string name;  // file name of the data
+  std::string name;  // of the file with the data
   std::size_t trials = 0;
   double goal_direction_deg = 0.0;
   Calibration calibration;
@@ -161,7 +161,7 @@ std::string calibration_profile(const Calibration& calibration) {
   return profile.dump(2) + '\n';
 }
 
-// Twice the size of a file with a thousand slides of one minute at 90 Hz.
+// About twice the size of a file with a thousand slides of one minute at 90 Hz.
 constexpr std::size_t max_slides_bytes = std::size_t{1} << 29;
 
 struct CalibrateOptions {
@@ -185,7 +185,7 @@ CalibrationReport calibrated(const std::string& data, double goal_direction_deg)
   return report;
 }
 
-// A value of the first of two calibrations, and its difference from the second.
+// A value of the first of two calibrations, and the value of the second minus it.
 struct ComparedValue {
   EstimatedTrait trait;
   RetestDifference difference;

@@ -1,5 +1,5 @@
-// hrt-study coverage: coverage of the calibration's 95 % intervals. Calibrates simulated people of many kinds and
-// counts the intervals that contain the true value.
+// hrt-study coverage: calibrates simulated people of many kinds, and counts the 95 % intervals that contain the true
+// value.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@
 namespace hrt::study {
 namespace {
 
-// A kind of people: the family `family` of core/simulation/people.h, with an optional change of person or session.
+// People of the family `family` of core/simulation/people.h, with an optional change of person or session.
 struct CoverageKind {
   const char* name;
   const char* description;
@@ -52,7 +52,6 @@ struct CoveragePerson {
   LackOfFit lack_of_fit;
 };
 
-// Coverage of the intervals of one quantity over many people.
 struct Tally {
   Share known;
   Share covered;       // among determined values
@@ -66,7 +65,7 @@ struct Tally {
     error += found.value - truth;
     width += found.upper - found.lower;
   }
-  // Means over determined values; NaN without any.
+  // Mean over determined values; NaN without determined values.
   double mean_error() const { return error / static_cast<double>(known.hits); }
   double mean_width() const { return width / static_cast<double>(known.hits); }
   std::string text(int decimals) const {
@@ -77,11 +76,10 @@ struct Tally {
   }
 };
 
-// Coverage for people of one kind.
 struct Coverage {
   const CoverageKind* kind;
   Share refused;
-  Share angle, order, path;  // people with significant lack of fit of each sort
+  Share angle, order, path;  // people with a significant lack of fit; see LackOfFit
   std::array<Tally, quantities> of;
 
   void add(const CoveragePerson& person) {
@@ -138,7 +136,7 @@ constexpr CoverageKind all_kinds[] = {
     {"crossings", "ridges felt only when crossed", "crossings"},
 };
 
-// Simulates the slides of person `index` of a kind, in the order of the session. `truth`: output, the true values.
+// Simulates the slides of person `index` of a kind, in the order of the session, and writes the true values to `truth`.
 std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const CoverageOptions& session,
                                               std::uint32_t index, std::array<double, quantities>* truth) {
   PersonCondition condition = draw_person(*people_family(kind.family), session.duration_s, session.seed, index);

@@ -11,7 +11,7 @@ namespace hrt::study {
 namespace {
 
 struct RidgeOptions {
-  std::vector<double> plate_angles_deg{-60.0, -30.0, 0.0, 30.0, 60.0};  // angles of reference [2] of the paper
+  std::vector<double> plate_angles_deg{-60.0, -30.0, 0.0, 30.0, 60.0};  // as in reference [2] of the paper
   double tactile_weight = 0.15;
   double motor_variance_deg2 = 0.5;
   std::uint64_t trials = 50;
@@ -22,9 +22,9 @@ struct RidgeOptions {
 
 struct RidgeAngle {
   double plate_deg;
-  double rest_deg;                      // fixed point: direction that is perceived as straight ahead, -w T / (1 - w)
-  double mean_deg = 0.0, sd_deg = 0.0;  // of the final directions
-  std::vector<std::vector<double>> directions_deg;  // direction of the finger in each step of each trial
+  double rest_deg;                                  // perceived as straight ahead: -w T / (1 - w) for a plate at T
+  double mean_deg = 0.0, sd_deg = 0.0;              // of the final directions
+  std::vector<std::vector<double>> directions_deg;  // direction of the finger by trial, then step
 };
 
 RidgeAngle simulate(const RidgeOptions& options, double plate_deg, std::uint32_t number) {

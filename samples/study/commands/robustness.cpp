@@ -13,7 +13,7 @@ namespace hrt::study {
 namespace {
 
 struct Options {
-  RobustnessOptions robustness;               // without the durations
+  RobustnessOptions robustness;               // the member durations_s is not used
   std::vector<double> durations_s;            // empty: not given
   std::vector<const PeopleFamily*> families;  // empty: not given
   std::string person;
@@ -22,7 +22,8 @@ struct Options {
   Writing writing;
 };
 
-// Returns the person of --person; repetitions differ in their random noise.
+// Returns the person of --person; repetitions differ in their random noise. Without --durations, also sets the duration
+// of `study` to that of the file, if it has one.
 SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
   const PersonFile file = read_person("--person", options.person);
   if (file.has_duration && options.durations_s.empty()) study.options.durations_s = {file.condition.person.duration_s};

@@ -34,7 +34,7 @@ GapFeasibility gap_feasibility_of(const Scene& scene, const SceneTarget& virtual
   return paper_gap_feasibility(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
 }
 
-// Returns text with `decimals` digits; avoids "-0" for a value that rounds to zero.
+// Avoids "-0" for a value that rounds to zero.
 std::string rounded(double value, int decimals) {
   return fmt::format("{:.{}f}", std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value, decimals);
 }
@@ -82,7 +82,7 @@ std::string text(const Scene& scene, const SceneOptions& options) {
   return page;
 }
 
-// One row per pair and tactile weight.
+// Returns one row per pair and tactile weight.
 Results results(const Scene& scene, const SceneOptions& options) {
   Results found{.about = {{"simulation", true},
                           {"plate_node", scene.plate.node_path},

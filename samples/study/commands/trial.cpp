@@ -20,8 +20,7 @@ struct TrialOptions {
   std::uint32_t condition_number = 0;
   std::uint32_t trial = 0;
   std::string out;
-  std::string
-      trace;  // output folder of --trace, a reach under the default controller; empty: a trial of the paper's model
+  std::string trace;  // folder of --trace; empty: simulate a trial of the paper's model
   std::vector<const PeopleFamily*> families{&people_families().front()};
   double duration_s = 1.5;
   int reach = 1;

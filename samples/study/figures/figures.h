@@ -13,7 +13,7 @@
 namespace hrt::study {
 
 struct Figure {
-  std::string name;     ///< file name without extension; selects the drawing
+  std::string name;     ///< file name without extension; selects the drawing in figures.py
   std::string title;    ///< plain text, escaped on output
   std::string caption;  ///< plain text, escaped on output
   Row data;
@@ -28,12 +28,12 @@ std::vector<Figure> path_figures(std::uint64_t seed);
 /// Returns an HTML page with `text` and then each figure (NAME.svg in the same folder) with its caption.
 std::string html_page(const std::string& text, const std::vector<Figure>& figures);
 
-/// Simulates reach number `reach`, from 1, of a person under our controller, with the estimates from earlier
-/// reaches. Returns one row per sample, with the mean and SD of each state of the filter. From page_of() of the result,
-/// figures.py draws "reach", an animation of the reach from above, and "trace", the states over time.
+/// Simulates reach number `reach`, from 1, of a person under the plugin's default controller, with the estimates from
+/// earlier reaches. Returns one row per sample, with the mean and SD of each state of the filter. page_of() of the
+/// result is the data of the figures "reach", an animation from above, and "trace", the states over time.
 Results trace_reach(const PersonCondition& condition, int reach, std::uint64_t seed, std::uint32_t index);
 
-/// A staging folder for the files of one result, which are published together when complete, or not at all.
+/// A temporary folder for the files of one result. publish() moves them to their destination.
 class StagingFolder {
  public:
   /// Creates `out` if it is missing. Throws UsageError naming `argument` if it cannot be written, and
@@ -43,15 +43,13 @@ class StagingFolder {
   StagingFolder(const StagingFolder&) = delete;
   StagingFolder& operator=(const StagingFolder&) = delete;
 
-  /// Draws each figure as NAME.svg.
+  /// Draws each figure as NAME.svg. Throws std::runtime_error with the output of python3 if that fails.
   void draw(const std::vector<Figure>& figures);
 
   void write(const std::string& name, std::string_view content);
 
-  /// Returns the content of a drawn or written file.
   std::string read(const std::string& name) const;
 
-  /// Moves the files to `out`.
   void publish() const;
 
  private:
@@ -61,7 +59,7 @@ class StagingFolder {
   bool was_made_;
 };
 
-/// Draws a figure in the folder of the file `path`, and returns its SVG. Throws like StagingFolder.
+/// Returns the SVG of a figure, which is drawn in a temporary folder beside the file `path`. Throws like StagingFolder.
 std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure);
 
 }  // namespace hrt::study

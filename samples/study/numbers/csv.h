@@ -1,4 +1,4 @@
-// Parser of CSV files of the user. Errors name file, line, column and the allowed values.
+// Parser of CSV files. Errors name file, line, column and the allowed values.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,15 @@ namespace hrt::study {
 /// Reads a text line by line. Accepts CRLF, quoted fields and a byte order mark.
 class CsvReader {
  public:
-  /// `name` is the file's name in errors. The first line is a header, which must name each of `columns` ("a,b,c") once.
+  /// `name` is the file's name in errors. `columns`: names that the header must have once each, as "a,b,c". The header
+  /// is the first line that is neither blank nor a comment.
   CsvReader(std::string name, std::string_view text, const char* columns);
 
   /// Advances to the next row; skips blank lines and comments (#). Returns false after the last row. Throws UsageError
-  /// if the header is wrong, or if the row has another number of fields than the header.
+  /// if the header does not name each column once, or if the row has another number of fields than the header.
   bool next();
 
-  /// Returns the field of the current row in a column. number() throws UsageError outside `range`.
+  /// Returns the field of the current row in a column. number() throws UsageError if it is not a number in `range`.
   std::string_view text(std::string_view column) const;
   double number(std::string_view column, const NumberRange& range) const;
 
@@ -32,7 +33,7 @@ class CsvReader {
 
  private:
   bool next_line();
-  std::string where() const;  // "FILE, line 3"
+  std::string where() const;  // for example "FILE, line 3"
   void take_header();
 
   std::string name_;
@@ -45,7 +46,7 @@ class CsvReader {
   std::vector<std::pair<std::string_view, std::size_t>> places_;  // index of each column
 };
 
-/// Returns the first 40 characters of a text, for quotes in errors.
+/// Shortens a text of more than 40 bytes, for quotes in errors.
 std::string shown(std::string_view text);
 
 }  // namespace hrt::study

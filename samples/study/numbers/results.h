@@ -14,12 +14,12 @@ class App;
 
 namespace hrt::study {
 
-/// Ordered named values. A number that is not finite becomes null in JSON and an empty field in CSV.
+/// Ordered named values. NaN becomes null in JSON and an empty field in CSV.
 using Row = nlohmann::ordered_json;
 
 struct Results {
   Row about;              ///< values common to all rows; written to JSON only
-  std::vector<Row> rows;  ///< numbers, strings and flags; each row has the same names
+  std::vector<Row> rows;  ///< numbers, strings, flags and null; each row has the same names
 };
 
 /// Adds NAME_percent, NAME_low_percent and NAME_high_percent.

@@ -103,7 +103,7 @@ void judge(CellGroup& group, const std::string& reason = {}) {
 
 const char* reproduced_words(bool reproduced) { return reproduced ? "reproduced" : "NOT reproduced"; }
 
-// Judges whether a horizon of three steps is the shortest without a significant loss.
+// Judges the paper's claim that a horizon of three steps is enough. `horizons`: groups with 1 to 5 steps.
 void judge_horizons(const std::vector<CellGroup*>& horizons) {
   const CellGroup& three = *horizons[2];
   const auto trials = static_cast<double>(three.cells.size() * three.cells.front().result.trials);
@@ -114,7 +114,7 @@ void judge_horizons(const std::vector<CellGroup*>& horizons) {
     }
     const double gain_percent = group->mean_percent() - three.mean_percent();
     const double squared = squared_difference(group->mean_percent(), trials, three.mean_percent(), trials);
-    // Longer horizons must not be significantly better, and shorter ones must be significantly worse.
+    // A longer horizon must not be better both by a percentage point and significantly; a shorter one must be worse.
     const bool no_better = gain_percent < 1.0 || squared < significant;
     const bool is_longer = group->cells.front().condition.controller.mpc.horizon > 3;
     group->reproduced = is_longer ? no_better : gain_percent < 0.0;

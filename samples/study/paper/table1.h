@@ -41,7 +41,7 @@ struct CellGroup {
   double mean_percent() const;
   /// Returns the expected SD over the cells if each has the paper's 50 trials.
   double sd_percent() const;
-  /// Returns the 95 % interval of the paper's mean, with 50 trials per cell.
+  /// Returns the 95 % interval of the paper's mean, with 50 trials per cell; nullopt: the paper has no value.
   std::optional<PercentInterval> paper_interval() const;
 };
 
@@ -79,7 +79,6 @@ struct BestAmplitude {
 };
 BestAmplitude best_amplitude(const Table1& table, std::size_t condition);
 
-/// Simulates all cells, with a progress bar.
 Table1 simulate_table1(const Table1Options& options);
 
 /// Returns the upper bound of the percentage for any controller, due to the motor noise of the last step, which the
@@ -87,7 +86,7 @@ Table1 simulate_table1(const Table1Options& options);
 double limit_percent(const Condition& condition);
 
 std::string table1_text(const Table1& table);
-/// Returns one row per cell; `about` has the groups.
+/// Returns one row per cell; `about` has the conditions and the other claims.
 Results table1_results(const Table1& table);
 
 }  // namespace hrt::study

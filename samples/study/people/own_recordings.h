@@ -1,4 +1,4 @@
-// Recorded reaches of real people, whose paths and speeds simulated people reproduce.
+// Simulated people with the paths and speeds of recorded reaches of real people.
 #pragma once
 
 #include <string>

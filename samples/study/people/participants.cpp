@@ -93,7 +93,7 @@ class SlidesReader {
   double number_ = 0.0;
   double first_plate_deg_ = 0.0;
   double plate_sum_deg_ = 0.0;
-  bool turns_ = false;  // the plate moved in this trial
+  bool turns_ = false;  // the plate moved by more than rest_tolerance_deg in this trial
 };
 
 }  // namespace

@@ -66,7 +66,7 @@ constexpr NumberParameter number_parameters[] = {
 
 #undef HRT_FIELD
 
-// Names in the order of the enumeration. Further values of the enumeration exist in families only and have no name.
+// Names of the first values of IllusionFamily, Steering and Pace, in their order. A file cannot set the other values.
 constexpr const char* illusions[] = {"linear", "saturating", "sine", "tanh", "dead_band", "unequal"};
 constexpr const char* steerings[] = {"steps", "continuous", "predictive", "place", "heavy_arm", "crossings"};
 constexpr const char* paces[] = {"minimum_jerk", "even", "skewed", "stop_and_go", "pause", "two_parts", "reversal"};

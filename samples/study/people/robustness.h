@@ -1,5 +1,5 @@
-// Tests the controllers on people who differ from the controllers' models: each family of core/simulation/people.h at
-// several durations, without a controller, with the paper's, and with the plugin's default (ours). All is simulation.
+// Tests the controllers on simulated people who differ from the controllers' models: without a controller, with the
+// paper's, and with the plugin's default controller ("ours" in this folder).
 #pragma once
 
 #include <array>
@@ -33,7 +33,6 @@ inline constexpr const char* controller_names[] = {"none", "paper", "first", "la
 inline constexpr const char* controller_titles[] = {"no controller", "the paper's", "ours, first reach",
                                                     "ours, last reach", "ours, informed"};
 
-/// The result of one reach. Angles in degrees.
 struct ReachResult {
   bool is_feasible;            ///< the gap is feasible for this person, by gap_is_feasible()
   double bearing_error_deg;    ///< true bearing error of the end
@@ -73,7 +72,7 @@ struct RobustnessCell {
   // Over all people.
   Share misfit;
   Share off_target;
-  Share weight_covered, bias_covered, habit_covered, miss_covered;  ///< percentage among estimates
+  Share weight_covered, bias_covered, habit_covered, miss_covered;  ///< among the reaches with an estimate
 
   std::uint64_t people() const { return feasible.near.of + infeasible.near.of; }
   const ReachGroup& group(bool is_feasible) const { return is_feasible ? feasible : infeasible; }
@@ -81,7 +80,6 @@ struct RobustnessCell {
 
 RobustnessCell summarise(std::span<const ReachResult> results);
 
-/// Source of the people of a row.
 struct SimulatedPeople {
   std::string name;
   std::string description;
@@ -100,7 +98,7 @@ struct RobustnessRow {
   const RobustnessCell& cell(ControllerKind controller) const { return cells[static_cast<std::size_t>(controller)]; }
 };
 
-/// Returns half the width of the interval, in percentage points; NaN without cases.
+/// Returns half the width of share.interval(), in percentage points; NaN without cases.
 double half_interval(const Share& share);
 
 struct RobustnessOptions {
@@ -116,7 +114,7 @@ struct RobustnessOptions {
 
 /// Simulates all people at all durations; the durations of one kind are adjacent rows. Person i of a kind and duration
 /// is the same with each controller. A cell takes people in order and tests the stopping rule after each 100, so the
-/// result does not depend on threads or on other rows. `progress` is called on this thread.
+/// result does not depend on threads or on other rows. `progress` is called on the caller's thread.
 std::vector<RobustnessRow> simulate_robustness(
     std::span<const SimulatedPeople> people, const RobustnessOptions& options,
     const std::function<void(std::uint64_t done, std::uint64_t total)>& progress = {});
@@ -135,8 +133,8 @@ struct RobustnessStudy {
   std::vector<RobustnessRow> rows;  ///< result of simulate_robustness()
 };
 
-/// Returns the name of the people with its mark: * not used to tune the controller, + systematic error of tracker or
-/// plate, ~ recorded paths.
+/// Returns the name of the people with its mark: + systematic error of tracker or plate, ~ recorded paths, or else *
+/// not used to tune the controller.
 std::string label(const SimulatedPeople& people);
 
 std::string robustness_text(const RobustnessStudy& study);

@@ -118,7 +118,6 @@ std::string flags_table(const Rows& all, std::uint64_t reaches) {
   return page;
 }
 
-// Returns all numbers of one kind of people.
 std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   std::string page = people.name + ": " + people.description + '\n';
   for (const bool is_feasible : {true, false}) {
@@ -145,7 +144,7 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   return page;
 }
 
-// Adds the numbers of a cell to a row. Without a controller there are no flags.
+// Adds the numbers of a cell to a row. `flags` false: the columns of flags are empty, as without a controller.
 void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
   const auto put_flag = [&](const std::string& name, const Share& share) { put(row, name, flags ? share : Share{}); };
   row["feasible"] = cell.feasible.near.of;
@@ -171,7 +170,6 @@ void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
     put_flag(name, share);
 }
 
-// Describes the conditions of all reaches.
 std::string condition_words(const RobustnessStudy& study) {
   const bool has_families = std::any_of(study.people.begin(), study.people.end(),
                                         [](const SimulatedPeople& each) { return people_family(each.name.c_str()); });

@@ -69,7 +69,6 @@ TEST(StudyOutput, CsvAndJsonHaveTheSameRows) {
   }
 }
 
-// The error is one line, and no file is left.
 TEST(StudyOutput, WithoutMatplotlibNothingIsWritten) {
   const TemporaryFolder data, folder;
   std::ofstream(data / "matplotlib.py") << "raise ImportError";
@@ -90,7 +89,7 @@ struct Watched {
   double first_text_s = 0.0;  ///< time of its first character
 };
 
-// Runs hrt-study on a terminal until it prints `until` there, at most for `limit_s`.
+// Runs hrt-study with a terminal as standard error until it prints `until` there, or until `limit_s` has passed.
 Watched watch(const std::vector<std::string>& arguments, const std::string& until, double limit_s) {
   const plate::Pty terminal(80);
   const auto started = Clock::now();

@@ -38,7 +38,7 @@ TEST(StudyOwnRecordings, DirectionAndPaceOfRotatedReaches) {
     EXPECT_NEAR(each.direction_deg[10], 0.0, 0.5);
     EXPECT_NEAR(each.direction_deg[15], -5.0, 0.5);
     EXPECT_NEAR(each.path_fraction[50], 0.5, 0.02);
-    EXPECT_NEAR(each.path_fraction[25], 0.14, 0.02);  // minimum_jerk(0.28): 6 % of the time at either end are cut off
+    EXPECT_NEAR(each.path_fraction[25], 0.14, 0.02);  // minimum_jerk(0.28): parse_reaches() cuts off 6 % at either end
   }
   const OwnPath path = own_path_of(reaches);
   EXPECT_NEAR(path.mean_deg[0], 10.0, 0.5);

@@ -66,7 +66,7 @@ TEST(StudyPersonFile, ErrorsNameParameterAndAllowedValues) {
   expect_refusal(R"({"real_direction_deg": 5})", {"real_direction_deg: '5'", "virtual_direction_deg"});
 }
 
-// Parses the names and defaults of the help as a file.
+// Parses a file with the names and defaults that the help lists.
 TEST(StudyPersonFile, HelpHasAllParameters) {
   std::string text;
   const std::string help = person_parameters();

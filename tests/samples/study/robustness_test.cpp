@@ -130,7 +130,6 @@ TEST(StudyRobustness, ACellStopsWhenItsIntervalIsNarrow) {
   }
 }
 
-// People who agree with the controller's model.
 TEST(StudyRobustness, LinearPeopleReachTheTargetAndAreEstimated) {
   const RobustnessRow row = rows_of({"linear"}, {.people = 100, .durations_s = {1.5}, .threads = 2}).front();
   EXPECT_EQ(row.cell(ControllerKind::none).feasible.near.percent(), 0.0);
@@ -242,7 +241,7 @@ TEST(StudyRobustness, CsvOptionWritesAFileInAddition) {
   EXPECT_EQ(read_file(folder / "r.csv"), run.out);
 }
 
-// A tracker frame rotated by 2 degrees displaces the end by 2 degrees, without a flag.
+// A tracker frame rotated by 2 degrees displaces the end by 2 degrees, usually without a flag.
 TEST(StudyRobustness, ARotatedTrackerFrameMissesWithoutAFlag) {
   const RobustnessOptions options{.people = 40, .durations_s = {2.0}};
   const auto rows = rows_of({"linear", "turned-2"}, options);
@@ -255,7 +254,6 @@ TEST(StudyRobustness, ARotatedTrackerFrameMissesWithoutAFlag) {
   EXPECT_NEAR(turned.miss_median_mm.value, 3.5, 0.5);  // 100 mm sin 2 deg
 }
 
-// A user-defined person gives the same results as the simulation that the command is based on.
 TEST(StudyRobustness, AUserDefinedPerson) {
   const TemporaryFolder folder;
   std::ofstream(folder / "me, myself.json") << R"({"tactile_weight": 0.25, "duration_s": 2})";

@@ -9,7 +9,6 @@
 namespace hrt::study {
 namespace {
 
-// Hits by hand: 1 of 3, then 2 of 5. Without cases, percentage and interval are NaN.
 TEST(StudyStatistics, ShareByHand) {
   Share share;
   EXPECT_TRUE(std::isnan(share.percent()));
@@ -88,7 +87,6 @@ TEST(StudyStatistics, QuantileIntervalsAreValuesOfTheSample) {
   EXPECT_TRUE(std::isnan(quantile_of({}, 0.5).value));
 }
 
-// The paper's own means of its Table I.
 TEST(StudyPaper, CellsGiveThePrintedMeans) {
   for (const PaperCondition& condition : paper_table1) {
     double sum = 0.0;

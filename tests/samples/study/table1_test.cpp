@@ -105,10 +105,10 @@ void expect_amplitudes(const json& table) {
   EXPECT_LT(table["conditions"][1]["best_amplitude_deg"], 10.0);
 }
 
-// Binomial SD of cells of 50 trials: sqrt(0.928 * 0.072 / 50) is 3.7 %.
+// Condition 1: the binomial SD of cells of 50 trials is sqrt(0.928 * 0.072 / 50), 3.7 %.
 void expect_deviations(const json& table) {
   const double sd_percent[] = {3.7, 4.8, 5.6, 6.0};
-  const double paper_percent[] = {3.3, 3.0, 3.0, 3.5};  // as the paper's text has them
+  const double paper_percent[] = {3.3, 3.0, 3.0, 3.5};  // from the paper's text
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(table["conditions"][i]["sd_percent"].get<double>(), sd_percent[i], 0.3) << i;
     EXPECT_EQ(table["conditions"][i]["paper_sd_percent"], paper_percent[i]);
@@ -149,8 +149,7 @@ TEST(StudyTable1, TextStatesWhatIsNotReproducible) {
   EXPECT_TRUE(has(run.out, {"NOT reproducible: by the paper's own equations", "the paper calls 10 deg the best"}));
 }
 
-// Fixed point -w T / (1 - w): a plate at 60 degrees bends the path by 0.15 * 60 / 0.85 = 10.6 degrees to the other
-// side.
+// A plate at T = 60 degrees bends the path by w T / (1 - w) = 0.15 * 60 / 0.85 = 10.6 degrees to the other side.
 TEST(StudyRidges, PathsBendAwayFromTheRidges) {
   const TemporaryFolder folder;
   const StudyRun run =

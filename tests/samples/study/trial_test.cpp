@@ -13,9 +13,9 @@ const std::string trial_header =
     "step,finger_direction_deg,plate_orientation_deg,felt_direction_deg,perceived_direction_deg,gain,"
     "variance_deg2,motor_command_deg,noise_deg,active_bound";
 
-// No noise and the plate fixed at 10. By hand, with K_0 = 1 / (1 + 0.5) for an initial variance of 1 and a
-// sensory variance of 0.5: h_0 = 0.25 * 10 + 0.75 * 0, theta_0 = 4 + 2/3 (2.5 - 4) = 3, u_0 = 1, P_1 = 1 plus
-// the estimation noise, which the row states.
+// By hand, in degrees: gain 1 / (1 + 0.5) for an initial variance of 1 and a sensory variance of 0.5; felt direction
+// 0.25 * 10 + 0.75 * 0 = 2.5; perceived direction 4 + 2/3 (2.5 - 4) = 3; motor command 4 - 3 = 1; next direction 1 plus
+// the noise that the row states.
 TEST(StudyTrial, FirstStepByHand) {
   const StudyRun run = expect_exit(
       0, run_study({"trial", "--real", "0", "--virtual", "4", "--tactile-weight", "0.25", "--motor-variance", "0",
