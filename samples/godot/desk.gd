@@ -23,7 +23,7 @@ func open() -> String:
 	var copy := "user://desk." + file.get_extension()
 	var written := FileAccess.open(copy, FileAccess.WRITE)
 	if written == null:
-		return "%s cannot be written: %s" % [copy, error_string(FileAccess.get_open_error())]
+		return "%s cannot be written: %s. Check the free space of the disk and the permissions." % [copy, error_string(FileAccess.get_open_error())]
 	written.store_buffer(FileAccess.get_file_as_bytes(file))
 	written.close()
 	var document := GLTFDocument.new()
@@ -55,7 +55,7 @@ func _process(_delta: float) -> void:
 		_objects.global_transform = plate.global_transform * _pose_in_plate
 
 
-## Plate orientation is the direction of the ridges' normal, counter-clockwise from the mid-line.
+## Godot's rotation about +Y is counter-clockwise seen from above, as is the plate orientation.
 func _rotate_ridges(orientation_deg: float) -> void:
 	_ridges.rotation_degrees.y = orientation_deg
 

@@ -42,7 +42,8 @@ func begin(start: Vector3) -> void:
 	_perceived_path = _new_path(BLUE)
 
 
-## Adds a step to both paths. The perceived step has the same length as the true one, in the perceived direction.
+## Adds the finger to the true path when its distance from the start has grown by 2 mm. Adds a step of the same length, in
+## the perceived direction, to the perceived path.
 func follow(finger: Vector3, perceived_deg: float) -> void:
 	var step_m := _start.distance_to(to_local(finger)) - _length_m
 	if step_m < MIN_STEP_M:

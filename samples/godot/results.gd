@@ -15,7 +15,7 @@ var _on_target := 0
 func open(path: String) -> String:
 	_file = FileAccess.open(path, FileAccess.WRITE)
 	if _file == null:
-		return "%s cannot be written: %s" % [path, error_string(FileAccess.get_open_error())]
+		return "%s cannot be written: %s. Choose another folder with --out." % [path, error_string(FileAccess.get_open_error())]
 	_file.store_csv_line(PackedStringArray(["reach", "virtual", "gap_deg"]) + COLUMNS)
 	return ""
 

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <vector>
 
 namespace {
@@ -162,7 +163,8 @@ struct Headset {
   template <class Function>
   Function function(const char* name) {
     PFN_xrVoidFunction found = nullptr;
-    check(XR_SUCCEEDED(xrGetInstanceProcAddr(instance, name, &found)), name);
+    const std::string lacks = std::string("the OpenXR runtime has no function ") + name + ": use the mock runtime";
+    check(XR_SUCCEEDED(xrGetInstanceProcAddr(instance, name, &found)), lacks.c_str());
     return reinterpret_cast<Function>(found);
   }
 };
@@ -181,7 +183,7 @@ int main(int argc, char** argv) {
   check(hrt_reach_begin(reach.session, &reach.config));
   while ((command.flags & HRT_COMMAND_ARRIVED) == 0) {
     const XrTime time = headset.next_frame();
-    check(time - began < 10'000'000'000, "the reach did not end within 10 s");
+    check(time - began < 10'000'000'000, "the reach did not end within 10 s: check that the hand is tracked");
     const hrt_sample sample = headset.sample(time);
     check(hrt_reach_update(reach.session, &sample, &command));
     CHECK_XR(headset.set_plate_orientation(headset.session, command.plate_orientation_deg));
