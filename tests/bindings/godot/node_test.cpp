@@ -77,7 +77,7 @@ TEST(GodotNode, UpdatesWithoutAllocatingMemoryAndArrives) {
   for (int64_t frame = 0; frame <= 270; ++frame) move(frame, {0, 0, 0.05 - 0.1 * static_cast<double>(frame) / 270});
   EXPECT_GT(engine.signals, 200);
   EXPECT_EQ(engine.arrivals, 0);
-  for (int64_t frame = 271; frame <= 330; ++frame)  // the finger rests; the tracker has noise
+  for (int64_t frame = 271; frame <= 330; ++frame)  // the finger rests; equal positions would be dropouts
     move(frame, {1e-5 * static_cast<double>(frame % 2), 0, -0.05});
   EXPECT_EQ(engine.arrivals, 1);
   EXPECT_NE(node.get_command_flags() & HRT_COMMAND_ARRIVED, 0);

@@ -41,7 +41,7 @@ def test_checked_in_recordings_are_read() -> None:
 
 
 def with_row(tmp_path: Path, result: str, cells: dict[str, str]) -> Path:
-    """Writes the recording with an additional row "update" before the first one. Cells that are not given are empty."""
+    """Writes reach.csv with an additional row "update" before the first one. Cells that are not given are empty."""
     lines = REACH.read_text().splitlines(keepends=True)
     header = next(line for line in lines if not line.startswith("#")).rstrip("\n").split(",")
     row = ["update", result, *(cells.get(name, "") for name in header[2:])]

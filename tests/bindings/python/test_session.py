@@ -87,7 +87,7 @@ def test_targets_by_direction_plate_and_world_position_agree() -> None:
         assert hrt.target_place(on_plate.config, config) == pytest.approx(expected)
         assert hrt.target_place(in_world.config, config) == pytest.approx(expected)
         assert hrt.target_place(by_direction.config, config) == (20, 0.08)
-        # The library returns the same gap to the same real target.
+        # The two virtual targets are at the same place, and thus have the same gap to the real one.
         gaps = [session.gap(by_direction, t).gap_deg for t in (on_plate, in_world)]
         assert gaps == pytest.approx([expected[0] - 20] * 2)
 

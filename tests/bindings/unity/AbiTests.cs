@@ -41,7 +41,7 @@ namespace Hrt.HostTests
                     Marshal.Prelink(method); // throws if the library has no such function
         }
 
-        // Ahead-of-time compilation omits callbacks from native code unless they are static and have the attribute.
+        // Ahead-of-time compilation omits callbacks from native code unless they are static and have this attribute.
         [Test]
         public void CallbacksAreCompiledAhead()
         {

@@ -21,7 +21,7 @@ namespace Hrt.HostTests
         {
             PlateOptions options = PlateOptions.Default;
             Assert.AreEqual(300000000, options.hostTimeoutNs);
-            options.hostTimeoutNs = 10000000000; // a busy machine
+            options.hostTimeoutNs = 10000000000; // so that the plate does not stop on a busy machine
             using (var plate = new HapticRetargetingPlate(Environment.GetEnvironmentVariable("HRT_PLATE_DEVICE"), options))
             {
                 PlateReport report = plate.WaitUntilReady();

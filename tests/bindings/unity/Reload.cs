@@ -44,7 +44,8 @@ static class Reload
         return wrong == "" ? 0 : 1;
     }
 
-    // After the domain is unloaded, a call of its delegate by the library would end the process.
+    // Records until a write fails, which the library logs. If it logged by a delegate of an unloaded domain, the process
+    // would end.
     static string RecordUntilFailure(string path)
     {
         var sample = new Sample { structSize = (uint)Marshal.SizeOf(typeof(Sample)) };

@@ -38,7 +38,7 @@ TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
   EXPECT_NE(FLogCategory::Lines.back().find("the plugin's library is missing"), std::string::npos);
   component.BeginDestroy();
   FPlatformProcess::Missing = false;
-  module->StartupModule();  // needed by the other tests
+  module->StartupModule();  // the other tests need the library
 }
 #else
 TEST(UnrealModule, LeavesLoadingToTheLinker) {

@@ -1,4 +1,4 @@
-// Tests the package from JavaScript: everything in index.d.ts, and invalid use by hosts.
+// Tests the package from JavaScript: the interface in index.d.ts, and invalid arguments.
 //   usage: node --expose-gc api_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLES DESK_GLTF GOLDEN_RECORDING GOLDEN_HASH
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -46,7 +46,8 @@ function slide(session, frames) {
   }
 }
 
-// This test runs before those that store values of other types in fields for numbers, after which the engine allocates more.
+// This test is the first, because later tests store values of other types in fields for numbers, after which the engine
+// allocates more.
 sessionTest("a frame allocates no objects", ({ session, real, virtual }) => {
   session.beginReach(real, virtual);
   const frames = (count, from) => {

@@ -1,5 +1,5 @@
-# Runs the sample on Monado: a simulated person follows the session's instructions, and the position of their finger is sent to
-# Monado's remote driver, whose hand the session tracks through OpenXR.
+# Runs the sample on Monado: a simulated person follows the session's instructions. The position of their finger is sent
+# to Monado's remote driver, whose hand the session tracks through OpenXR.
 extends Node
 
 const PORT := 4242
@@ -8,7 +8,8 @@ const MAGIC := "mndrmt3"
 @onready var session: Node = $Main
 @onready var remote := StreamPeerTCP.new()
 var person: SimulatedFinger
-# Offset from the sent pose to the tip of the index finger, in the hand's axes: measured in frame 10, with a hand at the origin.
+# Offset from the sent pose to the tip of the index finger, in the hand's axes: measured in frame 10, when the hand is at
+# the origin.
 var offset: Variant = null
 var frames := 0
 
