@@ -1,5 +1,5 @@
-# Installs and packages the shared library (component runtime), and its headers, CMake package and pkg-config file
-# (component development).
+# Installs and packages the shared libraries (component runtime), their headers, and the CMake package and pkg-config
+# files (component development).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

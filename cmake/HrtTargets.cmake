@@ -4,8 +4,7 @@ add_library(hrt_flags INTERFACE)
 target_compile_features(hrt_flags INTERFACE cxx_std_20)
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(hrt_flags INTERFACE
-    # A fused multiply-add rounds once instead of twice, and compilers fuse different operations: results would depend on
-    # the compiler and the processor.
+    # Compilers fuse different multiplications and additions, and a fused one rounds once: results would differ.
     -ffp-contract=off
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion
     # Allowed: designated initialisers that omit fields with defaults, and array indices of type int.
@@ -62,8 +61,7 @@ function(hrt_add_executable name)
     set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   endif()
   if(EMSCRIPTEN)
-    # Node gives access to files, and returns the exit code. -O1 leaves the JavaScript loader unoptimised; the compiled
-    # code is optimised.
+    # With these options, programs run in node, access files and return an exit code. -O1 only concerns the loader.
     target_link_options(${name} PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sWASM_ASYNC_COMPILATION=0
                         -sALLOW_MEMORY_GROWTH=1)
   endif()

@@ -17,13 +17,12 @@
 
 namespace hrt::plate {
 
-/// Driver of one plate. A thread of the driver communicates with the device. set(), stop() and report() may be called
-/// on any thread, take no lock, allocate nothing and make no system call, except that report() reads the monotonic
-/// clock.
+/// Driver of one plate, with a thread that communicates with the device. set(), stop() and report() may be called on
+/// any thread, take no lock and allocate nothing. Only report() may make a system call, to read the monotonic clock.
 class PlateDriver {
  public:
-  /// Starts to open the device. Messages name `path`. `file` is nullopt for a plate that was not opened by a plate
-  /// file. Throws std::system_error if no thread can be started.
+  /// Starts to open the device. Failures name `path`. `file`: nullopt if the plate was not opened by a plate file.
+  /// Throws std::system_error if no thread can be started.
   PlateDriver(DeviceMaker maker, LineOpener opener, std::string path, std::optional<PlateFile> file,
               const hrt_plate_options& options);
   /// Stops the plate and waits for the thread, at most half a second. In the child of a fork, only releases memory.

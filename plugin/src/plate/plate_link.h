@@ -1,4 +1,3 @@
-// Host's side of the line protocol (plugin/src/plate/protocol.md): a plate at a serial line.
 #pragma once
 
 #include <functional>
@@ -13,9 +12,9 @@
 
 namespace hrt::plate {
 
-/// Plate with the line protocol. limits() has the speed that the plate reports, or the observed speed if that is lower,
-/// and the latency that the plate reports plus half of the measured round trip. The destructor waits up to 0.1 s.
-/// Functions throw PlateFailure if the plate fails. All calls are made on one thread.
+/// Plate with the line protocol (plugin/src/plate/protocol.md). limits() has the speed that the plate reports, or the
+/// observed speed if that is lower, and the reported latency plus half of the measured round trip. The destructor waits
+/// up to 0.1 s. Functions throw PlateFailure if the plate fails. All calls are made on one thread.
 class PlateLink : public Device, public BoardSettings {
  public:
   /// Greets the plate and measures the round trip; does not move the plate. Waits up to five seconds for the answer,
@@ -56,8 +55,7 @@ class PlateLink : public Device, public BoardSettings {
   void save_settings() override;
   double sensor_reading() override;
 
-  /// Sends `body`, waits, and passes each message of the plate to `handler` until it returns true. Throws PlateFailure
-  /// after `limit`.
+  /// Sends `body`, and waits until `handler` returns true for a message. Throws PlateFailure after `limit`.
   void ask(const std::string& body, const std::function<bool(const PlateMessage&)>& handler,
            std::chrono::milliseconds limit = std::chrono::milliseconds(1000));
 

@@ -52,8 +52,7 @@ void PlateLink::begin_measurement() {
 }
 
 std::chrono::nanoseconds PlateLink::sensor_filter() const {
-  // Every millisecond, the firmware changes the filtered value by an eighth of its difference from the reading: the
-  // time constant is 1 ms / ln(8/7).
+  // Each millisecond, the filtered value approaches the reading by an eighth: the time constant is 1 ms / ln(8/7).
   return greeting_->is_measured ? 7489us : 0us;
 }
 

@@ -19,8 +19,7 @@ constexpr double moving_deg = 10.0;      // a plate that is farther from its com
 constexpr auto stuck_limit = 1000ms;
 constexpr double moved_deg = 1.0;  // least motion within stuck_limit of a plate that is faster than 4 deg/s
 constexpr auto max_pause = 250ms;  // motion between two reports further apart is not evaluated
-// A speed is measured over a part of a motion: at least min_run_deg in at least min_motion, or the travel in
-// max_motion.
+// A speed is measured over at least min_run_deg and min_motion of a motion, or over max_motion.
 constexpr double min_run_deg = 20.0;
 constexpr auto min_motion = 60ms, max_motion = 1000ms;
 

@@ -21,8 +21,7 @@ class PlateWatch {
   void note_command(double orientation_deg);
   /// From this call on, the plate need not move.
   void note_stop();
-  /// Notes a report; nullopt: the orientation is unknown. Throws PlateFailure if the plate is stuck or beyond its
-  /// limits.
+  /// nullopt: the orientation is unknown. Throws PlateFailure if the plate is stuck or beyond its limits.
   void note_report(Time time, std::optional<double> orientation_deg);
   /// Throws PlateFailure if no report has arrived for half a second. Call it regularly.
   void check(Time now) const;
@@ -55,7 +54,7 @@ class RoundTrips {
   void sent(Time time, std::uint16_t sequence);
   /// Notes an echo. Returns false if the number is not one of the last 64 sent, or if a later number was echoed before.
   bool echoed(Time time, std::uint16_t sequence);
-  /// Median; nullopt before the first echo.
+  /// Returns nullopt before the first echo.
   std::optional<std::chrono::nanoseconds> median() const { return median_; }
   std::size_t count() const { return times_.size(); }
 

@@ -8,9 +8,8 @@
 
 namespace hrt::plate {
 
-/// Value that one thread writes and any number of threads read without a lock. The writer fills several slots in turn.
-/// A reader whose slot was overwritten during the copy copies the latest slot instead, so that it gets a complete
-/// value.
+/// Value that one thread writes and any number of threads read without a lock. The writer fills several slots in turn;
+/// a reader whose slot was overwritten during the copy copies the latest slot, so that it gets a complete value.
 template <class Value>
 class Snapshot {
   static_assert(std::is_trivially_copyable_v<Value>);

@@ -1,4 +1,3 @@
-// Emulated devices behind a pseudo-terminal, in real time.
 #pragma once
 
 #include <atomic>
@@ -13,6 +12,7 @@
 
 namespace hrt::plate {
 
+/// Emulated device behind a pseudo-terminal, in real time.
 template <class Device>
 class PtyDevice {
  public:

@@ -20,8 +20,7 @@ struct ServoTraits {
   unsigned seed = 1;
 };
 
-/// Motor that turns to its goal with a trapezoidal speed profile, and a plate that the motor turns through gears with
-/// play.
+/// Motor that turns to its goal with a trapezoidal speed profile, and turns a plate through gears with play.
 class EmulatedServo {
  public:
   using Time = std::chrono::nanoseconds;

@@ -24,7 +24,7 @@ enum {
   AT_REST_MS = 1000,    /* a stop does not change a pulse that has not moved for this time */
   BLOCKED_MS = 500,     /* a servo that moves by less than MOVED_MILLIDEG in this time at the largest lead is stuck */
   MOVED_MILLIDEG = 3000,
-  MAX_SETTLE_MILLIDEG = 6000, /* largest motion away from the first pulse, which is at the measured position */
+  MAX_SETTLE_MILLIDEG = 6000, /* a servo that moves farther away from its first pulse turns against its sensor */
   SETTLED_MILLIDEG = 400,     /* largest motion between two pulses of a settled servo */
   TRIM_TICKS = 40             /* largest change of the pulse by a setting, in half microseconds */
 };
@@ -74,8 +74,8 @@ static void stop(Plate* plate, PlateStop why) {
   plate->stops_due = (uint16_t)(plate->stops_due | 1U << why);
 }
 
-/* Stops, and ends the pulses until the next HELLO. Without a sensor, the orientation is then unknown, because a hand
- * may turn the plate. */
+/* Stops, and ends the pulses until the next HELLO. A hand may then turn the plate: without a sensor, its orientation is
+ * unknown. */
 static void latch(Plate* plate, PlateStop why) {
   stop(plate, why);
   plate->state = PLATE_LATCHED;
@@ -110,9 +110,8 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   }
 }
 
-/* Processes a millisecond of the first pulses, which hold a servo with a sensor at its measured position. If the
- * settings adc_least and adc_most are exchanged, the pulses turn the servo slowly to the opposite side, until this
- * function detects the motion. */
+/* Processes a millisecond of the first pulses, which hold a servo with a sensor where it is, or home one without. If the
+ * settings adc_least and adc_most are exchanged, the servo turns away from its first pulse: the plate then stops. */
 static void settle(Plate* plate) {
   --plate->settle_ms;
   if (is_measured(plate) && !is_homing(plate)) {
@@ -149,8 +148,7 @@ static void move_pulse(Plate* plate) {
   plate->position_microdeg = bounded;
 }
 
-/* True if the servo has moved away from the pulse since it was last near the pulse: then the settings adc_least and
- * adc_most are exchanged. */
+/* True if the servo has moved away from the pulse since it was last near: adc_least and adc_most are exchanged. */
 static bool moves_against_pulse(const Plate* plate, int32_t measured) {
   const int32_t turned = measured - plate->near_millideg;
   const int32_t wanted = plate->position_microdeg / 1000 - plate->near_pulse_millideg;
@@ -262,8 +260,7 @@ static LineError parse_angle(const char* word, int32_t* out) {
   return *out < -36000 || *out > 36000 ? LINE_OUT_OF_RANGE : LINE_OK;
 }
 
-/* Returns the next word of `rest`, and moves `rest` to the word after it. Returns null at the end, or if words are not
- * separated by exactly one space. */
+/* Returns the next word of `rest`, and moves `rest` to the word after it. Null: the end, or two spaces. */
 static char* next_word(char** rest) {
   char* word = *rest;
   if (word == NULL || *word == 0 || *word == ' ') return NULL;

@@ -88,8 +88,8 @@ typedef struct Plate {
   uint16_t session;            /**< token at the end of each line of the host; 0: the host uses no token */
   bool fast;                   /**< the speed is not limited until the next HELLO */
   uint16_t sequence;           /**< last accepted sequence number */
-  uint16_t silent_ms;          /**< time since the last valid line */
-  uint16_t report_ms;          /**< time since the last AT */
+  uint16_t silent_ms;          /**< time since the last accepted line, up to a limit */
+  uint16_t report_ms;          /**< time since the last AT, up to a limit */
   uint8_t error_ms;            /**< time until the next ERROR may be sent */
   LineError error;             /**< reason of the ERROR line that is due; LINE_OK: no such line is due */
   uint16_t due;                /**< bits DUE_* of lines that must be sent */

@@ -1,4 +1,3 @@
-/* Settings of a plate, which are stored in EEPROM. C11. */
 #pragma once
 
 #include <stdbool.h>
@@ -11,7 +10,7 @@ extern "C" {
 /** Widths of the shortest and of the longest pulse that the board sends. */
 enum { PULSE_MIN_US = 500, PULSE_MAX_US = 2500 };
 
-/** Settings of a plate. settings.c has their names in CONF lines, their ranges and their defaults. */
+/** Settings of a plate, stored in EEPROM. settings.c has their names in CONF lines, their ranges and their defaults. */
 typedef enum Setting {
   SETTING_ZERO_US,     /**< width of the pulse at orientation 0 */
   SETTING_SPAN_US,     /**< change of the pulse width over 180 degrees; negative: longer pulses turn clockwise */
@@ -64,8 +63,7 @@ int32_t settings_upper_limit(const Settings* settings);
 int32_t settings_speed(const Settings* settings);
 
 bool settings_has_feedback(const Settings* settings);
-/** Orientation in thousandths of a degree, -360000 to 360000, at the sensor's reading reading_16ths / 16. Requires
- * settings_has_feedback(). */
+/** Orientation in thousandths of a degree, within +-360000, at the reading reading_16ths / 16. Requires a sensor. */
 int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16ths);
 
 #ifdef __cplusplus

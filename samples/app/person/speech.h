@@ -1,4 +1,3 @@
-// Texts spoken aloud by a program, such as espeak-ng.
 #pragma once
 
 #include <condition_variable>
@@ -11,9 +10,9 @@
 
 namespace hrt::app {
 
-/// Speaks texts in order, in its own thread: each text is a line on the standard input of a new process, without a
-/// shell. No call waits, except finish() and the destructor, which ends the running process. A process that takes
-/// more than 30 s is ended.
+/// Speaks texts in order by a program such as espeak-ng, in its own thread: each text is a line on the standard input
+/// of a new process, which is ended after 30 s. Only finish() waits, and the destructor, which ends the running
+/// process.
 class Speech {
  public:
   /// `command`: program and arguments, separated by spaces. Throws Failure (ExitCode::usage) if the program is missing.

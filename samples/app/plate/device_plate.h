@@ -1,4 +1,3 @@
-// A plate that libhrt_plate drives (haptic_retargeting/plate.h).
 #pragma once
 
 #include <haptic_retargeting/plate.h>
@@ -9,6 +8,7 @@
 
 namespace hrt::app {
 
+/// A plate that libhrt_plate drives (haptic_retargeting/plate.h).
 class DevicePlate : public Plate {
  public:
   /// Opens the plate, homes it if necessary, and waits until it is ready, which takes seconds. `device`: as in

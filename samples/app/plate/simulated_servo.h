@@ -1,5 +1,3 @@
-// A servo simulated by this program: no end stops, constant speed towards the nearest orientation that is
-// equivalent to the last command (modulo 180 degrees).
 #pragma once
 
 #include <algorithm>
@@ -9,9 +7,10 @@
 
 namespace hrt::app {
 
+/// Simulated servo without stops. Turns at constant speed to the nearest equivalent (modulo 180 degrees) of a command.
 class SimulatedServo : public Plate {
  public:
-  /// Starts at 0 degrees. Turns at `speed_deg_per_s` > 0 and reports its orientation within +-90 degrees.
+  /// Starts at 0 degrees. Requires speed_deg_per_s > 0. Reports its orientation within +-90 degrees.
   explicit SimulatedServo(double speed_deg_per_s)
       : report_{.struct_size = sizeof report_, .max_speed_deg_s = speed_deg_per_s} {}
 

@@ -1,4 +1,3 @@
-// Records the tracked fingers while the program waits for the user, and explains to the user why a wait failed.
 #pragma once
 
 #include <array>
@@ -8,6 +7,7 @@
 
 namespace hrt::app {
 
+/// Records the tracked fingers while the program waits for the user, and explains to the user why a wait failed.
 class FingerRecord {
  public:
   explicit FingerRecord(const Point& start_m) : start_m_(start_m) {}

@@ -30,8 +30,7 @@ class RuntimePlate : public Plate {
   Simulation& simulation_;
 };
 
-// A plate outside the runtime: copies its orientation to the simulation in every frame, so that the simulated user
-// feels it.
+// A plate outside the runtime. Copies its orientation to the simulation in every frame, for the simulated user.
 class FollowedPlate : public Plate {
  public:
   FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)
@@ -53,8 +52,7 @@ class FollowedPlate : public Plate {
   Simulation& simulation_;
 };
 
-// A device turns in real time. A runtime with a faster clock, such as the manual clock of the mock runtime, would not
-// wait for the device.
+// A runtime with a faster clock, such as the manual clock of the mock runtime, would not wait for a device.
 void require_real_time(XrHeadlessSession& session, const std::string& runtime_name) {
   constexpr int frames = 10;
   const XrTime first = session.next_frame();

@@ -104,8 +104,7 @@ class FingerInUse {
   bool changed_ = false;
 };
 
-// Index of the first moment above the plate if the finger slid and was then lifted for lift_ns; else the number of
-// moments.
+// If the finger slid and was then lifted for lift_ns: index of the first moment above the plate. Else: moments.size().
 std::size_t lifted_at(const RunContext& context, const std::vector<Moment>& moments) {
   std::size_t first = moments.size();
   while (first > 0 && moments[first - 1].lifted) --first;

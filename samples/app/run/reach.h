@@ -1,5 +1,3 @@
-// One reach: the fingertip moves from the start to the real target; in every frame the plugin computes an
-// orientation, and the plate turns to it.
 #pragma once
 
 #include "samples/app/run/run_context.h"
@@ -22,9 +20,9 @@ struct ReachResult {
   double saturated_share;  ///< fraction of controller steps at the bound or rate limit of the plate
 };
 
-/// Makes one reach. A failure during the reach stops the plate. Throws XrLost if the session was lost and the reach
-/// must be repeated; Failure (ExitCode::no_hand), with the reason, if the reach did not begin or end in time; for other
-/// errors, Failure or XrFailure.
+/// Makes one reach: in each frame the plugin computes an orientation, and the plate turns to it. A failure during the
+/// reach stops the plate. Throws XrLost if the session was lost and the reach must be repeated; Failure
+/// (ExitCode::no_hand), with the reason, if the reach did not begin or end in time; else Failure or XrFailure.
 ReachResult run_reach(RunContext& context, const TargetPair& pair);
 
 }  // namespace hrt::app

@@ -1,5 +1,5 @@
-// Registration of the plate: a person touches its marks, the plugin fits its pose to the touches, and a file stores
-// the pose.
+// Registration: a person touches marks of the plate, the plugin fits its pose to the touches, and a file stores the
+// pose.
 #pragma once
 
 #include <array>

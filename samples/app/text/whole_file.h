@@ -1,4 +1,3 @@
-// Files that are replaced atomically.
 #pragma once
 
 #include <filesystem>

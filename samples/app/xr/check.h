@@ -1,6 +1,5 @@
 // CHECK_XR and CALL_XR wrap OpenXR calls. If a call fails, CHECK_XR throws an error that names the call. If a call
-// blocks, a watchdog ends the process, as a blocked thread cannot be interrupted. A plate on a serial line then stops
-// by its own timeout, and a recording keeps the rows that were written.
+// blocks, a watchdog ends the process; a plate on a serial line then stops by its own timeout.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -52,8 +51,7 @@ class XrLost : public XrFailure {
   using XrFailure::XrFailure;
 };
 
-/// Returns a successful `result`. Throws XrLost if session or instance is lost or about to be, XrFailure for
-/// every other error.
+/// Returns a successful `result`. Throws XrLost if session or instance is lost or about to be, else XrFailure.
 XrResult check_xr(XrResult result, const char* expression, const char* file, int line);
 
 #define CHECK_XR(command) ::hrt::app::check_xr(CALL_XR(command), #command, __FILE__, __LINE__)

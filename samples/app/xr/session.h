@@ -19,8 +19,7 @@ inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000
 
 const char* name_of(XrReferenceSpaceType space);
 
-/// The tip joint of an index finger, or the contact of a fingertip with a touch frame. If not `tracked`, position and
-/// rotation are undefined.
+/// The tip joint of an index finger, or a contact with a touch frame. Position and rotation are valid if `tracked`.
 struct Fingertip {
   bool tracked = false;
   std::array<double, 3> position_m{};  ///< in plate coordinates
@@ -52,8 +51,7 @@ class SpaceMotion {
 /// One session from IDLE to its end. For use by one thread.
 class XrHeadlessSession {
  public:
-  /// `motion` keeps the motion of the spaces across sessions. `limit` bounds every wait for an event. Throws
-  /// XrFailure.
+  /// `motion` keeps the motion of the spaces across sessions. `limit` bounds each wait. Throws XrFailure.
   XrHeadlessSession(XrRuntime& runtime, SpaceMotion& motion, std::chrono::milliseconds limit);
   ~XrHeadlessSession();
   XrHeadlessSession(const XrHeadlessSession&) = delete;
@@ -68,8 +66,7 @@ class XrHeadlessSession {
 
   /// STAGE, whose origin persists from run to run, or LOCAL if the runtime has no STAGE.
   XrReferenceSpaceType steady_space() const { return steady_space_; }
-  /// Space whose origin is on the floor: STAGE, or else LOCAL_FLOOR; LOCAL, at the user's eyes, if the runtime has
-  /// neither.
+  /// STAGE or LOCAL_FLOOR, whose origins are on the floor, or else LOCAL, whose origin is at the user's eyes.
   XrReferenceSpaceType floor_space() const { return floor_space_; }
 
   /// Locates fingertips in plate coordinates from now on. `pose`: pose of the plate's mount in the initial coordinates
@@ -84,8 +81,8 @@ class XrHeadlessSession {
   /// Number of times that the runtime has moved the space of the plate.
   int recentrings() const { return recentrings_; }
 
-  /// The fingertip at a time that next_frame() returned. Not tracked if its pose is impossible, or, for up to a second,
-  /// if the runtime refuses the time.
+  /// Locates a fingertip at a time that next_frame() returned. An impossible pose is not tracked, nor is the finger
+  /// while the runtime refuses the time, for up to a second. Throws XrFailure.
   Fingertip locate(Hand hand, XrTime time);
 
   /// Asks the runtime to end the session, and waits until the session has ended.

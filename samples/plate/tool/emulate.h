@@ -1,4 +1,3 @@
-// hrt-plate emulate: a simulated plate behind a pseudo-terminal.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +14,8 @@ struct Emulation {
   std::filesystem::path link;   ///< symbolic link to the pseudo-terminal; empty: no link
 };
 
-/// Simulates a plate in real time until SIGINT, SIGTERM or SIGHUP. Lines that `read` returns operate its emergency stop
-/// and jam its servo. Throws std::invalid_argument if the link cannot be created.
+/// Simulates a plate behind a pseudo-terminal, in real time, until SIGINT, SIGTERM or SIGHUP. Lines that `read` returns
+/// operate its emergency stop and jam its servo. Throws std::invalid_argument if the link cannot be created.
 void emulate(const Emulation& emulation, const std::function<Input()>& read, std::ostream& out);
 
 }  // namespace hrt::plate

@@ -37,8 +37,7 @@ std::pair<double, double> sweep_range_deg(const DeviceLimits& limits) {
   return {std::max(-180.0, limits.min_deg), std::min(180.0, limits.max_deg)};
 }
 
-// Backlash at the inner points of the sweep, which were approached from both sides. The uppermost point was visited
-// once.
+// Returns the mean backlash at the inner points of the sweep, which were approached from both sides.
 Measured backlash_of(const std::vector<SweepPoint>& sweep) {
   const std::size_t count = sweep.size() / 2;
   std::vector<double> differences_deg;

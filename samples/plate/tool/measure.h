@@ -1,4 +1,3 @@
-// Measurement of a plate through the reports of its sensor, and its output as text and as a plate file.
 #pragma once
 
 #include <filesystem>
@@ -20,8 +19,7 @@ struct SweepPoint {
   bool upwards;
 };
 
-/// Turns the plate step by step through its range and back. Throws PlateFailure if it does not return to the first
-/// orientation.
+/// Turns the plate step by step through its range and back. Throws PlateFailure if it does not return to its start.
 std::vector<SweepPoint> sweep(Device& device);
 
 struct Measurements {

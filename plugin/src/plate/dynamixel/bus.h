@@ -1,5 +1,4 @@
-// Communication with one servo on a Dynamixel bus, and constants of the supported servos (ROBOTIS e-manuals of
-// XL330-M077 and XL330-M288).
+// Communication with one servo on a Dynamixel bus, and constants of the XL330-M077 and XL330-M288 (ROBOTIS e-manuals).
 #pragma once
 
 #include <array>
@@ -71,8 +70,7 @@ class Bus {
 
   /// Sends a request once. Returns nullopt if no answer arrives. The caller handles an error in the answer.
   std::optional<Packet> try_once(const Packet& request);
-  /// Sends a request up to ten times, until an undamaged answer arrives. Throws PlateFailure if none arrives or the
-  /// answer has an error.
+  /// Sends a request up to ten times. Throws PlateFailure if no undamaged answer arrives, or if it has an error.
   Packet transact(const Packet& request);
   std::int64_t read(Entry entry);
   void write(Entry entry, std::int64_t value) { transact(write_request(entry, value)); }

@@ -197,8 +197,7 @@ class Servo : public Device {
     bus_.write(goal_current, effort_);
   }
 
-  // When the torque is switched on, the servo replaces the goal by its present position. The goal is therefore read
-  // back.
+  // Reads the goal back, because the servo replaces it by its present position when the torque is switched on.
   void start_holding() {
     has_torque_command_ = true;
     bus_.write(motion, motion_of(resting_units, step_of(*orientation_deg_)));
@@ -327,8 +326,7 @@ class Servo : public Device {
     bus_.send(bus_.write_request(motion, motion_of(profile_units, goal)));
   }
 
-  // Sets the present position as the goal. It is extrapolated from the last report, so that the plate does not turn
-  // back.
+  // Sets the present position, extrapolated from the last report, as the goal, so that the plate does not turn back.
   void send_stop() {
     next_ = Next::poll;
     if (!orientation_deg_) return;
