@@ -141,8 +141,7 @@ TEST_F(DynamixelTest, OpeningWritesTheControlTable) {
   EXPECT_NEAR(device->limits().speed_deg_s, 200.0, 0.7);
   EXPECT_EQ(device->limits().max_deg, 360.0);
   EXPECT_TRUE(device->is_measured());
-  // Reads of the position: a request of 14 bytes and an answer of 15, at 174 us per byte, and the servo's delay of 500
-  // us.
+  // Reads of the position: a request of 14 bytes and an answer of 15, 174 us per byte, and the servo's delay of 500 us.
   EXPECT_NEAR(std::chrono::duration<double>(*device->round_trip()).count(), 5.4e-3, 0.4e-3);
   turn(*device, 9.0, 100ms);
   EXPECT_EQ(servo.get(112, 4), 146);  // 200 degrees/s, in units of 0.229 * 6
@@ -295,8 +294,7 @@ TEST_F(DynamixelTest, AStopEndsTheMotion) {
   }
 }
 
-// When the host hangs, the servo's watchdog stops it within 300 ms and clears its profile. The next command sets the
-// profile again.
+// When the host hangs, the servo's watchdog stops it after 300 ms and clears its profile, which the next command sets.
 TEST_F(DynamixelTest, TheWatchdogStopsItAndTheNextCommandContinues) {
   const auto device = open("?speed=100");
   turn(*device, 150.0, 100ms);

@@ -1,4 +1,3 @@
-// Fixture that catches the failure of a device.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -110,8 +110,7 @@ TEST_F(PlateLinkTest, FailsWhenThePlateSendsAnotherGreeting) {
   EXPECT_EQ(fault, Fault::restarted);
 }
 
-// Four servos: as the plate file describes, with a latency of 30 ms; slower; with an error at rest; with a higher
-// latency.
+// Four servos: as in the plate file, with a latency of 30 ms; slower; with an error at rest; with a higher latency.
 TEST_F(PlateLinkTest, DetectsADeviationFromTheFile) {
   const struct {
     ServoTraits servo;

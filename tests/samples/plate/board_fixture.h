@@ -1,4 +1,3 @@
-// Fixture for a board of the plate: the firmware compiled for this machine, or its ELF in simavr.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 
 namespace hrt::plate {
 
+/// Fixture with a board: HobbyPlate (the firmware compiled for this machine) or EmulatedBoard (its ELF in simavr).
 template <class Board>
 class BoardFixture : public testing::Test {
  protected:

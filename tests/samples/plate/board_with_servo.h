@@ -1,4 +1,3 @@
-// Board of a plate in simavr, with an emulated hobby servo at its pins.
 #pragma once
 
 #include <cmath>
@@ -17,6 +16,7 @@ inline std::vector<std::uint8_t> eeprom_with(const Settings& settings) {
   return memory;
 }
 
+/// Board of a plate in simavr, with an emulated hobby servo at its pins.
 struct BoardWithServo : EmulatedBoard {
   explicit BoardWithServo(const ServoTraits& traits = {}, double orientation_deg = 0.0,
                           const std::vector<std::uint8_t>& eeprom = eeprom_with(commissioned()))

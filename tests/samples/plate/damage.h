@@ -1,4 +1,3 @@
-// Damages lines of the protocol as a disturbed serial line does.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// Board of a plate in simavr, in simulated time: runs the ELF file of the firmware, with its serial line and its pins.
 #pragma once
 
 #include <chrono>
@@ -25,6 +24,7 @@ struct Pulse {
   double width_us() const { return static_cast<double>(width.count()) / 1000.0; }
 };
 
+/// Board of a plate in simavr, in simulated time: runs the ELF file of the firmware, with its serial line and its pins.
 class EmulatedBoard {
  public:
   /// Powers the board on with this content of the EEPROM (empty: erased) and the contact of the emergency stop closed.
@@ -37,8 +37,7 @@ class EmulatedBoard {
   void run_for(std::chrono::nanoseconds time);
   void run_until(std::chrono::nanoseconds time);
 
-  /// Sends bytes to the board at the speed of the serial line, from now on. Ignores the time, which EmulatedLine
-  /// passes.
+  /// Sends bytes to the board at the speed of the serial line. Ignores the time, which EmulatedLine passes.
   void receive(std::string_view bytes, std::chrono::nanoseconds) { send(bytes); }
   void send(std::string_view bytes) { to_board_.append(bytes); }
   /// EmulatedLine adds no delays, because simavr simulates the speed of the serial line.

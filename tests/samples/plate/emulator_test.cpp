@@ -128,8 +128,7 @@ TEST_F(Firmware, ALostSupplyEndsThePulses) {
   EXPECT_TRUE(has_sent("STOPPED supply"));
 }
 
-// 5 thousand damaged lines with good ones in between: the pulse is constant, each good line is executed, and the main
-// loop takes at most 2 ms.
+// 5000 damaged lines with good ones in between: the pulse is constant, and each good line is executed.
 TEST_F(Firmware, DamagedLinesMoveNothing) {
   set(0.0, 600ms);
   std::mt19937 random(7);
