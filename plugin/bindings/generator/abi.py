@@ -17,7 +17,7 @@ HIDDEN = ("struct_size", "reserved")
 
 
 class HostError(Exception):
-    """Raised if a host cannot represent a part of the interface."""
+    """A host cannot represent a part of the interface."""
 
 
 @dataclass(frozen=True)
@@ -152,7 +152,6 @@ class Function:
 
     @property
     def declared(self) -> str:
-        """Parameter list in C."""
         return ", ".join(f"{p.type} {p.name}" for p in self.params) or "void"
 
     @property

@@ -10,7 +10,6 @@ CORE = ("base.h", "reach.h", "session.h", "target.h")
 
 
 def render_inits(abi: Abi, notice: str) -> dict[str, str]:
-    """Returns the headers by file name."""
     inits = {"init.h": CORE} | {f"{h.removesuffix('.h')}_init.h": (h,) for h in abi.headers if h not in CORE}
     return {name: _render_init(abi, notice, name, headers) for name, headers in inits.items()}
 

@@ -91,7 +91,6 @@ class Renderer(Names):
         return text + "}\n"
 
     def default(self, struct: Struct, field: Value) -> str:
-        """Returns the default of a field; empty if it is zero."""
         if not field.literals or isinstance(field.default, str):
             return self.constants[field.default] if field.literals else ""
         return f"new {self.field_type(struct, field)}({', '.join(field.literals)})" if field.count else field.literals[0]
@@ -113,7 +112,6 @@ class Renderer(Names):
                 + f"\n    public override string ToString() => Utf8.Read({elements});\n" * text + "}\n")
 
     def shared(self, name: str) -> str:
-        """Renders an array type of _SHARED, with a constructor."""
         type_, names, text = _SHARED[name]
         elements = names.split()
         is_text = type_ == "ulong"
@@ -153,7 +151,6 @@ class Renderer(Names):
         return "IntPtr" if type_.pointer else _TYPES.get(type_.name) or self.types[type_.name]
 
     def doc(self, text: str, indent: str) -> str:
-        """Renders a comment of a header as a C# comment."""
         if not text:
             return ""
         text = self.renamed(text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;"))

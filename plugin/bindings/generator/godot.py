@@ -82,7 +82,6 @@ def _script_names(abi: Abi, plate: Abi) -> list[str]:
 
 
 def _property(abi: Abi, of: str, field: Value, prefix: str, group: str) -> str:
-    """Renders a property with its hint for the inspector."""
     hint, text = "kNone", ""
     if field.values:
         enumeration = abi.enumeration(field.values)

@@ -182,7 +182,6 @@ def _stored(field: Value, names: _Host) -> str:
 
 
 def _given_hint(field: Value, names: _Host, numbers: str = "Numbers") -> str:
-    """Returns the type of an accepted argument."""
     if field.count:
         return "str | bytes" if field.type.name == "char" else numbers
     if field.boolean:

@@ -38,7 +38,7 @@ def render(abi: Abi, notice: str) -> str:
 
 
 def _type(names: Renderer, field: Value) -> tuple[str, str]:
-    """Returns the C# type of a field and its default, which is empty if it is 0."""
+    """Returns the C# type of a field and its default, which is "" for 0."""
     if field.values:
         return names.enumerations[field.values], names.constants.get(str(field.default), "")
     kind = "double" if field.unit == "ns" else "Double3" if field.count else _TYPES.get(field.type.name)

@@ -17,7 +17,6 @@
 namespace hrt_godot {
 namespace {
 
-/** Functions of the engine, which load_interface() finds. */
 struct Interface {
 #define DECLARE(result, name, ...) result (*name)(__VA_ARGS__);
   GDE_FUNCTIONS(DECLARE)
@@ -66,7 +65,6 @@ using EngineName = EngineText<gde_string_name, &Interface::string_name_new_with_
 
 void assign(gde_variant* variant, const Value& value);
 
-/** A variant of the engine, destroyed at the end of its scope. */
 class Variant {
  public:
   Variant() { engine.variant_new_nil(&variant_); }
@@ -159,7 +157,6 @@ Value from_variant(const gde_variant* variant) {
   return value;
 }
 
-/** Calls a method of an engine object. */
 Value call_on(Variant& self, const char* method, std::initializer_list<const gde_variant*> arguments) {
   const EngineName name(method);
   Variant result;

@@ -76,8 +76,7 @@ class PlateNode {
   PlateNode(const PlateNode&) = delete;
   PlateNode& operator=(const PlateNode&) = delete;
 
-  /** Calls the method. If number or types of the arguments do not fit, or the method throws, shows an error and returns
-   *  method.failure. */
+  /** Calls the method. If the arguments do not fit or the method throws, shows an error and returns method.failure. */
   Value call(const Method& method, std::span<const Value> arguments) noexcept;
   Value get(const Property& property) { return property.get(properties_); }
   void set(const Property& property, const Value& value) noexcept;

@@ -1,4 +1,3 @@
-// Set-ups of the node.
 #include <cstring>
 
 #include "plate_node.h"
@@ -30,7 +29,6 @@ Error PlateNode::guide(const hrt_sample& sample) {
   return setting_up_ && step.instruction == HRT_STEP_FINISH ? continue_fit() : Error::kOk;
 }
 
-/** Continues the fit of a part. Called once a frame until the fit is complete. */
 Error PlateNode::continue_fit() {
   hrt_setup_result found = hrt_setup_result_init();
   if (!ok(hrt_setup_finish(session_, &found))) return error();

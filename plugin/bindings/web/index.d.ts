@@ -140,7 +140,6 @@ export interface Session {
 
   /** Records all calls in memory, until stopRecording() returns them as CSV. */
   startRecording(): void;
-  /** Status of the recording, with its number of rows. */
   readonly recordingStatus: Output<hrt_recording_status>;
   stopRecording(): string;
 }

@@ -84,7 +84,6 @@ class Native {
   call(name, ...values) { this.memory.call(name, this.handle, ...values); }
   get(type, name, ...values) { return this.memory.get(type, name, this.handle, ...values); }
   put(type, fields, name, ...values) { this.memory.put(type, fields, name, this.handle, ...values); }
-  /** Returns the address of a struct. */
   at(type) {
     const at = this.#structs.get(type);
     if (at === undefined) throw new HapticRetargetingError(abi.HRT_ERROR_INVALID_HANDLE, `the ${this.#destroy.split("_")[1]} has been destroyed; create another one`);

@@ -22,7 +22,6 @@ export function readText(buffer, at) {
   return decoder.decode(bytes.subarray(0, bytes.indexOf(0)));
 }
 
-/** The module's memory, and calls into it. */
 export class Memory {
   view;
   #exports;

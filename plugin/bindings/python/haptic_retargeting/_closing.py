@@ -13,8 +13,6 @@ _T = TypeVar("_T", bound="Closing")
 
 
 class Closing:
-    """An object that owns a handle of the library."""
-
     def _own(self, handle: Struct, destroy: Any) -> None:
         """Calls `destroy` with the handle when this object is closed, leaves its context, or is collected."""
         self._destroy = weakref.finalize(self, destroy, handle)

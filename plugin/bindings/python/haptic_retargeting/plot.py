@@ -100,7 +100,6 @@ def _legend_below(axes: Any, lines: Any, labels: Any, columns: int) -> None:
 
 
 def _shade(axes: Any, time: Any, where: Any, colour: str, name: str) -> None:
-    """Shades the intervals in which `where` is true."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], where, [False])).astype(int)))
     for begin, end in edges.reshape(-1, 2):
         axes.axvspan(time[begin], time[min(end, len(time) - 1)], color=colour, linewidth=0,

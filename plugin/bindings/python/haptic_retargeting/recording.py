@@ -20,8 +20,6 @@ from .record import ReachRecord
 
 @dataclass(frozen=True)
 class Recording:
-    """The content of a recording."""
-
     reaches: list[ReachRecord]
     complete: bool
     """True if the file has its last line and no calls were lost. replay() also checks that nothing was altered."""
@@ -53,8 +51,6 @@ _S = TypeVar("_S", bound=Struct)
 
 @dataclass
 class _Rows:
-    """The rows of one reach."""
-
     config: SessionConfig
     begin: _Row
     updates: list[_Row] = field(default_factory=list)

@@ -51,7 +51,6 @@ class Target(TargetKeywords):
 
     @property
     def role(self) -> Role:
-        """The role of the target: real or virtual."""
         return self.config.role
 
     def _configure(self, fields: dict[str, Any]) -> None:

@@ -128,8 +128,8 @@ namespace Hrt
             HapticRetargetingSession session = EnabledSession();
             TargetId real = IdOf(realTarget, realIds, nameof(realTarget));
             TargetId seen = IdOf(virtualTarget, virtualIds, nameof(virtualTarget));
-            session.SetTarget(real, OnPlate(realTarget, TargetRole.Real));
-            session.SetTarget(seen, OnPlate(virtualTarget, TargetRole.Virtual));
+            session.SetTarget(real, ConfigOf(realTarget, TargetRole.Real));
+            session.SetTarget(seen, ConfigOf(virtualTarget, TargetRole.Virtual));
             session.RetargetReach(real, seen);
         }
 
@@ -347,8 +347,7 @@ namespace Hrt
             settings = now;
         }
 
-        // Returns the configuration of a target at its present position relative to the plate.
-        TargetConfig OnPlate(Transform target, TargetRole role)
+        TargetConfig ConfigOf(Transform target, TargetRole role)
         {
             TargetConfig config = TargetConfig.Default;
             config.role = role;
@@ -371,7 +370,7 @@ namespace Hrt
             foreach (Transform target in targets)
             {
                 if (target == null) continue;
-                TargetConfig config = OnPlate(target, role);
+                TargetConfig config = ConfigOf(target, role);
                 try
                 {
                     if (ids.TryGetValue(target, out TargetId id)) session.SetTarget(id, config);

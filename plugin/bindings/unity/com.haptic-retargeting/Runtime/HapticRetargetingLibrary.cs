@@ -16,7 +16,6 @@ namespace Hrt
 
         static volatile bool loaded;
 
-        /// <summary>The library's version.</summary>
         public static Version Version
         {
             get

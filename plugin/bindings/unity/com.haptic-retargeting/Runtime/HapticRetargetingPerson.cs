@@ -1,9 +1,8 @@
 namespace Hrt
 {
     /// <summary>
-    /// A simulated person, who feels the ridges of the plate and is deflected by them: a finger for first programs and
-    /// tests. It is a model, not a measurement of people. The same seed and configuration give the same person on every
-    /// platform.
+    /// A simulated person, who feels the ridges of the plate and is deflected by them: a model, not a measurement of
+    /// people. The same seed and configuration give the same person on every platform.
     /// </summary>
     public sealed partial class HapticRetargetingPerson : NativeObject
     {

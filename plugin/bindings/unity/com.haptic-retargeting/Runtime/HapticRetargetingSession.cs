@@ -8,12 +8,10 @@ namespace Hrt
     /// samples of the finger, and end it. Dispose of the session, which ends its reach and its recording.
     ///
     /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>, <see cref="TryUpdate"/> and
-    /// <see cref="EndReach"/> allocate no managed memory, unless they throw. In these methods, the library takes no lock,
-    /// allocates nothing and makes no system call.
+    /// <see cref="EndReach"/> allocate no managed memory, unless they throw.
     /// </summary>
     public sealed partial class HapticRetargetingSession : NativeObject
     {
-        /// <summary>Creates a session with the library's defaults.</summary>
         public HapticRetargetingSession() : this(SessionConfig.Default)
         {
         }

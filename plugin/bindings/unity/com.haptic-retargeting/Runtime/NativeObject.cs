@@ -4,10 +4,8 @@ namespace Hrt
 {
     /// <summary>
     /// An object of the library, which exists until it is disposed of or collected, or until the scripts are unloaded. If
-    /// the library refuses a call, the object is unchanged, and the method throws a
-    /// <see cref="HapticRetargetingException"/> with the library's text, unless the name of the method begins with Try.
-    /// Two threads must not call the same object at the same time: the second call fails with
-    /// <see cref="Result.Busy"/>.
+    /// the library refuses a call, the method throws a <see cref="HapticRetargetingException"/>, unless its name begins
+    /// with Try. If two threads call the same object, the second call fails with <see cref="Result.Busy"/>.
     /// </summary>
     public abstract class NativeObject : IDisposable
     {

@@ -95,7 +95,6 @@ bool UHapticRetargetingComponent::IsAtPlate() const
 	return bPlacedByPlugin && GetComponentTransform().Equals(PlatePlace, 0.0);
 }
 
-/** Moves the component to the session's pose of the plate. */
 void UHapticRetargetingComponent::MoveToPlate()
 {
 	SetWorldTransform(FTransform(FromQuaternion(Configured.plate.rotation), FromMetres(Configured.plate.position_m)));

@@ -1,4 +1,3 @@
-// Set-ups of the component.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"
@@ -44,7 +43,6 @@ bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 	return !bSettingUp || Now.instruction != HRT_STEP_FINISH || ContinueFit();
 }
 
-/** Continues the fit of a part. Called once a frame until the fit is complete. */
 bool UHapticRetargetingComponent::ContinueFit()
 {
 	hrt_setup_result Result = hrt_setup_result_init();

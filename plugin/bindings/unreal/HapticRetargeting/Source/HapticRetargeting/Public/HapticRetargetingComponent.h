@@ -33,7 +33,7 @@ class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
 	GENERATED_BODY()
 
 public:
-	/** Settings of the session, checked at their next use. Changes during a reach or a set-up apply after its end. */
+	/** Checked at their next use. Changes during a reach or a set-up apply after its end. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
 	FHapticSettings Settings;
 
@@ -177,7 +177,6 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	void ClosePlate();
 
-	/** Returns the profile of the user as JSON. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool SaveProfile(FString& OutJson);
 
