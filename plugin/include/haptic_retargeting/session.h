@@ -246,8 +246,8 @@ typedef struct hrt_session_registration {
 /** Part of hrt_session_config: the controller of the paper, and the noise of the user in its model. Without effect on
  *  commands under GUIDANCE_ARRIVAL, unless samples have directions only. */
 typedef struct hrt_session_paper {
-  /** Number of steps that the controller plans ahead. With a horizon of 1, most reaches miss; a horizon above 3 changes
-   *  little and takes more computing time. @range 1 to 20 @default 3 */
+  /** Steps that the controller plans ahead. With a horizon of 1, most reaches miss; a horizon above 3 changes little
+   *  and takes more computing time. @range 1 to 20 @default 3 */
   uint32_t horizon;
   /** Duration of one step of the model and of the controller. Shorter steps correct more often. If you change it, scale
    *  the variances below, which are per step. @range 1 ms to 10 s @default 100 ms */

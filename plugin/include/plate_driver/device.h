@@ -44,8 +44,8 @@ class BoardSettings {
 };
 
 /// Device that turns a plate. To add a kind of device, write a derived class in a file of its own, and add two lines to
-/// devices.cpp. Once the device has failed, each function stops the plate, if still connected, and throws PlateFailure.
-/// The destructor stops the plate. All calls are made on one thread.
+/// plugin/src/plate/devices.cpp. A function that detects a failure of the device throws PlateFailure. The destructor
+/// stops the plate. All calls are made on one thread.
 class Device {
  public:
   Device() = default;
@@ -53,35 +53,33 @@ class Device {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /// Returns protocol, firmware and serial number in one line.
+  /// Returns type or protocol, firmware and number of the device in one line.
   virtual std::string description() const = 0;
   virtual DeviceLimits limits() const = 0;
   /// True if a sensor measures the orientation; false if it is assumed from the commands.
   virtual bool is_measured() const = 0;
   /// Median time from a message to its answer; nullopt before the first answer.
   virtual std::optional<std::chrono::nanoseconds> round_trip() const = 0;
-  /// Last reported orientation; nullopt if unknown. reported(): time of the report.
+  /// Last reported orientation; nullopt if unknown.
   virtual std::optional<double> orientation_deg() const = 0;
+  /// Time of the last report of the orientation.
   virtual Line::Time reported() const = 0;
   /// Number of messages that the device refused or that were damaged in transmission.
   virtual std::uint64_t refusals() const = 0;
-  /// Time of the clock of the serial line.
+  /// Present time, from Line::now().
   virtual Line::Time now() const = 0;
 
   /// Waits up to `limit` for the device's next bytes, processes them, and sends the messages that are due. Call it at
-  /// least every 50 ms, otherwise the watchdog of the device stops the plate.
+  /// least every 50 ms, so that the watchdog of the device does not stop the plate.
   virtual void wait(std::chrono::milliseconds limit) = 0;
   /// Turns the plate. @p orientation_deg must be within the limits. A command equal to the last one is not sent again.
   virtual void turn_to(double orientation_deg) = 0;
   /// Stops the plate, which then holds its present orientation.
   virtual void stop() = 0;
 
-  // ---- For measuring and commissioning.
-
-  /// Prepares measurements: from now on, the device reports as often as the serial line allows and turns as fast as its
-  /// settings allow.
+  /// Makes the device report as often as the serial line allows, and turn as fast as its settings allow.
   virtual void begin_measurement() = 0;
-  /// Returns the resolution of the reported orientation.
+  /// Resolution of the reported orientation.
   virtual double report_step_deg() const = 0;
   /// Time constant of the first-order filter that the device applies to its sensor; 0 without a filter.
   virtual std::chrono::nanoseconds sensor_filter() const = 0;
@@ -96,7 +94,7 @@ class Device {
   /// Moves orientation 0 to this position. A hobby servo turns by the difference; a Dynamixel keeps its position.
   /// Throws PlateFailure if the position is out of range.
   virtual void set_zero(double zero_deg) = 0;
-  /// Saves the position of orientation 0 across power-off. Stops the device.
+  /// Stops the plate, and saves the position of orientation 0 across power-off.
   virtual void save_zero() = 0;
 };
 
@@ -114,7 +112,8 @@ struct DeviceName {
 };
 
 using LineOpener = std::function<std::unique_ptr<Line>(const std::string& path, int baud)>;
-/// Opens the device, which takes up to 6 s. Throws PlateFailure if the device does not answer or is not supported.
+/// Function that opens a device, which takes up to 6 s. Throws PlateFailure if the device does not answer or is not
+/// supported.
 using DeviceMaker = std::function<std::unique_ptr<Device>(const LineOpener& open, Start start)>;
 
 /// Checks the name of a device, and returns a function that opens it. Throws std::invalid_argument with one line that

@@ -39,7 +39,7 @@ struct Packet {
 /// Returns the bytes of a packet, with header, byte stuffing and CRC.
 std::string encode(const Packet& packet);
 
-/// Convert a signed number to `count` bytes, least significant byte first, and back.
+/// Converts a signed number to `count` bytes, least significant byte first; number_at() converts it back.
 std::string little_endian(std::int64_t value, int count);
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 
@@ -47,7 +47,7 @@ std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 /// searches for the next one from the second byte of the damaged one on.
 class PacketReader {
  public:
-  static constexpr std::size_t max_length = 250;  ///< limit of the length field
+  static constexpr std::size_t max_length = 250;  ///< a packet with a greater length field counts as damaged
 
   void append(std::string_view bytes) { bytes_ += bytes; }
   /// Returns the next complete packet; nullopt if more bytes are needed.

@@ -8,8 +8,8 @@
 
 namespace hrt::plate {
 
-/// Serial line to a device. Only wait() and the destructor (up to 0.1 s) block. All functions throw PlateFailure if the
-/// line has failed. All calls are made on one thread.
+/// Serial line to a device. Only wait() and the destructor (up to 0.1 s) block. receive(), send(), flush() and wait()
+/// throw PlateFailure if the line has failed. All calls are made on one thread.
 class Line {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -19,13 +19,14 @@ class Line {
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
 
-  /// Returns the time of the clock that the driver uses: real time, or the time of a simulated device.
+  /// Returns the time of the monotonic clock or, for a simulated device, the simulated time.
   virtual Time now() const { return std::chrono::steady_clock::now(); }
 
   /// Appends the bytes that were received since the last call, at most some kilobytes.
   virtual void receive(std::string& bytes) = 0;
-  /// Copies `bytes`, and sends as many of them as the line accepts now. flush() does the same for the unsent bytes.
+  /// Sends as many of the bytes as the line accepts now, and keeps a copy of the others for flush().
   virtual void send(std::string_view bytes) = 0;
+  /// Sends as many of the unsent bytes as the line accepts now.
   virtual void flush() = 0;
   virtual bool has_unsent() const = 0;
 

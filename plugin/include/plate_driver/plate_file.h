@@ -20,8 +20,8 @@ struct PlateFile {
 /// Returns the lines of Device::details() that are settings.
 std::vector<std::string> settings_of(const std::vector<std::string>& details);
 
-/// Returns the text of a plate file: `text` (the JSON object without its last member and its closing brace), followed
-/// by the member with the checksum and by the brace.
+/// Completes the text of a plate file: appends the member "checksum" and the closing brace to `text`, a JSON object
+/// without both.
 std::string with_checksum(std::string_view text);
 
 /// True for a name that ends with ".json".

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-enum { LINE_SIZE = 64 }; /**< longest line in bytes, with its end */
+enum { LINE_SIZE = 64 }; /**< longest line in bytes, including its line feed */
 
 /** Reason for which a line is refused. The firmware reports it in ERROR lines. */
 typedef enum LineError {
@@ -41,8 +41,8 @@ bool line_receive(LineBuffer* buffer, char byte, LineError* error);
  *  would be too long. */
 uint8_t line_encode(char* out, const char* body);
 
-/** Parses a decimal number below ten million and sets `*out` to 100 times the number: 123 for "1.239"; further decimals
- *  are cut off. Returns false if the word is not a number or has more than 12 characters. */
+/** Parses a decimal number with an absolute value below ten million, and sets `*out` to 100 times the number, rounded
+ *  towards 0: 123 for "1.239". Returns false if the word is not such a number or has more than 12 characters. */
 bool line_parse_hundredths(const char* word, int32_t* out);
 
 /** Parses an angle of SET and AT: sign, three digits, point, two digits. The fixed width exposes a lost or doubled
@@ -52,8 +52,8 @@ bool line_parse_angle(const char* word, int32_t* out);
 /** Parses a sequence number: exactly five digits, at most 65535. Returns false for any other text. */
 bool line_parse_sequence(const char* word, uint16_t* out);
 
-/** The following functions write text and a 0 at `end`, and return the position of the 0. The caller provides the
- *  space. */
+/** The following functions write text and a terminating 0 at `end`, and return the position of the 0. The caller
+ *  provides the space. line_append_digits() writes at least `width` digits, with leading zeros. */
 char* line_append_text(char* end, const char* text);
 char* line_append_hundredths(char* end, int32_t hundredths);
 char* line_append_angle(char* end, int32_t hundredths);

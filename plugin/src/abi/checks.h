@@ -12,7 +12,7 @@
 
 namespace hrt::plugin {
 
-/// Limit of struct_size, in bytes: a larger number is not the size of any version of a struct.
+/// Largest accepted struct_size, in bytes: every version of a struct is smaller.
 inline constexpr std::uint32_t max_struct_size = 4096;
 
 inline hrt_result fail_of_null(const char* name) {
@@ -21,7 +21,6 @@ inline hrt_result fail_of_null(const char* name) {
 
 template <class Struct>
 hrt_result check_struct_size(const char* name, std::uint32_t size) {
-  // The size of every version of a struct is a multiple of its alignment: 8, or 4 with pointers of 4 bytes.
   constexpr std::uint32_t alignment = alignof(Struct);
   if (size >= sizeof(Struct) && size <= max_struct_size && size % alignment == 0) return HRT_OK;
   return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; allowed: multiples of ", alignment, " from ",

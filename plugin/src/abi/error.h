@@ -1,5 +1,5 @@
-// Errors: a code for the caller, and a text for hrt_last_error(), set without heap, lock or locale, because real-time
-// calls report errors too.
+// Errors: a code for the caller, and a text for hrt_last_error(). Real-time calls report errors too, so that setting
+// them uses no heap and no lock.
 #pragma once
 
 #include <algorithm>
@@ -54,7 +54,7 @@ hrt_result guarded(const char* call, Body&& body) noexcept {
   } catch (const std::bad_alloc&) {
     return fail(HRT_ERROR_OUT_OF_MEMORY, "memory is exhausted; release memory and call again");
   } catch (const std::system_error& error) {
-    return fail(HRT_ERROR_SYSTEM, error.what());
+    return fail(HRT_ERROR_SYSTEM, error.what(), "; check the file, the disk and the limits of the process");
   } catch (const std::exception& error) {
     return fail(HRT_ERROR_INTERNAL, error.what(), "; this is a defect of the library: report it");
   } catch (...) {

@@ -1,5 +1,5 @@
-// Properties of the fields of C structs: name, range, use in profiles. plugin/bindings/generate writes
-// generated/fields.h from api.json: it specialises Fields for every struct, and `defaults` for configurations.
+// Properties of the fields of C structs: name, range, use in profiles. The header generated/fields.h, which
+// plugin/bindings/generate writes, specialises Fields for each struct, and `defaults` for configurations.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct Field {
   FieldKind kind = FieldKind::free;
   Number low = 0, high = 0;  ///< range of a number, or of each element of an array; of flags, `high` has all known bits
   bool zero = false;         ///< 0 is allowed in addition to the range
-  bool (*in_profile)(const S&) = nullptr;
-  bool optional = false;  ///< a profile without this field sets it to its default
+  bool (*in_profile)(const S&) = nullptr;  ///< true if profiles contain the field; null: they never do
+  bool optional = false;                   ///< a profile without this field sets it to its default
 
   T& of(S& values) const { return *reinterpret_cast<T*>(reinterpret_cast<char*>(&values) + offset); }
   const T& of(const S& values) const { return of(const_cast<S&>(values)); }

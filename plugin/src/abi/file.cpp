@@ -70,9 +70,9 @@ void unlock(int) {}
 int truncate(int) { return 0; }
 #else
 // Opening a pipe does not block, and a terminal does not become the controlling terminal.
-constexpr int everywhere = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
-constexpr int to_read = O_RDONLY | everywhere;
-constexpr int to_write = O_WRONLY | O_CREAT | everywhere;
+constexpr int common_flags = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
+constexpr int to_read = O_RDONLY | common_flags;
+constexpr int to_write = O_WRONLY | O_CREAT | common_flags;
 int status_of(int descriptor, Status* out) { return fstat(descriptor, out); }
 // A lock belongs to the open file description, so it also excludes a second recording of the same process.
 bool lock(int descriptor) {
@@ -105,7 +105,9 @@ hrt_result fail_as_taken(const char* path) {
 
 }  // namespace
 
-hrt_result fail_of_file(const char* path) { return fail(HRT_ERROR_SYSTEM, Shown{path}, ": ", std::strerror(errno)); }
+hrt_result fail_of_file(const char* path) {
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": ", std::strerror(errno), "; check the path and its permissions");
+}
 
 File::~File() {
   if (descriptor_ >= 0) close_descriptor(descriptor_);

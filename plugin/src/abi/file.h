@@ -1,4 +1,4 @@
-// Files. Their paths are in UTF-8 on every system.
+// Files with paths in UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace hrt::plugin {
 
-/// Converts a path in UTF-8. Necessary on Windows, where paths of char are in a code page that depends on the machine.
-/// On Windows, throws std::system_error if `utf8` is not UTF-8.
+/// Converts a path in UTF-8. On Windows, std::filesystem would take char for a code page that depends on the machine;
+/// there, throws std::system_error if `utf8` is not UTF-8.
 inline std::filesystem::path path_of(const char* utf8) { return reinterpret_cast<const char8_t*>(utf8); }
 
 /// A regular file, in binary mode and without a buffer. Programs that the process starts do not inherit it.
@@ -31,14 +31,15 @@ class File {
 
   /// Opens a file of at most `max_size` bytes for reading. Also fails for a pipe, from which a read could block.
   static hrt_result open(const char* path, std::uint64_t max_size, File* out);
-  /// Creates a file for writing, or opens an existing one unchanged. Fails if any process is recording to it.
+  /// Creates a file for writing, or opens an existing one unchanged (with Emscripten, empties it). Fails if another
+  /// File that create() opened, in this process or another, has locked it.
   static hrt_result create(const char* path, File* out);
 
   /// Reads into the beginning of `out`. Returns the number of bytes; 0 at the end; negative on failure, with errno set.
   std::ptrdiff_t read(std::span<char> out);
-  int clear();                       ///< returns 0 or errno
+  int clear();                       ///< empties the file; returns 0 or errno
   int write(std::string_view text);  ///< returns 0 or errno
-  /// Unlocks the file for other writers, also if a child of this process has inherited it, and closes it.
+  /// Unlocks and closes the file. If a forked child has a copy of the descriptor, closing alone would not unlock it.
   void release();
 
  private:

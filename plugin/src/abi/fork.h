@@ -5,10 +5,10 @@
 
 namespace hrt::plugin {
 
-/// Begins the count that forks() returns. Throws std::bad_alloc.
+/// Installs the handler that counts forks. Throws std::bad_alloc.
 void watch_forks();
 
-/// Returns the number of forks between the process that called watch_forks() and this one. Real-time.
+/// Number of forks between the first process that called watch_forks() and this one; differs in parent and child.
 std::uint32_t forks();
 
 }  // namespace hrt::plugin

@@ -46,7 +46,7 @@ class Text {
   std::string_view view() const { return {text_, length_}; }
 
   Text& operator<<(std::string_view part) {
-    if (part.empty()) return *this;  // its data may be null
+    if (part.empty()) return *this;  // its data() may be null, which memcpy() does not allow
     const std::string_view taken = utf8_beginning(part, capacity - 1 - length_);
     std::memcpy(text_ + length_, taken.data(), taken.size());
     text_[length_ += taken.size()] = '\0';

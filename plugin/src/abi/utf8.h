@@ -5,8 +5,8 @@
 
 namespace hrt::plugin {
 
-/// Returns the size of the first character of `text` in bytes; 0 if it is invalid. By RFC 3629: shortest forms only, no
-/// surrogates, no code point above U+10FFFF.
+/// Returns the size in bytes of the first character of `text`; 0 if `text` is empty or does not begin with valid UTF-8
+/// (RFC 3629: shortest forms only, no surrogates, no code point above U+10FFFF).
 inline std::size_t utf8_character_size(std::string_view text) {
   const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(at < text.size() ? text[at] : 0); };
   if (text.empty()) return 0;

@@ -1,4 +1,4 @@
-// Conditions under which the user was measured, and their comparison with the present ones.
+// Names of plate and tracker, and time, of the measurement of a user, and their comparison with the present ones.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace hrt::plugin {
 
-/// Checks the fields. Sets `differing` and the bytes after the names to 0.
+/// Checks the values that a host or a profile gives. Sets `differing` and the bytes after the names to 0.
 inline hrt_result check_conditions(hrt_conditions* conditions) {
   HRT_RETURN_IF_FAILED(check_field(*conditions, Fields<hrt_conditions>::time_s));
   HRT_RETURN_IF_FAILED(check_name("plate", conditions->plate));
@@ -22,9 +22,8 @@ inline hrt_result check_conditions(hrt_conditions* conditions) {
 class Conditions {
  public:
   void set_now(const hrt_conditions& checked) { now_ = checked; }
-  /// Sets the conditions of a loaded profile. A profile without conditions has 0 and empty names.
   void set_measured(const hrt_conditions& checked) { measured_ = checked; }
-  void measured_now() { measured_ = now_; }
+  void set_measured_to_now() { measured_ = now_; }
 
   /// Returns the conditions of the measurement; `differing` compares them with the present conditions.
   hrt_conditions measured() const {

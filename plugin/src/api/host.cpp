@@ -1,5 +1,6 @@
-// Allocator and log of the host. The operators below allocate all memory of the library, including that of containers
-// and of nlohmann-json. They are not exported, and neither is the C++ runtime that is linked into the library.
+// Allocator and log of the host. The operators below allocate the memory of the library, including that of containers
+// and of nlohmann-json. The shared library does not export them; in a program that links the static library, they
+// replace the operators of the program.
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>

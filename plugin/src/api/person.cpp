@@ -14,14 +14,15 @@ namespace {
 
 struct SimulatedUser {
   SimulatedHand hand;
-  std::uint64_t session = 0;  // handle of the session whose set-up the person follows
+  std::uint64_t session = 0;  // handle of the session whose set-up the person follows, if hand.is_guided()
 };
 
 using People = HandleTable<SimulatedUser, HRT_PEOPLE_MAX, 0x9e>;
 constinit People people("person");
 
 constexpr double default_duration_s = 1.5;
-// In a set-up: position of the plate, its rotation about y, and offset of the skin from the tracked joint.
+// In a set-up: pose of the plate in the world (position, rotation about y), and vector from the tracked joint to the
+// skin, in the joint's axes.
 constexpr double user_plate_m[] = {0.3, 0.75, -0.4};
 constexpr double user_turn_deg = 20.0;
 constexpr double user_skin_m[] = {0.002, -0.008, -0.012};

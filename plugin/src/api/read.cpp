@@ -135,7 +135,8 @@ hrt_result read(const PlateMount& mount, const TouchedFrame& touched, const hrt_
   return HRT_OK;
 }
 
-// The fingertip is fitted to positions of the joint, and guides to positions that contacts do not correct.
+// FINGERTIP needs the positions of the joint, without the offset of the fingertip; GUIDES needs positions without the
+// correction by contacts.
 hrt_result read(const SessionModel& model, SetupPart part, const hrt_sample& given, SetupSample* out) {
   PlateMount mount = model.mount;
   if (part == setup_fingertip) mount.fingertip_offset_m = {};

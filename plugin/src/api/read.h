@@ -1,4 +1,5 @@
-// Conversion of the structs of the C interface to core types. The functions fail, naming a field that is out of range.
+// Conversion of the structs of the C interface to core types. A function that finds a field out of range fails, naming
+// the field.
 #pragma once
 
 #include "haptic_retargeting/setup.h"
@@ -6,7 +7,7 @@
 
 namespace hrt::plugin {
 
-/// Fails, naming `field`, unless `rotation` is a unit quaternion.
+/// Fails, naming `field`, unless `rotation` is a quaternion (x, y, z, w) of length 1, within 0.001.
 hrt_result check_rotation(const char* field, const double (&rotation)[4]);
 
 /// Fails unless a target at `position_m`, in plate coordinates, is within 10 m of the plate's centre.
@@ -18,7 +19,7 @@ hrt_result read_or_default(const hrt_session_config* given, SessionModel* out);
 
 hrt_result read(const hrt_target_config& given, Target* out);
 
-/// Converts a sample to plate coordinates, and corrects it by the contacts in `touched`.
+/// Converts a sample to plate coordinates, and corrects it by `touched`, which contacts with real objects determine.
 hrt_result read(const PlateMount& mount, const TouchedFrame& touched, const hrt_sample& given, FingerSample* out);
 /// Converts a sample to the coordinates that a part of a set-up needs.
 hrt_result read(const SessionModel& model, SetupPart part, const hrt_sample& given, SetupSample* out);

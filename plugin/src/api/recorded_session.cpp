@@ -167,7 +167,7 @@ hrt_result RecordedSession::finish_setup(hrt_setup_result* out) {
   record([&] { return Record{result, SetupFinished{*out}}; });
   if (result != HRT_OK) return result;
   forget_findings();
-  if (out->done & (HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST)) conditions.measured_now();
+  if (out->done & (HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST)) conditions.set_measured_to_now();
   return HRT_OK;
 }
 

@@ -15,9 +15,9 @@
 
 namespace hrt::plugin {
 
-/// Each call checks and converts its structs, calls the session and writes the results. A call that fails changes
-/// nothing. Calls of a reach are real-time and take the pointers of the caller: a call whose struct is null or has a
-/// wrong size is not recorded. Records are only built while a recording is in progress.
+/// Each call checks and converts its structs, calls the session and writes the results. If a call fails, session and
+/// outputs are unchanged. Calls of a reach take the pointers of the caller; a call whose struct is null or has a wrong
+/// size is not recorded.
 class RecordedSession {
  public:
   explicit RecordedSession(const SessionModel& valid_model) : session_(valid_model) {}
@@ -49,16 +49,16 @@ class RecordedSession {
 
   /// Sets the initial plate orientation of a replay.
   hrt_result set_plate_orientation_deg(double orientation_deg);
+  /// Geometry of the reach in progress; all 0 without a reach.
   ReachGeometry reach_geometry() const;
 
-  /// Logs HRT_COMMAND_FAULT once for each session, HRT_COMMAND_REGISTRATION and HRT_COMMAND_IMPLAUSIBLE once for each
-  /// configuration. `handle` identifies the session in the log.
+  /// Logs what past calls of reaches found: HRT_COMMAND_FAULT once for the session, HRT_COMMAND_REGISTRATION and
+  /// HRT_COMMAND_IMPLAUSIBLE once for each configuration. `handle` identifies the session in the log.
   void log_findings(std::uint64_t handle);
 
   /// Logs a warning if the conditions under which the user was measured differ from the present ones.
   void log_conditions(std::uint64_t handle) const;
 
-  /// Sets the session's log to `host.log`. If `host.log` is null, the session uses the log of the process.
   void set_log(const hrt_host& host) { plugin::set_log(&log_, host); }
 
   std::uint32_t state() const;  ///< flags HRT_STATE_*
@@ -83,8 +83,8 @@ class RecordedSession {
 
   Session session_;
   bool had_fault_ = false, logged_fault_ = false;
-  // A command with this configuration had HRT_COMMAND_REGISTRATION.
-  bool registration_was_poor_ = false, logged_registration_ = false;
+  bool registration_was_poor_ = false;  // true if a command with this configuration had HRT_COMMAND_REGISTRATION
+  bool logged_registration_ = false;
   Implausible implausible_;  // the first finding with this configuration
   bool logged_implausible_ = false;
   SessionLog log_;                      // declared before the recorder, whose thread reads it

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t max_file = std::size_t{1} << 30;
 constexpr std::size_t block_size = 65536;
 
-// Writes the status that `get` returns. Fails if no recording of this process is in progress.
+// Calls `get`, and writes the status that it returns. Fails if the session has no recording of this process.
 hrt_result with_recording(const char* call, hrt_session session, hrt_recording_status* out_status,
                           hrt_recording_status (RecordedSession::*get)()) noexcept {
   return sessions.with(call, session.value, [&](RecordedSession& s) -> hrt_result {
@@ -51,7 +51,7 @@ bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {
   return true;
 }
 
-// Repeats the calls of a recording, and compares the row that each call would now write with the recorded row.
+// Repeats the calls of a recording, and compares the row that each repeated call would write with the recorded row.
 class Replay {
  public:
   hrt_result run(std::string_view text, hrt_replay_report* out) {
@@ -88,7 +88,8 @@ class Replay {
     std::uint64_t version = 0;
     if (starts_with_and_drops(text, "# haptic retargeting recording, version ") &&
         read_number(text.substr(0, text.find('\n')), &version) && version != 4)
-      return fail(HRT_ERROR_BAD_FORMAT, "version ", version, " is not supported; allowed: version 4");
+      return fail(HRT_ERROR_BAD_FORMAT, "version ", version,
+                  " of the recording is not supported; allowed: version 4. Record again");
     return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin like a recording of version 4; pass a recording");
   }
 
@@ -212,7 +213,7 @@ class Replay {
   void call_again(SetupUpdated& call, hrt_result* result) { *result = session_->update_setup(call.sample, &call.step); }
   void call_again(SetupFinished& call, hrt_result* result) { *result = session_->finish_setup(&call.result); }
   void call_again(SetupCancelled&, hrt_result* result) { *result = session_->cancel_setup(); }
-  // The next four records are comment lines of the file, which read_row() does not return.
+  // The next four overloads are not called: read_row() returns no records of comments.
   static void call_again(const ConfigSet&, hrt_result*) {}
   static void call_again(const TargetChanged&, hrt_result*) {}
   static void call_again(const InitialPlateOrientation&, hrt_result*) {}

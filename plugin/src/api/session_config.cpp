@@ -16,7 +16,7 @@ namespace {
 
 using ConfigFields = Fields<hrt_session_config>;
 
-// The core squares the noise: the square of a tiny value would be 0.
+// The core squares the noise, and the square of a smaller value could be 0.
 constexpr double min_tracker_noise_mm = 1e-6;
 
 static_assert(HRT_PERSON_TRAITS == PersonState::traits && HRT_PERSON_LOG_WANDER == PersonState::log_wander &&
@@ -86,7 +86,7 @@ void visit_pairs(Config& config, Model& model, Visit&& visit) {
   visit(config.person.bias_deg, control.participant.bias_deg);
 }
 
-// If there is no limit, the struct has 0, and the core has infinity.
+// "No limit" is 0 in the struct and infinity in the core.
 double limit_or_none(double limit) { return limit > 0.0 ? limit : std::numeric_limits<double>::infinity(); }
 double limit_or_zero(double limit) { return std::isinf(limit) ? 0.0 : limit; }
 

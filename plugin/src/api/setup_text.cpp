@@ -1,4 +1,4 @@
-// Sentences of a set-up for the user and the application: hrt_setup_step::text.
+// Sentences of a set-up for the user and the application: hrt_setup_step::text and hrt_setup_result::reason.
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -46,17 +46,18 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
       break;
     case Kind::plate:
       text << "The plate reports " << rounded(observed.first) << " degrees, but " << rounded(observed.second)
-           << " degrees were commanded. ";
+           << " degrees were commanded: check the servo and the sign of its angles. ";
       break;
     case Kind::elsewhere:
-      text << "The finger is " << std::round(observed.first) << " mm from the requested position. ";
+      text << "The finger is " << std::round(observed.first)
+           << " mm from the requested position: move it there, or check the plate's pose. ";
       break;
     case Kind::wrong_way:
       text << "The finger slid towards " << std::round(observed.first)
            << " degrees, where 0 is straight ahead: axes may be swapped or mirrored. ";
       break;
     case Kind::no_rest:
-      text << "The finger has not rested at the requested position yet. ";
+      text << "The finger has not rested at the requested position yet: keep it still there. ";
       break;
   }
 }

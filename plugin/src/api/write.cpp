@@ -19,7 +19,7 @@ static_assert(static_cast<std::uint32_t>(Instruction::finish) == HRT_STEP_FINISH
               static_cast<std::uint32_t>(Observed::Kind::far_away) == HRT_OBSERVED_FAR);
 static_assert(static_cast<std::uint32_t>(SlideVerdict::along_ridges) == HRT_SLIDE_ALONG_RIDGES);
 
-// A flag HRT_COMMAND_*, and the members of commands and summaries that set it; null: none.
+// A flag HRT_COMMAND_*, and the members of commands and of summaries that set it; null: the flag is not set there.
 struct OutcomeFlag {
   std::uint32_t bit;
   bool PlateCommand::* of_command;
@@ -55,7 +55,7 @@ std::uint32_t flags_of(const Outcome& outcome, bool Outcome::* OutcomeFlag::* me
   return flags;
 }
 
-// Replaces numbers that a defect has made infinite or NaN by 0. Returns false if there was such a number.
+// Replaces infinite numbers and NaN by 0. Returns false if there was such a number.
 template <class Struct>
 bool make_finite(Struct* values) {
   bool finite = true;

@@ -11,7 +11,7 @@ namespace hrt::plugin {
 
 hrt_session_config to_c(const SessionModel& model);
 hrt_target_config to_c(const Target& target);
-/// The next two functions replace a number that is not finite by 0, and then set HRT_COMMAND_FAULT.
+/// The next two functions replace numbers that are not finite by 0, and set HRT_COMMAND_FAULT if there were any.
 hrt_command to_c(const PlateCommand& command);
 hrt_reach_summary to_c(const ReachSummary& summary);
 hrt_setup_step to_c(const SetupStep& step);
@@ -23,7 +23,7 @@ void write(const Vec3& from, double (&to)[3]);
 /// Writes a point on the plate's face in plate coordinates.
 void write_point(const PlatePoint& point, double (&out_m)[3]);
 
-/// Writes problem and instruction of a step as sentences for the user.
+/// Writes problem, likely mistake and instruction of a step as sentences for the user.
 void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]);
 /// Writes why the last dropped part of a set-up was dropped.
 void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]);

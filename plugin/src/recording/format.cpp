@@ -137,11 +137,11 @@ void write(const SetupFinished& finished, hrt_result result, RecordText& out) {
 
 void write(const SetupCancelled&, hrt_result result, RecordText& out) { Row(out, "setup_cancel", result); }
 
-// Compares cells. Cells with equal doubles may differ as text: 1e+05 and 100000.
+// Cells that differ as text are equal if they contain the same double: 1e+05 and 100000.
 bool is_same_cell(std::string_view cell, std::string_view other) {
-  constexpr std::string_view of_doubles = ".e";
+  constexpr std::string_view double_marks = ".e";
   if (cell == other) return true;
-  if (cell.find_first_of(of_doubles) == cell.npos && other.find_first_of(of_doubles) == other.npos) return false;
+  if (cell.find_first_of(double_marks) == cell.npos && other.find_first_of(double_marks) == other.npos) return false;
   double number = 0.0, other_number = 0.0;
   return read_number(cell, &number) && read_number(other, &other_number) &&
          std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(other_number);

@@ -14,7 +14,7 @@
 namespace hrt::plugin {
 namespace {
 
-// Restores '.' as the decimal point of a number. The parser has replaced it by the decimal point of the locale.
+// Restores '.' as the decimal point of a number, in which the parser has put the decimal point of the locale.
 std::string with_point(std::string number) {
   const std::size_t point = number.find_first_not_of("+-0123456789eE");
   if (point != number.npos) number[point] = '.';
@@ -224,7 +224,7 @@ constexpr const char* name_of<hrt_target_config> = "target";
 template <>
 constexpr const char* name_of<hrt_setup_config> = "set-up";
 
-// Reads a field into the member of `*out` with the same name. `what` is the name of the struct in error texts.
+// Reads a field into the member of `*out` with the same name. `what` is a noun for the struct in error texts.
 template <class Struct>
 hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   std::optional<hrt_result> result;

@@ -23,9 +23,8 @@ hrt_result read_json(std::string_view text, Struct* out);
 /// Writes the fields of a configuration that profiles contain, and the conditions of measurement, in one line.
 void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out);
 
-/// Reads a profile into a configuration. Missing fields are unchanged, except that those of the user's traits and of
-/// correlated noise are set to their defaults. `*conditions` is zero if the profile has no conditions. Values are not
-/// checked.
+/// Reads a profile into a configuration. Missing fields are unchanged, except that those with Field::optional are set
+/// to their defaults. `*conditions` is zero if the profile has no conditions. Values are not checked.
 hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_conditions* conditions);
 
 }  // namespace hrt::plugin

@@ -84,7 +84,7 @@ hrt_recording_status Recorder::flush() {
   return status();
 }
 
-// Discards the thread and the file, which belong to the parent process.
+// Overwrites the handle of the thread, which exists in the parent only and cannot be joined here.
 void Recorder::abandon() {
   std::construct_at(&writer_);
   const std::uint64_t lost = lost_.load();
@@ -159,7 +159,7 @@ void Recorder::write_lost(std::uint64_t count) {
   lost_unreported_ += count;
 }
 
-// Logs the number of lost calls, at most once in the interval `after`.
+// Logs the number of lost calls, if `after` has passed since the last report.
 void Recorder::report_lost(std::chrono::seconds after) {
   if (lost_unreported_ == 0) return;
   const auto now = std::chrono::steady_clock::now();

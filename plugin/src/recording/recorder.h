@@ -24,7 +24,7 @@ class Recorder {
   /// outlive this object. Throws std::system_error, std::bad_alloc.
   Recorder(File file, std::string_view name, const SessionLog& log, const hrt_session_config& config,
            std::span<const TargetChanged> targets, double plate_orientation_deg);
-  ~Recorder();  ///< writes the remaining records and closes the file
+  ~Recorder();  ///< writes the remaining records and closes the file; in a forked child, only closes it
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
@@ -36,7 +36,7 @@ class Recorder {
 
   /// Ends the recording as the destructor does, and returns the final state.
   hrt_recording_status stop();
-  /// Waits until the operating system has accepted all records.
+  /// Waits until the operating system has accepted all records, or a write has failed.
   hrt_recording_status flush();
   hrt_recording_status status() const;
 
@@ -60,7 +60,7 @@ class Recorder {
   std::unique_ptr<Entry[]> ring_;
   std::atomic<std::uint64_t> pushed_{0};  // records that the caller has added to the ring
   std::atomic<std::uint64_t> taken_{0};   // records that the writing thread has removed from the ring
-  std::atomic<std::uint64_t> lost_{0};    // records that were dropped
+  std::atomic<std::uint64_t> lost_{0};    // records that push() dropped
   std::atomic<std::uint64_t> written_{0};
   std::atomic<std::uint64_t> written_rows_{0};  // written records that are rows
   std::atomic<int> system_error_{0};

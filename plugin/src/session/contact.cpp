@@ -10,7 +10,7 @@ namespace hrt::plugin {
 namespace {
 
 constexpr double unknown_radius_mm = 10.0;
-// A contact nearer to the start would measure an error of the start rather than a rotation of the tracker's frame.
+// Nearer to the start, a contact depends on the error of the start more than on the rotation of the tracker's frame.
 constexpr double min_contact_mm = 10.0;
 // Largest plausible distance between contact and tracked finger: this fraction of the contact's distance from the
 // start, plus max_sds SDs of the distance.

@@ -14,7 +14,7 @@ struct Gap {
   double bearing_sd_deg;     ///< SD of the bearing at which reaches end, due to registration and tracker alone
 };
 
-/// Gaps of the targets of one session. real() computes the values that all gaps of one real target have in common.
+/// Gaps of the targets of one session. real() computes what all gaps of a real target have in common; gap() uses it.
 class Gaps {
  public:
   struct Real {
@@ -39,8 +39,9 @@ struct Assigned {
   Gap gap;
 };
 
-/// Assigns real targets to as many virtual ones as possible; among these assignments, returns one whose largest ratio
-/// of gap to largest feasible gap is minimal. `exclusive`: each real target is assigned at most once.
+/// Assigns real targets to as many virtual ones as possible, with feasible gaps only. Among these assignments, returns
+/// one whose largest ratio |gap| / largest feasible gap is minimal. `exclusive`: each real target is assigned at most
+/// once.
 std::vector<Assigned> assign(const SessionModel& model, std::span<const Target* const> virtuals,
                              std::span<const Target* const> reals, bool exclusive);
 

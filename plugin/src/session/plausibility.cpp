@@ -12,7 +12,7 @@ namespace {
 using Kind = Implausible::Kind;
 
 constexpr double max_speed_mm_s = 5000.0;
-constexpr int max_in_a_row = 5;  // more than two: a single outlier of the tracker affects two differences
+constexpr int max_in_a_row = 5;  // more than 2, because one outlier makes the two motions to and from it too fast
 constexpr std::uint64_t window_ns = 1'000'000;
 constexpr int max_samples_in_window = 50;
 constexpr std::uint64_t min_sample_ns = 100'000;
@@ -21,8 +21,9 @@ constexpr double max_target_radii = 2.0;
 constexpr double min_checked_fraction = 0.5;  // fraction of the path from which on the bearing is checked
 constexpr double max_off_course_deg = 90.0;
 constexpr double ended_fraction = 0.85;
-// Without steering, the finger ends near the virtual target. With a gap of min_gap_deg or more, an end beyond the
-// virtual target by more than min_turned_deg and more than min_turned_fraction of the gap cannot be due to a bias.
+// Without steering, the finger ends near the virtual target. An end beyond the virtual target by more than
+// min_turned_deg and min_turned_fraction of a gap of at least min_gap_deg is due to a plate that turns in the wrong
+// direction rather than to a bias of the user.
 constexpr double min_gap_deg = 5.0, min_turned_deg = 4.0, min_turned_fraction = 0.75;
 
 double from_centre_mm(const PlatePoint& place) { return distance_mm({}, place); }
@@ -55,7 +56,7 @@ void Plausibility::observe(const FingerSample& sample) {
     const std::uint64_t passed_ns = elapsed_ns(last_->time_ns, sample.time_ns);
     const double speed_mm_s = moved_mm / (1e-9 * std::max(1.0, static_cast<double>(passed_ns)));
     fast_positions_ = speed_mm_s > max_speed_mm_s ? fast_positions_ + 1 : 0;
-    // No tracker has a sample period below min_sample_ns: the unit of time is wrong, rather than the unit of length.
+    // Below min_sample_ns, which is shorter than the period of trackers, the unit of time is wrong, not that of length.
     const bool is_time = passed_ns < min_sample_ns;
     if (fast_positions_ >= max_in_a_row)
       find(is_time ? Kind::time_too_slow : Kind::too_fast, is_time ? fast_positions_ : 1e-3 * speed_mm_s,
@@ -65,7 +66,7 @@ void Plausibility::observe(const FingerSample& sample) {
     ++far_positions_;
     far_ = {Kind::far_away, from_centre_mm(sample.position), radius_mm_};
   }
-  if (!retargeted_) check_direction(sample.position);
+  if (!skips_directions_) check_direction(sample.position);
   last_ = sample;
 }
 

@@ -35,8 +35,8 @@ class Plausibility {
   Plausibility() = default;
   Plausibility(double plate_radius_mm, const Reach& reach, bool may_be_in_radians);
 
-  /// Ends the check of directions, for example because the targets have moved.
-  void retarget() { retargeted_ = true; }
+  /// Ends the checks of directions (wrong_way, turns_with_plate), for example because the targets have moved.
+  void skip_directions() { skips_directions_ = true; }
   /// Checks a sample. Pass every sample of the reach in order, before outliers are removed.
   void observe(const FingerSample& sample);
   /// Returns the first finding. far_away is only returned while all positions so far are far away.
@@ -51,7 +51,7 @@ class Plausibility {
 
   double radius_mm_ = 0.0;
   Reach reach_{};
-  bool retargeted_ = false;
+  bool skips_directions_ = false;
   Implausible found_, far_;
   std::optional<FingerSample> last_;  // last sample with a position
   std::int64_t positions_ = 0;

@@ -96,7 +96,7 @@ hrt_result Session::begin(const ReachRequest& request) {
 // Directions from a start that is found by touch are not checked: the tracker's position of that start is unknown.
 Plausibility Session::plausibility_of(const Reach& reach) const {
   Plausibility plausibility(mm_per_m * model_.mount.surface.radius_m, reach, targets.may_be_in_radians());
-  if (model_.control.start_is_felt) plausibility.retarget();
+  if (model_.control.start_is_felt) plausibility.skip_directions();
   return plausibility;
 }
 
@@ -155,7 +155,7 @@ hrt_result Session::retarget(std::uint64_t real_target, std::uint64_t virtual_ta
   reaching.reach = reaching.retargeter.retarget(view_from(reaching.start, model_.mount, pair.real).point,
                                                 view_from(reaching.start, model_.mount, pair.virtual_target).point);
   reaching.assessment = assess_registration(from_start);
-  reaching.plausibility.retarget();
+  reaching.plausibility.skip_directions();
   return HRT_OK;
 }
 

@@ -1,4 +1,4 @@
-// The state of one user at one plate, in core types. Calls that fail change nothing. Calls of a reach are real-time.
+// The state of one user at one plate, in core types. If a call fails, the session is unchanged.
 #pragma once
 
 #include <cstdint>
@@ -33,13 +33,13 @@ class Session {
   /// Replaces the model. Requires is_valid(model). Fails during a reach or a set-up.
   hrt_result set_model(const SessionModel& model);
 
-  double plate_orientation_deg() const { return plate_orientation_deg_; }  ///< of the last command
+  /// Orientation at which the plate is assumed to be: that of the last command, or that given to begin() after it.
+  double plate_orientation_deg() const { return plate_orientation_deg_; }
   void set_plate_orientation_deg(double orientation_deg) { plate_orientation_deg_ = orientation_deg; }
 
   bool is_reaching() const { return std::holds_alternative<Reaching>(state_); }
   bool is_setting_up() const { return std::holds_alternative<SettingUp>(state_); }
-  /// Fails during a reach and during a set-up.
-  hrt_result check_idle() const;
+  hrt_result check_idle() const;  ///< fails during a reach and during a set-up
   hrt_result check_reaching() const;
   hrt_result check_setting_up() const;
 
@@ -54,7 +54,7 @@ class Session {
   hrt_result touched(const ContactReport& report);
   hrt_result cancel();
   hrt_result end(ReachSummary* out);
-  /// Makes end() discard the estimates of the present reach. Call it after a value that was not finite.
+  /// Makes end() discard estimates and contact of the present reach. Call it after a value that was not finite.
   void mark_faulty();
 
   /// The likely mistake in the current reach, or in the last one.
@@ -69,7 +69,7 @@ class Session {
   hrt_result begin_setup(std::uint32_t parts, const SetupConfig& asked);
   /// Requires that check_setting_up() succeeds.
   hrt_result update_setup(const SetupSample& sample, SetupStep* out);
-  /// Continues the current fit; after the last one, ends the set-up. Like begin_setup(), it is not real-time.
+  /// Continues the current fit; after the last fit, ends the set-up.
   hrt_result finish_setup();
   hrt_result cancel_setup();
   /// The part in progress. Requires is_setting_up().

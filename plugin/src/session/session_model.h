@@ -27,8 +27,8 @@ enum class Adaptation : std::uint8_t {
 };
 
 struct PlateSurface {
-  double radius_m = 0.0;         ///< > 0
-  double lift_height_m = 0.015;  ///< a finger that is tracked higher than this above the plate is lifted, > 0
+  double radius_m = 0.0;         ///< positive
+  double lift_height_m = 0.015;  ///< positive; a finger that is tracked higher than this above the plate is lifted
 };
 
 /// Pose of the plate, and the values that convert tracked positions to plate coordinates. Lengths are in metres.
@@ -41,7 +41,7 @@ struct PlateMount {
 
 /// Source of the plate's pose, and requirements on it.
 struct PlateRegistration {
-  bool made = false;  ///< true if the pose is from a registration, which was made at `time_ns`
+  bool made = false;  ///< true if the pose is from a registration that was made or checked at `time_ns`
   std::int64_t time_ns = 0;
   std::int64_t max_age_ns = 0;  ///< 0: not checked
   double max_sd_deg = 0.0;      ///< largest SD of the bearing of a real target; 0: not checked
@@ -50,7 +50,7 @@ struct PlateRegistration {
 struct SessionModel {
   /// Unless `knows_person`, `control.person` is the prior of an unknown person. `control.touched.home` is the start.
   RetargeterConfig control;
-  bool guides_to_arrival = true;  ///< true: GUIDANCE_ARRIVAL; false: FIXED_DIRECTION. Unused if the plate is fixed
+  bool guides_to_arrival = true;  ///< true: HRT_GUIDANCE_ARRIVAL; false: HRT_GUIDANCE_FIXED_DIRECTION
   Adaptation adaptation = Adaptation::carried;
   bool knows_person = false;  ///< true if control.person is from reaches or a calibration
   PlateMount mount;

@@ -146,7 +146,7 @@ hrt_result SessionSetup::finish(SessionModel* model, SetupReport* report) {
     return fail(HRT_ERROR_WRONG_STATE, step.done, " of ", step.of,
                 " touches or slides are done; call hrt_setup_finish() when a step has the instruction HRT_STEP_FINISH");
   if (!is_over()) {
-    // If an exception is thrown, fit_ is null, and the next call begins the fit again.
+    // While step() runs, fit_ is null: after an exception, the next call begins the fit again.
     std::unique_ptr<PartFit> fitting = std::move(fit_);
     if (!fitting)
       fitting = std::make_unique<PartFit>(setup_, registration_of(*model, setup_.config().registration.touch_sd_mm));

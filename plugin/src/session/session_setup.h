@@ -22,9 +22,9 @@ struct SetupReport {
   std::uint32_t done = 0;     ///< flags of the parts whose results were applied
   std::uint32_t left = 0;     ///< flags of the pending parts
   std::uint32_t dropped = 0;  ///< flags of the parts that ended without a result
-  SetupDrop drop;             ///< the last dropped part; drop_reason owns its text
-  std::string drop_reason;
-  int slides = 0;  ///< number of slides that were made
+  SetupDrop drop;             ///< the last dropped part; drop.reason is valid while the set-up exists
+  std::string drop_reason;    ///< copy of drop.reason
+  int slides = 0;             ///< number of slides that were made
   std::optional<FingertipOffset> fingertip;
   std::optional<Registration> registration;
   std::optional<RegistrationCheck> check;

@@ -10,7 +10,7 @@
 namespace hrt::plugin {
 namespace {
 
-// Recordings and profiles contain metres, and the session must use the value that is read from them.
+// Converts to metres and back: recordings and profiles contain metres, and a replay must use the same value.
 double as_read_from_m(double mm) { return mm_per_m * (mm / mm_per_m); }
 
 void apply_noise(const RestNoise& rest, EstimatorConfig* config) {

@@ -69,11 +69,12 @@ class Targets {
   const std::map<std::uint64_t, Target>& all() const { return by_id_; }
   /// True if there is a real and a virtual target, as a reach requires.
   bool has_both_roles() const { return real_count_ > 0 && by_id_.size() > real_count_; }
-  /// True if there are both roles, all targets are given by directions of at most 1.6, and at least two are not 0. In
-  /// degrees, targets at 100 mm from the start would be within 6 mm of each other, which no application needs.
+  /// True if there are both roles, all targets are given by directions of at most 1.6, and at least two are not 0. If
+  /// these were degrees, targets at 100 mm from the start would be within 6 mm of each other.
   bool may_be_in_radians() const;
 
-  /// Returns a target's number in recordings, from 1 in a process with one session; 0 if the target does not exist.
+  /// Returns the number of a target in recordings: 1 for the first target of the process after the creation of this
+  /// object, and so on; 0 if this object does not have the target.
   std::uint64_t number(std::uint64_t id) const { return by_id_.contains(id) ? id - before_first_ : 0; }
 
  private:
