@@ -8,7 +8,7 @@
 
 namespace hrt {
 
-/// Smallest distance along the plate at which a direction is defined. Nearer, noise would determine the direction.
+/// Smallest distance along the plate at which a direction is defined.
 inline constexpr double min_distance_m = 1e-3;
 
 /// A position in metres, or a direction.
@@ -25,7 +25,7 @@ inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 
-/// A rotation as a unit quaternion, with the components in the order of glTF and OpenXR.
+/// A unit quaternion.
 struct Quaternion {
   double x = 0.0;
   double y = 0.0;
@@ -48,8 +48,7 @@ struct Pose {
   Quaternion orientation;
 };
 
-/// An affine transform: the images of the directions +X, +Y, +Z (for a pose, perpendicular unit vectors) and the
-/// origin.
+/// An affine transform: the images of the directions +X, +Y, +Z and of the origin.
 struct Transform {
   Vec3 x{1.0, 0.0, 0.0};
   Vec3 y{0.0, 1.0, 0.0};

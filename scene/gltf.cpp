@@ -37,7 +37,7 @@ std::uint32_t little_endian(std::string_view four_bytes) {
   return value;
 }
 
-// Replaces a value by 0. Keeps line ends, so that the parser reports the right line numbers.
+// Replaces the value from `begin` to `end` by 0. Keeps line ends, so that the parser reports the right line numbers.
 void blank(std::string& json, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i)
     if (json[i] != '\n') json[i] = i == begin ? '0' : ' ';
@@ -47,8 +47,8 @@ void blank(std::string& json, std::size_t begin, std::size_t end) {
 // memory; checks for repeated keys, of which the parser would use the last; and blanks the sections that are skipped.
 void prepare(std::string& json, const std::string& file) {
   std::vector<std::set<std::string_view>> keys;  // keys of each open object; empty for an open array
-  std::string_view string;                       // the last string
-  std::string_view section;
+  std::string_view string;                       // the last string, which is a key if ':' follows
+  std::string_view section;                      // the last key of the outermost object
   std::size_t section_begin = 0, values = 0, nodes = 0;
   bool is_skipped = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
@@ -112,7 +112,7 @@ JsonExtent find_json(std::string_view header, std::uint64_t file_bytes, const st
     if (header.size() < glb_header_bytes) refuse(file, "the binary glTF header is incomplete; export the file again");
     const std::uint32_t version = little_endian(header.substr(4));
     const std::uint32_t claimed_bytes = little_endian(header.substr(8));
-    if (version != 2) refuse(file, "the binary glTF header has version {}; allowed: 2", version);
+    if (version != 2) refuse(file, "the binary glTF header has version {}; allowed: 2. Export as glTF 2.0", version);
     if (claimed_bytes != file_bytes)
       refuse(file, "the binary glTF header declares {} bytes, but the file has {}; export the file again",
              claimed_bytes, file_bytes);
@@ -137,12 +137,12 @@ tinygltf::Model parse_gltf(std::string json, const std::string& file) {
   if (!tinygltf::TinyGLTF().LoadASCIIFromString(&model, &error, &warning, json.c_str(),
                                                 static_cast<unsigned>(json.size()), "", tinygltf::REQUIRE_VERSION)) {
     if (error == std::bad_alloc().what()) throw std::bad_alloc();
-    refuse(file, "not a glTF file: {}", reason(error));
+    refuse(file, "not a glTF file: {}; export the file again", reason(error));
   }
   if (!model.asset.version.starts_with("2."))
-    refuse(file, "asset.version is {}; allowed: 2.x", in_quotes(model.asset.version));
+    refuse(file, "asset.version is {}; allowed: 2.x. Export as glTF 2.0", in_quotes(model.asset.version));
   if (!model.asset.minVersion.empty() && model.asset.minVersion != "2.0")
-    refuse(file, "asset.minVersion is {}; allowed: 2.0", in_quotes(model.asset.minVersion));
+    refuse(file, "asset.minVersion is {}; allowed: 2.0. Export as glTF 2.0", in_quotes(model.asset.minVersion));
   for (const std::string& name : model.extensionsRequired) {
     if (std::none_of(harmless_extensions.begin(), harmless_extensions.end(),
                      [&](const char* prefix) { return name.starts_with(prefix); }))

@@ -12,7 +12,8 @@
 
 namespace hrt {
 
-/// Limits of the sections that are read. They bound the memory that a hostile file takes.
+/// Limits that bound the memory that a hostile file takes. Sections that parse_gltf() skips count for json_bytes and
+/// json_depth only.
 namespace gltf_limits {
 inline constexpr std::size_t json_bytes = std::size_t{64} << 20;
 inline constexpr std::size_t json_values = 1'000'000;

@@ -22,8 +22,8 @@ struct HapticProperties {
 /// True if `extras` has haptic properties: nested in `haptic`, or flat as `haptic_role` and so on.
 bool is_haptic(const tinygltf::Value& extras);
 
-/// Reads the properties. Requires is_haptic(extras). Throws SceneError if a property is unknown, of the wrong type, out
-/// of range, or does not apply to the role. `where` is the beginning of the error text.
+/// Reads the properties. Requires is_haptic(extras). Throws SceneError if a property is missing, unknown, of the wrong
+/// type, out of range, or does not apply to the role. `where` is the beginning of the error text.
 HapticProperties haptic_properties(const tinygltf::Value& extras, const std::string& where);
 
 }  // namespace hrt

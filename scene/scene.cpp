@@ -15,7 +15,7 @@ namespace {
 
 // Largest cosine of the angle between a plate's +Y and -Z. It allows the rounding errors of single-precision files.
 constexpr double max_shear = 1e-4;
-constexpr double max_plate_coordinate_m = 1000.0;  // as in hrt_session_config
+constexpr double max_plate_coordinate_m = 1000.0;  // range of hrt_session_plate::position_m
 
 // Returns true if the transform maps space onto a plane, a line or a point.
 bool is_degenerate(const Transform& t) {

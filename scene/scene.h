@@ -1,8 +1,5 @@
-// Reads a plate, a start and targets from a glTF 2.0 file. README.md describes the conventions and the properties of
-// nodes. Units are metres and degrees.
-//
-// load_scene() may be called concurrently. It reads only the given file, and does not open the buffers and images to
-// which the file refers.
+// Reads a plate, a start and targets from a glTF 2.0 file. scene/README.md describes the conventions and the properties
+// of nodes. Buffers and images to which the file refers are not opened. load_scene() may be called concurrently.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +19,7 @@ struct ScenePlate {
   Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
   double radius_m;
   std::optional<double> max_speed_deg_s;  ///< maximum speed of the plate's servo, if the file has it
-  std::string node_path;                  ///< names from the root, joined with '/'
+  std::string node_path;                  ///< names of the nodes from the root to the plate, joined with '/'
 };
 
 enum class TargetKind {
@@ -37,7 +34,7 @@ struct SceneTarget {
   Vec3 position_m;                       ///< origin of the node in plate coordinates; y is the height above the plate
   std::optional<double> radius_m;        ///< radius of the object, if the file has it
   std::optional<std::size_t> served_by;  ///< index in Scene::targets of the assigned real target; set if virtual
-  std::string node_path;
+  std::string node_path;                 ///< as in ScenePlate
 };
 
 struct Scene {
@@ -47,10 +44,10 @@ struct Scene {
   std::vector<SceneTarget> targets;       ///< in the order of the file's node tree
 };
 
-/// Returns the direction of a target from the start, in (-180, 180].
+/// Returns the direction of a target from the start, in degrees counter-clockwise from the mid-line, in (-180, 180].
 double direction_deg(const Scene& scene, const SceneTarget& target);
 
-/// Returns the distance of a target from the start along the plate. At least min_distance_m in a loaded scene.
+/// Returns the distance of a target from the start along the plate; at least min_distance_m.
 double distance_m(const Scene& scene, const SceneTarget& target);
 
 /// Reads a .gltf or .glb file, recognised by content. Throws SceneError, std::bad_alloc.

@@ -41,14 +41,12 @@
  *    type, joined by |.
  *  - Texts and paths are UTF-8, on Windows too.
  *
- * In your process (PROCESS.md has numbers and details)
+ * In your process (PROCESS.md has the details, and the needs of stack and memory)
  *  - Calls set rounding to nearest and, on x86, mask floating-point exceptions; at their end, they restore the host's
  *    floating-point mode. The host's flush-to-zero mode and locale do not affect results.
  *  - The library sends and handles no signals. Its only threads are one for each recording, which blocks signals.
  *  - In the child of a fork, sessions work; recordings stay with the parent (recording.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call at that time.
- *  - Stack: at most 32 kB in [real-time] calls, 66 kB in other calls. Memory: 31 kB for a session, 10 MB for a
- *    recording.
  *
  * Names end with their units: _deg degrees, _deg2 degrees squared, _m metres, _s seconds, _ns nanoseconds, _deg_s
  * degrees per second. Tags in comments give other units, ranges and defaults; the range of an array applies to each

@@ -41,7 +41,7 @@ extern "C" {
  *  follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 and a bound of 75 degrees.
  *  FIXED_DIRECTION and HRT_CONTROL_FIXED_PLATE use the model of the paper, with orientations within
  *  paper.plate_bound_deg of the virtual direction plus the bias: 14.9 degrees for a weight of 0.15 and a bound of 84.5
- *  degrees. Published human data cover angles of up to 60 degrees between motion and ridge normal. */
+ *  degrees. */
 typedef struct hrt_gap {
   uint32_t struct_size;
   /** 1 if the gap is feasible: the plate can keep the finger moving in the direction of the real target. @bool */

@@ -239,9 +239,7 @@ typedef struct hrt_reach_counts {
  *  motion, with the observed HRT_PERSON_LOG_WANDER. Under FIXED_DIRECTION, curve, bias and their SDs are 0.
  *
  *  Under ARRIVAL, the SDs of weight and bias are too small after many reaches with gaps on the same side, where a
- *  weight and a bias have the same effect: after 20 reaches, the 95 % intervals contain the true weight of about 78 %
- *  of simulated people and the true bias of 93 %, although reaches still end at the target. To measure a user,
- *  alternate the sides: the intervals then contain the true values of at least 97 %. */
+ *  weight and a bias have the same effect. To measure a user, alternate the sides of the gaps. */
 typedef struct hrt_reach_learnt {
   double tactile_weight;    /**< value of hrt_command::tactile_weight at the end @unit 1 */
   double tactile_weight_sd; /**< value of hrt_command::tactile_weight_sd at the end @unit 1 */

@@ -204,9 +204,8 @@ typedef struct hrt_session_person {
   double max_felt_error_deg;
   /** Maximum angle between the plate orientation and the direction of the motion under GUIDANCE_ARRIVAL. Raising it
    *  allows larger gaps for users whose illusion still increases at that angle; published data cover angles up to 60
-   *  degrees. The controller does not plan beyond the estimated peak of the illusion. A calibration writes this field.
-   *  @range 1 to 89 @default 75
-   *  @flatten motion_bound_deg */
+   *  degrees. The controller does not plan beyond the estimated peak of the illusion. A calibration may write this
+   *  field. @range 1 to 89 @default 75 @flatten motion_bound_deg */
   double motion_bound_deg;
   /** Mean of the traits HRT_PERSON_*, whose comments have the ranges. Used if person.covariance is not 0.
    *  @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0

@@ -44,7 +44,7 @@ inline Text<240> last_failure() {
   return parts;
 }
 
-/// Runs the body of an entry point and converts every exception to a result.
+/// Runs the body of the entry point `call`, and converts every exception to a result.
 template <class Body>
 hrt_result guarded(const char* call, Body&& body) noexcept {
   thread_error.call = call;

@@ -39,13 +39,14 @@ class HandleTable {
     return 0;
   }
 
-  /// Runs the body of the entry point `call` on the object of a handle. Fails with BUSY or INVALID_HANDLE.
+  /// Runs `body` on the object of a handle. Fails with BUSY or INVALID_HANDLE. `call`: name of the entry point, for
+  /// error texts.
   template <class Body>
   hrt_result with(const char* call, std::uint64_t handle, Body&& body) noexcept {
     return with_slot(call, handle, [&](Slot& slot) -> hrt_result { return body(*slot.object); });
   }
 
-  /// Destroys the object of a handle in the entry point `call`. Fails with BUSY or INVALID_HANDLE.
+  /// Destroys the object of a handle. Fails with BUSY or INVALID_HANDLE.
   hrt_result destroy(const char* call, std::uint64_t handle) noexcept {
     return with_slot(call, handle, [](Slot& slot) {
       slot.object.reset();

@@ -1,4 +1,3 @@
-// Threads that the library starts in the host's process.
 #pragma once
 
 #include <memory>

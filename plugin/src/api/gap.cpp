@@ -11,7 +11,6 @@
 namespace hrt::plugin {
 namespace {
 
-// Finds the targets of an array of ids. Fails if an id does not exist or appears twice.
 hrt_result find_targets(const Targets& targets, const char* argument, const hrt_target* given, std::uint64_t count,
                         TargetRole role, std::vector<const Target*>* out) {
   if (count == 0 || count > HRT_ASSIGN_TARGETS_MAX)

@@ -42,7 +42,7 @@ hrt_result read_file(const char* path, std::string* out) {
     if (n == 0 || (size >= recording_begin.size() && !out->starts_with(recording_begin))) return HRT_OK;
   }
   return fail(HRT_ERROR_SYSTEM, Shown{path}, ": the file is too large; allowed: up to ", max_file,
-              " bytes");  // the file grew while it was read
+              " bytes. It grew while it was read; stop its recording first");
 }
 
 bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {

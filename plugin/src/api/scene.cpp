@@ -37,7 +37,6 @@ void log_far_targets(const Scene& scene, std::string_view file) {
   write_log(HRT_LOG_WARNING, text.c_str());
 }
 
-// Sets the plate and the start of the session, and adds the targets.
 hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uint64_t capacity,
                           hrt_target* out_targets) {
   HRT_RETURN_IF_FAILED(session.session().check_idle());

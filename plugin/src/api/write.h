@@ -20,10 +20,9 @@ hrt_setup_residual to_c(const CalibratedSlide& slide);
 hrt_gap to_c(const Gap& gap, hrt_target real_target, hrt_target virtual_target);
 
 void write(const Vec3& from, double (&to)[3]);
-/// Writes a point on the plate's face in plate coordinates.
+/// Writes a point on the plate in plate coordinates: its height is 0.
 void write_point(const PlatePoint& point, double (&out_m)[3]);
 
-/// Writes problem, likely mistake and instruction of a step as sentences for the user.
 void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]);
 /// Writes why the last dropped part of a set-up was dropped.
 void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]);

@@ -15,7 +15,7 @@
 
 namespace hrt::plugin {
 
-/// Geometry of a reach, computed from its two targets and the session's configuration.
+/// Geometry of a reach, seen from its start or, after a retarget, from the position of the finger at that time.
 struct ReachGeometry {
   double real_direction_deg;
   double virtual_direction_deg;
@@ -54,7 +54,7 @@ struct ReachBegun {
 struct Retargeted {
   std::uint64_t real_number;  ///< as in ReachBegun
   std::uint64_t virtual_number;
-  ReachGeometry reach;  ///< geometry from the position of the finger; valid if the call succeeded
+  ReachGeometry reach;  ///< valid if the call succeeded
 };
 
 struct Touched {
@@ -124,7 +124,7 @@ inline constexpr std::string_view end_comment = "# end ";
 /// Writes the last line, with the checksum of all lines before it.
 void write_end(std::uint64_t checksum, RecordText& out);
 
-/// Fails unless the line has the names of all columns, in their order.
+/// Fails unless the line is the line with the names of the columns.
 hrt_result check_column_names(std::string_view line);
 
 /// Reads the input columns and the result of a row, not the output columns.

@@ -1,4 +1,3 @@
-// Writes records to a file without delaying the calling thread.
 #pragma once
 
 #include <atomic>
@@ -17,7 +16,8 @@
 
 namespace hrt::plugin {
 
-/// A ring buffer of records, and a thread that writes them to a file. Calls must not be concurrent.
+/// Writes records to a file without delaying the caller: push() adds them to a ring buffer, from which a thread takes
+/// them. Calls must not be concurrent.
 class Recorder {
  public:
   /// Starts a recording by writing the state of the session. `name` identifies session and file in `log`, which must
@@ -28,7 +28,7 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Adds a record, or counts it as lost if the ring is full. Real-time.
+  /// Adds a record, or counts it as lost if the thread is too slow. Real-time.
   void push(const Record& record) noexcept;
 
   /// True in a forked child: push() drops records, and of the other functions only the destructor may be called.
@@ -45,7 +45,7 @@ class Recorder {
     Record record;
     std::uint64_t lost_before;  // records lost between the previous entry and this one
   };
-  static constexpr std::size_t capacity = 8192;  // a power of two; 80 s at 100 Hz
+  static constexpr std::size_t capacity = 8192;  // 80 s at 100 Hz
 
   void write_all();
   void drain();

@@ -48,7 +48,7 @@ class Session {
   /// Requires that check_reaching() succeeds.
   hrt_result update(const FingerSample& sample, PlateCommand* out);
   hrt_result retarget(std::uint64_t real_target, std::uint64_t virtual_target);
-  /// Fails unless a contact can be reported: in a reach or after it, once, with a registered plate.
+  /// Fails unless a contact can be reported: during a reach or after its end, once, and if the plate is registered.
   hrt_result check_contact_due() const;
   /// Requires that check_contact_due() succeeds.
   hrt_result touched(const ContactReport& report);
@@ -117,7 +117,7 @@ class Session {
     RegistrationAssessment assessment;
     std::optional<std::int64_t> last_time_ns;
     std::optional<Contact> contact;
-    bool registration_doubtful = false;  // true if the registration was missing or poor at any sample
+    bool registration_doubtful = false;  // true if the registration was missing, poor or too old at any sample
     bool faulty = false;                 // see mark_faulty()
   };
   using SettingUp = std::unique_ptr<SessionSetup>;

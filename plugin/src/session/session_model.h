@@ -10,7 +10,7 @@
 
 namespace hrt::plugin {
 
-/// Ranges of the values that set-ups and reaches estimate.
+/// Range of a value that set-ups or reaches estimate; equal to the range of its field in hrt_session_config.
 struct Range {
   double low, high;
   bool has(double value) const { return value >= low && value <= high; }
@@ -48,11 +48,10 @@ struct PlateRegistration {
 };
 
 struct SessionModel {
-  /// Unless `knows_person`, `control.person` is the prior of an unknown person. `control.touched.home` is the start.
-  RetargeterConfig control;
+  RetargeterConfig control;       ///< control.touched.home is the start of reaches
   bool guides_to_arrival = true;  ///< true: HRT_GUIDANCE_ARRIVAL; false: HRT_GUIDANCE_FIXED_DIRECTION
   Adaptation adaptation = Adaptation::carried;
-  bool knows_person = false;  ///< true if control.person is from reaches or a calibration
+  bool knows_person = false;  ///< true: control.person was estimated; false: forget_person() has set it
   PlateMount mount;
   Vec3 start_m;  ///< start of reaches, in plate coordinates
   PlateRegistration registration;

@@ -27,7 +27,7 @@ std::uint32_t missing(const SessionModel& model) {
   return parts;
 }
 
-// Distance from the start to the margin of the plate, straight ahead (parallel to the mid-line).
+// Distance from the start, parallel to the mid-line, to rim_margin_mm before the rim.
 double room_ahead_mm(const SessionModel& model) {
   const PlatePoint& start = start_of(model);
   const double radius_mm = mm_per_m * model.mount.surface.radius_m;
@@ -49,8 +49,8 @@ void set_usual_marks(const SessionModel& model, SetupConfig* config) {
   config->mark_count = 6;
 }
 
-// Sets the guides, from the start to the near side of each real target in the order of addition. Fails if there is no
-// real target, or if one is too near for a slide.
+// Sets the guides from the start to the near sides of the first real targets. Fails if there is no real target, or if
+// one is too near for a slide.
 hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupConfig* config) {
   const PlatePoint& start = start_of(model);
   for (const auto& [id, target] : targets.all()) {
