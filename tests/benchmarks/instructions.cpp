@@ -116,7 +116,6 @@ void count_updates(const char* row, int period_ms) {
   end_row(row, updates);
 }
 
-// Counts updates of a set-up, with a simulated person who follows it.
 void count_setup_updates() {
   constexpr int updates = 3000;
   hrt_session session{};

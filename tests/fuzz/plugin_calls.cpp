@@ -1,5 +1,5 @@
-// Makes calls in any order with any arguments. Checks that each result has a name, that a failed call does not change
-// its output, and that every number of an output is finite.
+// Makes calls in any order with any arguments. Checks that results have names, that failed calls do not change their
+// outputs, and that the numbers of outputs are finite.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <array>

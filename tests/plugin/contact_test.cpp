@@ -19,7 +19,6 @@ hrt_contact contact_at(const PlatePoint& place, double sd_m) {
   return contact;
 }
 
-/// Returns a contact at 100 mm from the start.
 hrt_contact contact_in(double direction_deg, double sd_m = 0.001) {
   return contact_at(point_ahead(start, direction_deg, 100.0), sd_m);
 }

@@ -79,12 +79,11 @@ class Extremes : public SessionTest {
       if (changes()) coordinate_m = within(-10.0, 10.0);
     for (double& coordinate_m : config.plate.position_m)
       if (changes()) coordinate_m = within(-1000.0, 1000.0);
-    if (below(4) == 0) believe(&config);
+    if (below(4) == 0) set_random_person(&config);
     return config;
   }
 
-  /// Draws a person within the documented ranges, with independent traits.
-  void believe(hrt_session_config* config) {
+  void set_random_person(hrt_session_config* config) {
     for (int trait = 0; trait < HRT_PERSON_TRAITS; ++trait)
       config->person.mean[trait] = within(F::person_mean_elements[trait].low, F::person_mean_elements[trait].high);
     for (double& covariance : config->person.covariance) covariance = 0.0;

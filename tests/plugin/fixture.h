@@ -43,7 +43,6 @@ Output output() {
   return out;
 }
 
-/// Returns true if two structs are equal bit by bit.
 template <class Struct>
 bool same(const Struct& a, const Struct& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;

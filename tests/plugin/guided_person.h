@@ -57,7 +57,6 @@ class GuidedPerson {
   }
 
   std::int64_t time_ns() const { return time_ms_ * 1'000'000; }
-  /// Lifts the finger now for `duration_ms`.
   void lift(int duration_ms) { lifted_until_ms_ = time_ms_ + duration_ms; }
 
  private:
@@ -108,7 +107,6 @@ inline GuidedPerson quiet_person(bool in_plate = false) {
   return person;
 }
 
-/// Runs a set-up with the person until it is over.
 inline hrt_setup_result set_up(hrt_session session, std::uint32_t what, GuidedPerson* person,
                                const hrt_setup_config& config = hrt_setup_config_init()) {
   EXPECT_OK(hrt_setup_begin(session, what, &config));

@@ -116,7 +116,7 @@ TEST_F(PersonTest, DefaultSessionSteersAPersonToTheRealTarget) {
 }
 
 // To steer a finger to the right, the ridges must shift the perceived direction to the left, so their normal is to the
-// left of the motion. For a shift of 0.2 t and an error of at most 5 degrees, at most 75 degrees are needed.
+// left of the motion. By default, it is at most 75 degrees from the motion.
 TEST_F(PersonTest, PlateIsTurnedBeforeTheMotion) {
   hrt_session_config config = servo_config();
   config.adaptation = HRT_ADAPTATION_OFF;

@@ -13,9 +13,8 @@ namespace {
 using plugin::Field;
 using plugin::FieldKind;
 
-/// Returns the limits of a field.
 template <class S, class T>
-std::vector<typename Field<S, T>::Number> ends(const Field<S, T>& field) {
+std::vector<typename Field<S, T>::Number> limits_of_field(const Field<S, T>& field) {
   if (field.kind == FieldKind::reserved) return {0};
   if (field.kind == FieldKind::free) return {};
   std::vector<typename Field<S, T>::Number> values{field.low, field.high};
@@ -63,7 +62,7 @@ std::set<std::string> try_ranges(Prepare&& prepare, Take&& take) {
     };
     constexpr std::size_t elements = std::extent_v<std::remove_reference_t<decltype(field.of(std::declval<S&>()))>>;
     for (std::size_t i = 0; i < std::max<std::size_t>(elements, 1); ++i) {
-      for (const auto value : ends(field))
+      for (const auto value : limits_of_field(field))
         if (with(value, i) != HRT_OK) refused_at_an_end.insert(field.name);
       for (const auto value : beyond(field)) {
         expect_error(with(value, i), HRT_ERROR_OUT_OF_RANGE, std::string(field.name));
@@ -177,7 +176,7 @@ TEST_F(SessionTest, SampleAcceptsExactlyItsRanges) {
 
 TEST_F(SessionTest, ConditionsAcceptExactlyTheirRanges) {
   auto given = output<hrt_conditions>();
-  for (const std::int64_t time_s : ends(plugin::Fields<hrt_conditions>::time_s)) {
+  for (const std::int64_t time_s : limits_of_field(plugin::Fields<hrt_conditions>::time_s)) {
     given.time_s = time_s;
     EXPECT_OK(hrt_profile_set_conditions(session, &given));
   }

@@ -1,5 +1,6 @@
-// The calls of both libraries with the tag [real-time] allocate nothing, take no lock and make no system call, also
-// when they fail. Memory and lock functions are replaced by functions that count; the kernel forbids system calls.
+// Calls of libhaptic_retargeting and libhrt_plate with the tag [real-time] allocate nothing, take no lock and make no
+// system call, also when they fail. Memory and lock functions are replaced by functions that count; the kernel forbids
+// system calls.
 #include <dlfcn.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -269,7 +270,6 @@ TEST_F(RealTimeTest, MakesNoSystemCallWhileRecorded) {
   expect_success(status);
 }
 
-// A plate on a pseudo-terminal, opened by hrt_plate_open().
 struct OpenPlate {
   OpenPlate() {
     if (hrt_plate_open(("serial:" + device.device()).c_str(), nullptr, &plate) != HRT_OK) return;

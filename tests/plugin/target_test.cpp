@@ -194,7 +194,6 @@ TEST_F(AssignTest, AssignsTheNearestRealTargetOrOneEachIfExclusive) {
   EXPECT_EQ(shared[1].real_target.value, reals[1].value);
   EXPECT_EQ(exclusive[0].real_target.value, reals[0].value);
   EXPECT_EQ(exclusive[1].real_target.value, reals[1].value);
-  // Each element equals the result of hrt_gap_query().
   EXPECT_TRUE(same(exclusive[0], gap_of(reals[0], virtuals[0])));
 }
 

@@ -179,8 +179,7 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
                                    design.participants));
 }
 
-// Checks requirements on several fields together.
-void check_whole(const std::string& name, const Design& design) {
+void check_field_combinations(const std::string& name, const Design& design) {
   const auto conditions = static_cast<unsigned>(design.conditions.size());
   unsigned rows = design.order == Order::listed ? static_cast<unsigned>(design.listed.size()) : 1;
   if (design.order == Order::williams) rows = conditions % 2 == 0 ? conditions : 2 * conditions;
@@ -216,7 +215,7 @@ Design parse_design(const std::string& text, const std::string& name) {
     design.texts[text["text"].get<std::string>()] = text["instead"];
   const Json& simulated = file["simulated"];
   design.simulated = {simulated["invalid_share"], simulated["lapse_share"], simulated["weights"]};
-  check_whole(name, design);
+  check_field_combinations(name, design);
   design.text = text;
   design.sha256 = sha256_of(text);
   return design;

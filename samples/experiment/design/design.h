@@ -35,7 +35,6 @@ struct Pair {
 
 enum class Order { williams, random_in_blocks, listed };
 
-/// Rules by which a reach is valid.
 struct Validity {
   double min_s;
   double max_s;
@@ -118,7 +117,6 @@ Design read_design(const std::filesystem::path& file);
 /// Returns the plugin's session configuration of a condition. Throws Refusal if `config` names an unknown field.
 hrt_session_config config_of(const Condition& condition);
 
-/// The JSON Schema of a design: study.schema.json.
 const Json& design_schema();
 
 /// Returns the letter of a condition before unblinding. Letters are assigned at random for each participant, so those

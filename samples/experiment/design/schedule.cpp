@@ -72,8 +72,8 @@ std::vector<unsigned> permuted(unsigned count, Use use, const Place& place) {
 
 unsigned index_in_design(const Design& design, unsigned participant) { return (participant - 1) % design.participants; }
 
-// Returns the index of a participant's level. With n levels, n consecutive participants have n different levels, in
-// random order.
+// Returns the index of a participant's level. With n levels, participants 1 to n have n different levels, in random
+// order; likewise the next n participants, and so on.
 unsigned level_for(const Design& design, unsigned participant) {
   const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   const unsigned index = index_in_design(design, participant);
@@ -109,7 +109,6 @@ std::string letters_of(const Design& design, unsigned participant, const std::ve
   return text;
 }
 
-// Returns how often each condition directly follows each other condition, over all participants.
 std::string balance_text(const Design& design) {
   if (design.order == Order::random_in_blocks)
     return "balance: every block has every condition and pair equally often\n";

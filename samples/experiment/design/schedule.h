@@ -39,7 +39,6 @@ Schedule schedule_of(const Design& design, unsigned participant);
 /// "| 12 | block 1: reaches, 13 trials |".
 std::string plan_text(const Design& design, const Schedule& schedule);
 
-/// Returns the name of a kind of block, as it is written to files.
 std::string name_of(BlockKind kind);
 
 /// Returns the name of a condition before unblinding: its letter; for practice and noticeability, the kind of the

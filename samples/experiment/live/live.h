@@ -41,7 +41,6 @@ class Live {
   void frame(app::RunContext& context, XrTime time, std::optional<Clock::time_point> registered);
   /// Extends the true and the perceived path in `facts`; `is_first` begins new paths. Call in every frame of a reach.
   void moment(const app::RunContext& context, const app::TargetPair& pair, const app::Moment& moment, bool is_first);
-  /// Returns the next key that was pressed on a page, if any.
   std::optional<char> key();
 
  private:

@@ -1,4 +1,4 @@
-// Writes the journals of a study as tables.
+// Tables of the data in the journals of a study.
 #pragma once
 
 #include <filesystem>

@@ -27,7 +27,7 @@ struct Part {
   double distance_m;
   double radius_m;
   Condition condition;
-  unsigned index;  // index of the condition in the design
+  unsigned condition_index;
 };
 
 json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&start_m)[3]) {
@@ -56,7 +56,6 @@ double bearing_of_end_deg(const json& part) {
   return part.at("real_deg").get<double>() + part.at("miss_deg").get<double>();
 }
 
-// Returns the reason for which the reach is invalid; empty: valid.
 std::string invalid_reason(const Validity& rules, const ReachOutcome& outcome) {
   if (!outcome.problem.empty()) return outcome.problem;
   if (!outcome.has_ended) return "the reach did not end";
@@ -342,7 +341,7 @@ class SessionRun {
     std::vector<Part> parts(
         2, Part{notice.virtual_deg, notice.virtual_deg, notice.distance_m, 0.0, control, notice.control});
     parts[bent].condition = condition;
-    parts[bent].index = notice.condition;
+    parts[bent].condition_index = notice.condition;
     parts[bent].real_deg -= sign * gap_deg;
     return parts;
   }
@@ -426,7 +425,7 @@ class SessionRun {
   }
 
   void run_reach(const Part& part, unsigned condition, unsigned index, const std::filesystem::path& file, json& reach) {
-    const std::string& learnt = state_.profiles[part.index];
+    const std::string& learnt = state_.profiles[part.condition_index];
     const std::string first = state_.set_up ? state_.set_up->at("profile").get<std::string>() : "";
     const LibrarySession session(part.condition, learnt.empty() ? first : learnt, subject_);
     const auto [real, seen] = session.add_targets(part.real_deg, part.virtual_deg, part.distance_m, part.radius_m);
@@ -447,7 +446,7 @@ class SessionRun {
                     {format("miss %.1f mm", found["miss_mm"].get<double>()),
                      format("largest perceived-direction error %.1f°", outcome.peak_felt_error_deg),
                      format("misfit %.1f (limit 6)", outcome.summary.misfit), validity}}});
-    if (part.condition.controller == Controller::people && part.index == condition && reach["counts"])
+    if (part.condition.controller == Controller::people && part.condition_index == condition && reach["counts"])
       reach["profile"] = session.profile();
   }
 

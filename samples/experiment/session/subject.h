@@ -32,11 +32,11 @@ struct ReachOrder {
 
 struct ReachOutcome {
   bool has_ended = false;
-  std::string problem;               ///< why the reach is invalid, apart from the rules of validity; empty: valid
-  double end_m[3]{};                 ///< final position of the fingertip, in plate coordinates
-  double duration_s = 0.0;           ///< duration of the motion
-  double peak_felt_error_deg = 0.0;  ///< largest perceived-direction error
-  bool is_truth = false;             ///< peak_felt_error_deg is ground truth; false: the plugin's estimate
+  std::string problem;      ///< why the reach is invalid, apart from the rules of validity; empty: valid
+  double end_m[3]{};        ///< final position of the fingertip, in plate coordinates
+  double duration_s = 0.0;  ///< duration of the motion
+  double peak_felt_error_deg = 0.0;
+  bool is_truth = false;  ///< peak_felt_error_deg is ground truth; false: the plugin's estimate
   hrt_reach_summary summary{};
 };
 
@@ -58,11 +58,11 @@ class Subject {
   virtual void continue_after(const Now&) {}
   /// Returns an identifier of the computer's boot; monotonic times of the same boot are comparable.
   virtual std::string boot() const = 0;
-  /// Sets the fields of the configuration that describe the plate and the tracker.
+  /// Sets the fields of the configuration that describe plate, tracker, start and registration.
   virtual void plan(hrt_session_config&) const {}
   /// Returns "simulated, seed 7", or a person and the tracker; the same in each run of a session.
   virtual std::string description() const = 0;
-  /// Returns a description of the plate; empty if the plate is simulated.
+  /// Returns a description of the plate; may be empty.
   virtual std::string plate() const { return {}; }
   /// Returns the key that was pressed since the last call. After Key::stop_plate, the next call waits until the
   /// experimenter resumes.
@@ -73,7 +73,7 @@ class Subject {
   /// Returns the text of a note, after Key::note.
   virtual std::string note() = 0;
 
-  /// Returns the marks for registration by touch; nullopt if the pose of the plate is simulated.
+  /// Returns the marks for registration by touch; nullopt if the session does not register the plate by touch.
   virtual std::optional<hrt_setup_config> marks() const { return std::nullopt; }
   /// Applies the pose that was found by touches. Returns the registration as a text, which verify() reads.
   virtual std::string registered(const hrt_session_config&) { return {}; }

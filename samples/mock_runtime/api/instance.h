@@ -17,8 +17,8 @@ inline constexpr XrSystemId the_system = 1;
 
 /// Results of the functions of XR_KHR_vulkan_enable2, which xrCreateSession needs.
 struct GraphicsSetup {
-  bool requirements_requested = false;                ///< xrGetVulkanGraphicsRequirements2KHR has been called
-  PFN_vkGetInstanceProcAddr get_proc_addr = nullptr;  ///< that of the application
+  bool requirements_requested = false;
+  PFN_vkGetInstanceProcAddr get_proc_addr = nullptr;  ///< vkGetInstanceProcAddr of the application
   VkInstance instance = nullptr;                      ///< result of xrCreateVulkanInstanceKHR; null if it failed
   VkPhysicalDevice physical_device = nullptr;         ///< result of xrGetVulkanGraphicsDevice2KHR
 };

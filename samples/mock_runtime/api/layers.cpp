@@ -90,8 +90,7 @@ Picture picture_of_eye(const XrFrameEndInfo& info, std::uint32_t eye) {
 
 namespace {
 
-// Interval between pictures in frames if the script selects no frames.
-constexpr std::int64_t default_interval = 30;
+constexpr std::int64_t default_interval_frames = 30;
 
 // On an error prints the reason and returns: an application must not fail because of a full disk.
 void write_files(const Picture& picture, const std::string& folder, const std::string& name, const std::string& line) {
@@ -109,7 +108,7 @@ bool is_due(Session& session) {
   const Script& script = runtime().script;
   const std::int64_t frame = session.frames.begun_number;
   const bool selects_frames = script.picture_interval > 0 || script.has_picture_events;
-  const std::int64_t interval = selects_frames ? script.picture_interval : default_interval;
+  const std::int64_t interval = selects_frames ? script.picture_interval : default_interval_frames;
   if (interval > 0 && (frame - 1) % interval == 0) return true;
   if (session.picture_from == 0 || frame < session.picture_from) return false;
   session.picture_from = 0;

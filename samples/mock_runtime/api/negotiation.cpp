@@ -38,7 +38,6 @@ XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* r
   return XR_SUCCESS;
 }
 
-// Entry points, indexed by FunctionId.
 const PFN_xrVoidFunction entries[] = {
 #define HRT_MOCK_ENTRY(extension, name) \
   reinterpret_cast<PFN_xrVoidFunction>( \

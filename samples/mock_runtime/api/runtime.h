@@ -22,8 +22,8 @@ struct Runtime {
   CallLog log;
   std::uint32_t threads = 0;  ///< number of threads that have called thread_number()
   Script script;
-  std::string script_text;     ///< JSON text of `script`; empty before the first script is read
-  Faults faults;               ///< faults of the script, with counts of calls
+  std::string script_text;  ///< JSON text of `script`; empty before the first script is read
+  Faults faults;
   std::uint64_t sessions = 0;  ///< number of sessions created since the script took effect
   std::string script_error;    ///< mistake in the script that HRT_MOCK_SCRIPT names; empty: no mistake
 
@@ -41,7 +41,6 @@ struct Runtime {
     const bool in_session = instance != nullptr && registry.has_child(*instance, XR_OBJECT_TYPE_SESSION);
     return faults.next(function, in_session ? sessions : sessions + 1);
   }
-  /// Returns the time of the instance's clock; 0 without an instance.
   XrTime now() const { return clock == nullptr ? 0 : clock->now(); }
 };
 

@@ -49,8 +49,9 @@ class Session : public Object {
   XrSessionState state() const { return state_; }
   /// Queues an event with the present state.
   void report_state();
-  /// Enters LOSS_PENDING directly, and SYNCHRONIZED, VISIBLE, FOCUSED or STOPPING by way of the states in between. No
-  /// effect if the loss is pending, or if the session is not running and `state` is not LOSS_PENDING.
+  /// Enters LOSS_PENDING directly. From SYNCHRONIZED, VISIBLE or FOCUSED, also enters one of these or STOPPING, by way
+  /// of the states in between; from READY, STOPPING if the session is running. Otherwise, and after LOSS_PENDING, no
+  /// effect.
   void go_to(XrSessionState state);
   /// Executes the event session_state of the script. EXITING means that the user ends the application: the session goes
   /// to STOPPING, and enters EXITING after xrEndSession.

@@ -6,7 +6,6 @@
 namespace hrt::mock {
 namespace {
 
-// Width and depth of the STAGE area.
 constexpr XrExtent2Df stage_bounds_m{2.0F, 2.0F};
 
 std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {

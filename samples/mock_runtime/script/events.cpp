@@ -1,4 +1,3 @@
-// The events and the call faults of a script.
 #include "samples/mock_runtime/api/session.h"
 #include "samples/mock_runtime/script/script.h"
 

@@ -1,4 +1,3 @@
-// Clock of the runtime. XrTime is in nanoseconds.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -9,8 +8,8 @@
 
 namespace hrt::mock {
 
-/// A manual clock advances in xrWaitFrame only, so that runs are fast and repeatable. The real-time clock is
-/// CLOCK_MONOTONIC.
+/// Clock of the runtime, in nanoseconds. A manual clock advances in xrWaitFrame only, so that runs are fast and
+/// repeatable. The real-time clock is CLOCK_MONOTONIC.
 class Clock {
  public:
   enum class Kind { manual, real_time };

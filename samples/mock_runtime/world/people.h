@@ -45,7 +45,6 @@ struct DrawnPerson {
   double start_fraction = 0.0;  ///< fraction of the virtual target's direction that is added to the start direction
   std::int64_t reaction_ns = 0;
 
-  /// Returns the person for a reach to a virtual target in this direction.
   Person towards(double virtual_direction_deg) const;
 };
 

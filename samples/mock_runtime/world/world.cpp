@@ -8,7 +8,6 @@
 namespace hrt::mock {
 namespace {
 
-// Height of a seated user's eyes above the floor.
 constexpr double eye_height_m = 1.2;
 
 // Position of the right elbow from the plate's centre: to the right, and towards the user. The left elbow mirrors it.

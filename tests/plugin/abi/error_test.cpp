@@ -18,7 +18,6 @@ class ErrorTextTest : public SessionTest {
     EXPECT_EQ(text.find("\u0085"), std::string::npos) << "a line break";
   }
 
-  /// Returns "x" and 300 characters of two bytes.
   static std::string long_text() {
     std::string text = "x";
     for (int i = 0; i < 300; ++i) text += "\u00e4";

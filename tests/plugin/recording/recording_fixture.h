@@ -1,4 +1,3 @@
-// Fixture of the tests of recordings: a session, and the path of its recording.
 #pragma once
 
 #include <unistd.h>
@@ -69,7 +68,6 @@ class RecordingTest : public SessionTest {
     return status;
   }
 
-  /// Returns a recording of play().
   std::string recording() {
     EXPECT_OK(hrt_recording_start(session, path().c_str()));
     play();

@@ -118,7 +118,6 @@ TEST_F(RecordingTest, FullDiskIsReportedAndTheSessionContinues) {
   EXPECT_EQ(replay(read(path())).complete, 0u);
 }
 
-/// Returns the descriptors of this process for a file.
 std::vector<int> descriptors_of(const std::string& path) {
   std::vector<int> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {

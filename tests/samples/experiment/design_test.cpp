@@ -16,7 +16,6 @@ TEST(ExperimentDesign, Sha256OfTheExampleOfTheStandard) {
   EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-// The text has every field of the schema: given values, defaults, missing values, objects and lists of objects.
 TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
   const Design design = small_design(3);
   const std::string text = preregistration_text(design);
@@ -33,7 +32,6 @@ TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
     EXPECT_TRUE(has(text, "- `" + name + "` (")) << name;
 }
 
-// The text has direction, margin, stopping rules and power table. The power table of another design is rejected.
 TEST(ExperimentDesign, ThePreregistrationStatesHypothesisAndPower) {
   const auto text_of = [](const json& analysis) {
     return preregistration_text(small_design(3, [&](json& study) { study["analysis"] = analysis; }));

@@ -135,7 +135,6 @@ struct AtPlate {
                                "serial:" + device.device(), "--data", folder / "data"});
     program.emplace(more, written(folder, "script.json", script), terminal.descriptor(), err);
   }
-  // Waits until the journal has `count` events of this name.
   bool await_event(const std::string& event, std::size_t count) const {
     return plate::eventually([&] { return occurrences(journal_of(folder), "\"event\":\"" + event) >= count; });
   }

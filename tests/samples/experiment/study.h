@@ -1,4 +1,3 @@
-// A small design, and simulated sessions of it.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -76,7 +76,6 @@ class MockErrors : public MockNegotiation {
     return XR(xrCreateAction)(set, &info, made);
   }
 
-  // Calls `call(name, function)` for every function of the runtime.
   template <typename Call>
   void for_each_function(Call call) {
 #define HRT_CALL(extension, name) call(std::string(#name), XR(name));

@@ -93,8 +93,7 @@ TEST_F(MockBothHands, PalmIsInTheMiddleOfTheMetacarpalAndFacesDown) {
   }
 }
 
-// "If the returned isActive is false, it indicates the hand tracker did not detect the hand input or the
-// application lost input focus. In this case, the runtime must return all jointLocations with neither
+// "If the returned isActive is false, [...] the runtime must return all jointLocations with neither
 // XR_SPACE_LOCATION_POSITION_VALID_BIT nor XR_SPACE_LOCATION_ORIENTATION_VALID_BIT set."
 TEST_F(MockHand, UntrackedHandAndSessionWithoutFocusHaveNoValidBit) {
   const XrTime time = frame();

@@ -34,7 +34,6 @@ class MockScript : public MockRuntime {
   XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};  // state of the latest begin_frame()
 };
 
-// One invalid script for each kind of mistake, and the key that the call log names.
 TEST_F(MockScript, InvalidScriptIsRejectedAndTheCallLogNamesTheKey) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"{", "parse error"},

@@ -51,13 +51,9 @@ TEST_F(MockSession, ResultsAndStructureTypesHaveNames) {
   expect_name(xrStructureTypeToString, static_cast<XrStructureType>(123456), "XR_UNKNOWN_STRUCTURE_TYPE_123456");
 }
 
-// "In a headless session, the session state should proceed to XR_SESSION_STATE_READY directly from
-// XR_SESSION_STATE_IDLE". "In a headless session, the session state proceeds to
-// XR_SESSION_STATE_SYNCHRONIZED, then XR_SESSION_STATE_VISIBLE and XR_SESSION_STATE_FOCUSED, after the
-// call to xrBeginSession. The application does not need to call xrWaitFrame".
-// "If the session is running when xrRequestExitSession is called, the runtime must transition the session to
-// XR_SESSION_STATE_STOPPING", by way of the states in between. After xrEndSession the state becomes IDLE and then,
-// because of the request, EXITING.
+// XR_MND_headless: a headless session goes from IDLE directly to READY, and after xrBeginSession to FOCUSED, by way of
+// the states in between, without xrWaitFrame. After xrRequestExitSession, it goes to STOPPING by way of the states in
+// between; after xrEndSession, to IDLE and then, because of the request, to EXITING.
 TEST_F(MockSession, HeadlessSessionGainsFocusWithoutAFrameAndExitsOnRequest) {
   create_session();
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));

@@ -55,7 +55,6 @@ const std::vector<const char*>& default_extensions();
 /// An application with one instance, and a session if the test creates one.
 class Application : public ::testing::Test {
  protected:
-  /// Returns a function of the instance. An unknown name fails the test.
   virtual PFN_xrVoidFunction look_up(const char* name) = 0;
 #define XR(name) reinterpret_cast<PFN_##name>(look_up(#name))
 
