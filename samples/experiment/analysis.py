@@ -91,7 +91,7 @@ def mixed_models(studies, measure, reference, direction="two-sided"):
     except FileNotFoundError:
         sys.exit("a mixed model needs R: install r-cran-lmertest (cmake/install_packages experiment does)")
     if done.returncode != 0:
-        sys.exit(f"R failed on the mixed model: {(done.stderr.strip() or 'no message').splitlines()[-1]}; is r-cran-lmertest installed?")
+        sys.exit(f"R failed on the mixed model: {(done.stderr.strip() or 'no message').splitlines()[-1]}; check that r-cran-lmertest is installed (cmake/install_packages experiment does)")
     rows = pandas.read_csv(io.StringIO(done.stdout))
     rows.condition = rows.condition.map({code: name for name, code in codes.items()})
     if direction != "two-sided":

@@ -36,7 +36,8 @@ struct Options {
 
 void put(const std::filesystem::path& file, const std::string& content) {
   if (const int error = write_whole_file(file, content); error != 0)
-    throw Refusal(file.string() + ": cannot be written: " + std::strerror(error));
+    throw Refusal(file.string() + ": cannot be written: " + std::strerror(error) +
+                  "; free space, or check the permissions of the folder");
 }
 
 // Runs one session: through OpenXR if there is a scene, else with a simulated participant in this process.
@@ -196,7 +197,9 @@ int run_from(int argc, char** argv) {
   hrt::experiment::add_commands(app, options);
   try {
     app.parse(argc, argv);
-    if (!std::cout.flush()) throw hrt::Refusal("standard output cannot be written: it is closed, or the disk is full");
+    if (!std::cout.flush())
+      throw hrt::Refusal(
+          "standard output cannot be written: it is closed, or the disk is full; redirect it to another disk");
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {

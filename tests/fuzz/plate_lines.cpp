@@ -88,7 +88,8 @@ std::string with_sums(std::string_view bytes) {
   return lines;
 }
 
-// Returns a status packet for each line, which gives the packet's error and parameters.
+// Returns a DYNAMIXEL status packet for each line. Its error is the first byte of the line, its parameters are the
+// rest.
 std::string with_crcs(std::string_view bytes) {
   std::string packets;
   while (!bytes.empty()) {

@@ -103,7 +103,9 @@ Journal::Journal(std::filesystem::path file, const Disk& disk, std::function<Now
       disk_(disk),
       clock_(std::move(clock)),
       file_(open(name_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
-  if (file_ < 0) throw Refusal(name_.string() + ": cannot be opened: " + std::strerror(errno));
+  if (file_ < 0)
+    throw Refusal(name_.string() + ": cannot be opened: " + std::strerror(errno) +
+                  "; check the permissions of the file and its folder");
   try {
     if (flock(file_, LOCK_EX | LOCK_NB) != 0)
       throw Refusal(name_.string() + ": another process runs this session; wait for its end");

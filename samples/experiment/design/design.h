@@ -56,7 +56,7 @@ struct Noticeability {
 
 struct Questionnaire {
   std::string name;
-  std::string when;  ///< before, after, both or block
+  std::string when;  ///< "before" or "after" the blocks, "both", or "block": after each block of reaches
   bool is_text;
   unsigned low;
   unsigned high;
@@ -97,7 +97,7 @@ struct Design {
   std::optional<Noticeability> noticeability;
   std::vector<Questionnaire> questionnaires;
   std::string start_text, block_text;        ///< instructions at the start and before each block; empty: none
-  std::map<std::string, std::string> texts;  ///< replacements, by the text of the program
+  std::map<std::string, std::string> texts;  ///< texts of the program, and those that replace them
   std::string measure;                       ///< registered outcome
   std::string test;
   std::string hypothesis;

@@ -130,7 +130,7 @@ std::string balance_text(const Design& design) {
 }  // namespace
 
 std::vector<std::vector<unsigned>> williams_orders(unsigned count) {
-  std::vector<unsigned> first;  // 0, 1, n - 1, 2, n - 2 ...
+  std::vector<unsigned> first;  // 0, 1, count - 1, 2, count - 2 ...
   for (unsigned i = 0; i < count; ++i) first.push_back(i % 2 == 1 ? (i + 1) / 2 : (count - i / 2) % count);
   std::vector<std::vector<unsigned>> orders;
   for (unsigned shift = 0; shift < count; ++shift) {

@@ -284,7 +284,7 @@ class SessionRun {
                        });
         log(event, {{"number", done}, {"samples", std::move(samples)}});
       }
-      // Each call continues the fit.
+      // Each call of hrt_setup_finish() continues the fit.
       for (; step.instruction == HRT_STEP_FINISH; use(last)) {
         check(hrt_setup_finish(session.handle(), &result));
         if (result.left == 0) return result;

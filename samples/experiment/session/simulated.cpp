@@ -16,7 +16,7 @@ constexpr double max_speed_deg_s = 400.0;
 constexpr std::int64_t latency_ns = 30'000'000;
 constexpr double notice_slope = 2.0;  // slope of the Weibull function in answer()
 
-// Simulated person of core/simulation at the reach of index `number`.
+// Simulated person of core/simulation who is about to make the reach with the index `number`.
 class Person {
  public:
   Person(const hrt_person_config& config, std::uint64_t seed, hrt_session session, hrt_target seen, unsigned number) {

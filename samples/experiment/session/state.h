@@ -51,7 +51,7 @@ struct State {
   std::string registration;                      ///< current registration; empty: not registered
   std::set<std::string> registrations;           ///< all registrations of the session
   std::vector<nlohmann::json> touches;           ///< touches of an unfinished registration
-  std::optional<nlohmann::json> set_up;          ///< result of the set-up when finished
+  std::optional<nlohmann::json> set_up;          ///< result of the finished set-up
   std::vector<nlohmann::json> slides;            ///< slides of an unfinished set-up
   std::set<std::string> questionnaires;          ///< answered questionnaires, such as "before SSQ"
   std::vector<std::vector<TrialRecord>> trials;  ///< by block and trial

@@ -32,7 +32,7 @@ bool edit(std::string& text, char key) {
   }
   if (key == erase && !text.empty()) {
     while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xc0U) == 0x80U) text.pop_back();
-    text.pop_back();  // up to the first byte of a UTF-8 character
+    text.pop_back();  // the loop keeps the first byte of a UTF-8 character
     std::cerr << "\b \b";
   } else if (static_cast<unsigned char>(key) >= ' ' && key != erase) {
     std::cerr << (text += key).back();

@@ -28,7 +28,7 @@ void xrWaitFrame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* st
   running_session(handle);
   if (info != nullptr) require_struct(info);
   require_struct(state);
-  // "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
+  // OpenXR: "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
   while (running_session(handle).frames.waited) runtime().frame_begun.wait(runtime().mutex);
   wait_until(handle, running_session(handle).frames.next_start);
 

@@ -19,7 +19,8 @@ const XrCompositionLayerQuad& as_quad(const XrCompositionLayerBaseHeader& layer)
 
 void require_image(const XrSwapchainSubImage& image, const Session& session) {
   const auto& swapchain = runtime().registry.get<Swapchain>(image.swapchain);
-  require_valid(swapchain.parent() == &session, "the swapchain of a layer belongs to another session");
+  require_valid(swapchain.parent() == &session,
+                "the swapchain of a layer belongs to another session; use one of this session");
   require(swapchain.released.has_value(), XR_ERROR_LAYER_INVALID,
           "no image of a layer's swapchain has been released; call xrReleaseSwapchainImage before xrEndFrame");
   const XrRect2Di& part = image.imageRect;
@@ -59,7 +60,7 @@ void require_layers(const XrFrameEndInfo& info, const Session& session) {
   require(info.layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED,
           "layerCount is {}; must be at most {}", info.layerCount, XR_MIN_COMPOSITION_LAYERS_SUPPORTED);
   require(info.layerCount == 0 || info.layers != nullptr, XR_ERROR_LAYER_INVALID,
-          "layers is null, but layerCount is {}", info.layerCount);
+          "layers is null, but layerCount is {}; pass the layers or the count 0", info.layerCount);
   for (std::uint32_t i = 0; i < info.layerCount; ++i) {
     const XrCompositionLayerBaseHeader* layer = info.layers[i];
     require(layer != nullptr, XR_ERROR_LAYER_INVALID, "layers[{}] is null; it must point to a layer", i);
@@ -100,7 +101,8 @@ void write_files(const Picture& picture, const std::string& folder, const std::s
     if (!(list << line << '\n' << std::flush))
       throw Error{XR_ERROR_RUNTIME_FAILURE, folder + "/pictures.txt: cannot be written"};
   } catch (const Error& error) {
-    std::fprintf(stderr, "mock runtime: HRT_MOCK_PICTURES: %s\n", error.why.c_str());
+    std::fprintf(stderr, "mock runtime: HRT_MOCK_PICTURES: %s; free space, or set the variable to a writable folder\n",
+                 error.why.c_str());
   }
 }
 

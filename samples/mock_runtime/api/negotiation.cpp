@@ -61,7 +61,8 @@ void xrGetInstanceProcAddr(XrInstance handle, const char* name, PFN_xrVoidFuncti
   if (handle != XR_NULL_HANDLE)
     instance = &runtime().registry.get_even_lost<Instance>(handle);
   else
-    require(needs_no_instance(name), XR_ERROR_HANDLE_INVALID, "{} needs an instance; the handle is null", name);
+    require(needs_no_instance(name), XR_ERROR_HANDLE_INVALID,
+            "{} needs an instance, but the handle is null; call xrCreateInstance first", name);
   const auto id = find_function(name);
   require(id.has_value(), XR_ERROR_FUNCTION_UNSUPPORTED, "this runtime has no function {}", name);
   const Extension needed = functions[static_cast<std::size_t>(*id)].needed;

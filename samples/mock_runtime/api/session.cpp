@@ -86,7 +86,7 @@ void Session::go_to(XrSessionState state) {
   if (running && state_ == XR_SESSION_STATE_READY && state == XR_SESSION_STATE_STOPPING)
     enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (!running || !in_frame_loop(state_)) return;
-  // STOPPING follows SYNCHRONIZED.
+  // STOPPING is entered from SYNCHRONIZED.
   const XrSessionState last = state == XR_SESSION_STATE_STOPPING ? XR_SESSION_STATE_SYNCHRONIZED : state;
   while (state_ != last) enter(static_cast<XrSessionState>(state_ < last ? state_ + 1 : state_ - 1));
   enter(state);
@@ -170,12 +170,12 @@ void xrBeginSession(Session& session, const XrSessionBeginInfo* info) {
           "the session is running already; call xrEndSession before the next xrBeginSession");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY,
           "the session is {}; wait for XR_SESSION_STATE_READY", name_of(session.state()));
-  // XR_MND_headless also allows type 0 in a headless session.
+  // XR_MND_headless also allows the view configuration type 0 in a headless session.
   if (info->primaryViewConfigurationType != 0 || session.graphics != nullptr)
     require_view_configuration(info->primaryViewConfigurationType);
   session.running = true;
   session.exit_requested = false;
-  // "A transition to session running resets the frame function call order". Display times still increase.
+  // OpenXR: "A transition to session running resets the frame function call order". Display times still increase.
   session.frames.waited = session.frames.begun = false;
   session.frames.since_begin = 0;
   if (session.graphics != nullptr) return;  // xrWaitFrame changes the state of a session with graphics

@@ -33,7 +33,7 @@ Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
 
 Space& space_of(const Session& session, XrSpace handle) {
   auto& space = runtime().registry.get<Space>(handle);
-  require_valid(space.parent() == &session, "the space belongs to another session");
+  require_valid(space.parent() == &session, "the space belongs to another session; create it in this session");
   return space;
 }
 
@@ -75,7 +75,8 @@ XrResult xrGetReferenceSpaceBoundsRect(Session& session, XrReferenceSpaceType ty
 
 // The runtime computes no velocities: an XrSpaceVelocity in the chain receives no valid bit.
 void xrLocateSpace(Space& space, Space& base, XrTime time, XrSpaceLocation* location) {
-  require_valid(space.parent() == base.parent(), "space and baseSpace belong to different sessions");
+  require_valid(space.parent() == base.parent(),
+                "space and baseSpace belong to different sessions; create both in one session");
   require_time(time);
   if (auto* velocity = chained<XrSpaceVelocity>(location->next))
     *velocity = {.type = velocity->type, .next = velocity->next};
@@ -143,8 +144,8 @@ void xrLocateHandJointsEXT(HandTracker& tracker, const XrHandJointsLocateInfoEXT
   }
 
   World& world = tracker.session().world();
-  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
-  // input focus."
+  // XR_EXT_hand_tracking: "isActive [...] is false [if] the hand tracker did not detect the hand input or the
+  // application lost input focus."
   const bool focused = tracker.session().state() == XR_SESSION_STATE_FOCUSED;
   const auto hand = world.hand(tracker.hand, info->time);
   const auto base_in_world = base.in_world(info->time);

@@ -56,7 +56,9 @@ Swapchain::Swapchain(Session* session, const XrSwapchainCreateInfo& create_info)
 std::uint32_t Swapchain::acquire() {
   require(acquired_.size() < count_, XR_ERROR_CALL_ORDER_INVALID, "all {} images are acquired; release one first",
           count_);
-  require(count_ > 1 || acquisitions_ == 0, XR_ERROR_CALL_ORDER_INVALID, "a static image may be acquired only once");
+  require(
+      count_ > 1 || acquisitions_ == 0, XR_ERROR_CALL_ORDER_INVALID,
+      "a static image may be acquired only once; create the swapchain without XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT");
   const std::uint32_t index = acquisitions_ % count_;
   if (acquisitions_ < count_) images->prepare(index);
   ++acquisitions_;

@@ -40,8 +40,8 @@ XrPath PathTable::intern(std::string_view text) {
 }
 
 const std::string& PathTable::text(XrPath path) const {
-  require(path >= 1 && path <= texts_.size(), XR_ERROR_PATH_INVALID, "XrPath {} was never returned by xrStringToPath",
-          path);
+  require(path >= 1 && path <= texts_.size(), XR_ERROR_PATH_INVALID,
+          "XrPath {} was never returned by xrStringToPath; call it first", path);
   return texts_[path - 1];
 }
 

@@ -24,7 +24,7 @@ struct PersonSettings {
   Range weight_drift = {0.0, 0.0};
   std::vector<Steering> steerings = {Steering::continuous, Steering::predictive};
   Range gain_per_s = {5.0, 12.0};
-  Range delay_s = {0.0, 0.12};  ///< s, at most 0.25
+  Range delay_s = {0.0, 0.12};  ///< at most 0.25
   Range noise_deg2_per_s = {8.0, 8.0};
   std::optional<Range> start_direction_deg;  ///< unset: between the mid-line and the virtual target
   Range bias_deg = {0.0, 0.0};
