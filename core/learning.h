@@ -15,8 +15,8 @@ inline constexpr double max_weight_sd = 0.49;
 /// The motor variance changes by a factor of at most 2; if this limit applies, its SD is unchanged.
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt);
 
-/// Returns the configuration after a contact, with the new correction of the tracker's frame. If the bias has been
-/// estimated from reaches (`was_learnt`), it contains the frame's rotation (touched_frame.h), and is corrected too.
+/// Returns the configuration after a contact, with the new correction of the tracker's frame. A bias that was estimated
+/// from reaches (`was_learnt`) contains the frame's rotation (touched_frame.h), and is corrected too.
 RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact, bool was_learnt);
 
 /// Returns the prior for the next reach under the controller for people. `before` and `learnt` are prior and posterior

@@ -31,7 +31,8 @@ class Retargeter {
 
   /// Moves the targets of the present reach; estimates are kept. Returns the remaining reach: the real target as seen
   /// from the finger, and the virtual target as seen from where the person will perceive the finger one reaction time
-  /// later. Before the finger moves, and without positions, both are seen from the start.
+  /// later (the paper's participant has no reaction time). Before the finger moves, and without positions, both are
+  /// seen from the start.
   Reach retarget(const PlatePoint& real, const PlatePoint& virtual_place);
 
   /// Advances the paper's controller by one model step, without a clock; the finger moves in `finger_direction_deg`

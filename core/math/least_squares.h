@@ -8,8 +8,8 @@
 
 namespace hrt {
 
-/// A problem. Residuals are observed minus predicted values; derivatives are those of the predicted values by the
-/// parameters. Both are in units of the residuals' SDs. Residuals of different groups are independent.
+/// Residuals are observed minus predicted values; derivatives are those of the predicted values by the parameters. Both
+/// are in units of the residuals' SDs. Residuals of different groups are independent.
 struct LeastSquares {
   std::size_t groups = 0;
   std::function<Eigen::VectorXd(std::size_t group, const Eigen::VectorXd& parameters)> residuals;

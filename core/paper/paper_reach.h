@@ -51,7 +51,7 @@ class PaperReach {
  private:
   struct Aim {
     double direction_deg;  // direction to which the finger is steered
-    bool unreachable;      // the gap is not feasible
+    bool unreachable;
   };
   struct Decision {
     std::int64_t step = -1;

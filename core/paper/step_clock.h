@@ -8,7 +8,7 @@
 
 namespace hrt {
 
-/// Counts the steps of one reach. Uses no heap, lock or exception.
+/// Uses no heap, lock or exception.
 class StepClock {
  public:
   explicit StepClock(std::int64_t period_ns) : period_ns_(period_ns) {}
@@ -17,10 +17,8 @@ class StepClock {
   bool started() const { return step_ >= 0; }
   /// Current step, counted from 0; -1 before start().
   std::int64_t step() const { return step_; }
-  /// Time of the end of the current step.
   std::int64_t end_ns() const { return later_ns(start_ns_, period_ns_); }
 
-  /// Begins step 0 at `time_ns`.
   void start(std::int64_t time_ns) {
     start_ns_ = time_ns;
     step_ = 0;

@@ -8,7 +8,6 @@
 
 namespace hrt {
 
-/// Largest number of steps of a reach.
 inline constexpr int max_trial_steps = 10'000;
 
 /// Parameters of a trial except its random numbers. The defaults are condition 1 of Table I.

@@ -41,7 +41,7 @@ struct ReachPlan {
   ActiveBound active;  ///< bound of the shift, `lower` or `upper`, if the plan requires more than the plate can cause
 };
 
-/// Computes a plan. Uses no heap, lock or exception.
+/// Uses no heap, lock or exception.
 ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, const ReachOutlook& outlook);
 
 /// Returns the plate orientation that the plan for `target` requires at the onset. `resting`: filter before the motion.

@@ -49,11 +49,11 @@ struct Tuning {
   double min_bias_sd_deg = 0.5;         ///< deg
   double min_habit_sd_deg = 0.4;        ///< deg
   double max_correlation = 0.95;        ///< largest correlation of weight and curve in calibrated_person()
-  double given_duration_log_sd = 0.12;  ///< SD of log_rate if the host gives the duration
+  double given_duration_log_sd = 0.12;  ///< SD of log_rate if Reach::duration_s is given
 
   // Illusion.
   double touch_memory_s = 0.3;  ///< s: [model] time constant of the decay of the cue from touch
-  double first_ridge = 1.2;     ///< second term of A after one ridge spacing of travel
+  double first_ridge = 1.2;     ///< second term of A (illusion_at()) after one ridge spacing of travel
   double max_slope = 3.0;       ///< [model] bound of |1 - dg/dtheta| in steer()
 
   // Filter. A density is the variance that a state gains per second as process noise.

@@ -86,7 +86,7 @@ struct PlateCommand {
   std::int64_t step = -1;                  ///< model step; -1 before the motion
   ActiveBound active = ActiveBound::none;  ///< bound that limits the command
   bool for_people = false;                 ///< true: controller for people; false: the paper's controller
-  bool held = true;                        ///< the orientation was not planned in this call
+  bool held = true;                        ///< no orientation was planned since the previous command
   bool predicted = false;                  ///< no recent observation: the model predicts the finger
   bool unreachable = false;                ///< the gap is not feasible for this person
   bool optimal = true;        ///< false: the solver reached its iteration limit; the command is within its bounds
@@ -133,8 +133,8 @@ struct PersonEstimate {
 };
 
 struct ReachSummary {
-  std::int64_t steps = 0;               ///< model steps with samples
-  std::int64_t predicted_steps = 0;     ///< model steps without samples
+  std::int64_t steps = 0;               ///< model steps with an accepted observation
+  std::int64_t predicted_steps = 0;     ///< model steps without an accepted observation
   std::int64_t saturated_steps = 0;     ///< steps in which the plate bound or a stop limited the command
   std::int64_t rate_limited_steps = 0;  ///< steps in which the rate bound limited the command
   std::int64_t samples = 0;
@@ -147,18 +147,18 @@ struct ReachSummary {
   double bearing_deg = 0.0;              ///< value in the last PlateCommand
   double bearing_error_deg = 0.0;        ///< bearing_deg minus the bearing of the real target; 0 before the motion
   double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< value in the last PlateCommand
-  double peak_felt_error_deg = 0.0;                   ///< largest absolute value of PlateCommand::felt_error_deg
-  double rms_felt_error_deg = 0.0;                    ///< root mean square of PlateCommand::felt_error_deg
-  double nis = 0.0;                                   ///< largest PlateCommand::nis
-  bool unreachable = false;                           ///< value in the last PlateCommand
-  bool misfit = false;                                ///< true if any PlateCommand had this flag
-  bool off_target = false;                            ///< the reach probably ended over `near_deg` off the target
-  bool registration_doubtful = false;                 ///< true if any PlateCommand had this flag
-  bool contacts_disagree = false;        ///< as in the last PlateCommand, or after the contact of this reach
-  bool not_at_start = false;             ///< value in the last PlateCommand
-  bool miss_unknown = false;             ///< no motion was observed
-  bool implausible = false;              ///< true if any PlateCommand had this flag
-  FingerEstimate estimate;               ///< under the controller for people, only w_T, its SD and the tracker noise
+  double peak_felt_error_deg = 0.0;    ///< largest absolute PlateCommand::felt_error_deg while the finger moved
+  double rms_felt_error_deg = 0.0;     ///< root mean square of PlateCommand::felt_error_deg while the finger moved
+  double nis = 0.0;                    ///< largest PlateCommand::nis
+  bool unreachable = false;            ///< value in the last PlateCommand
+  bool misfit = false;                 ///< true if any PlateCommand had this flag
+  bool off_target = false;             ///< the reach probably ended over `near_deg` off the target
+  bool registration_doubtful = false;  ///< true if any PlateCommand had this flag
+  bool contacts_disagree = false;      ///< as in the last PlateCommand, or after the contact of this reach
+  bool not_at_start = false;           ///< value in the last PlateCommand
+  bool miss_unknown = false;           ///< no motion was observed
+  bool implausible = false;            ///< true if any PlateCommand had this flag
+  FingerEstimate estimate;  ///< under the controller for people, only the tactile weight, its SD and the tracker noise
   std::optional<PersonEstimate> person;  ///< nullopt under the paper's controller
 };
 

@@ -6,7 +6,7 @@
 
 namespace hrt {
 
-/// State machine of a slide. Uses no heap, lock or exception.
+/// Uses no heap, lock or exception.
 class SlideWatch {
  public:
   enum class Phase : std::uint8_t { plate_turns, rest_at_start, slide, done };

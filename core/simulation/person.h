@@ -63,12 +63,12 @@ enum class Pace {
 struct Person {
   SimulatedIllusion illusion;
   Steering steering = Steering::continuous;
-  double gain_per_s = 9.0;           ///< k
-  double delay_s = 0.06;             ///< sensory delay
-  double noise_deg2_per_s = 8.0;     ///< density of the random walk of the direction of motion
-  double start_direction_deg = 0.0;  ///< initial direction
-  double bias_deg = 0.0;             ///< goal minus virtual direction
-  double own_bias_deg = 0.0;         ///< bias of the perceived direction of the own motion
+  double gain_per_s = 9.0;        ///< k
+  double delay_s = 0.06;          ///< sensory delay
+  double noise_deg2_per_s = 8.0;  ///< density of the random walk of the direction of motion
+  double start_direction_deg = 0.0;
+  double bias_deg = 0.0;      ///< goal minus virtual direction
+  double own_bias_deg = 0.0;  ///< bias of the perceived direction of the own motion
   double habit_deg = 0.0;     ///< the goal direction includes habit (1 - 2 s), where s is the fraction of the path
   double scatter_deg = 0.0;   ///< SD of the bias from reach to reach
   double touch_s = 0.0;       ///< time constant with which a shift is perceived; 0: immediately

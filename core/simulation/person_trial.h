@@ -24,10 +24,10 @@ struct PersonOutcome {
 
 /// A sample of a reach, with the ground truth.
 struct PersonMoment {
-  double time_s;      ///< time since the reach began; the finger rests for the first 0.4 to 0.8 s
-  PlatePoint finger;  ///< position of the finger
-  PlatePoint felt;    ///< perceived position of the finger
-  double plate_deg;   ///< plate orientation, without PersonCondition::plate_offset_deg
+  double time_s;  ///< time since the reach began; the finger rests for the first 0.4 to 0.8 s
+  PlatePoint finger;
+  PlatePoint felt;   ///< perceived position of the finger
+  double plate_deg;  ///< plate orientation, without PersonCondition::plate_offset_deg
   PlateCommand command;
   const PersonFilter* filter;  ///< filter of the controller; null under the paper's controller
 };

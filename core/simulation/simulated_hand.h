@@ -56,7 +56,7 @@ class SimulatedHand {
   double commanded_deg_ = 0.0;  // continuous: of the orientations with the same ridges, the nearest to the last one
   std::int64_t began_ns_ = 0;
   std::int64_t now_ns_ = 0;
-  std::int64_t ticks_ = 0;  // milliseconds of this reach
+  std::int64_t ticks_ = 0;  // milliseconds since the first move() or follow() of the reach or set-up
   bool moved_ = false;
 };
 

@@ -60,8 +60,8 @@ class RestNoiseFit {
 RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 
 /// Returns the noise for a controller; nullopt if the white part is unknown. If the correlated part is unknown,
-/// correlated_mm is 0, and white_mm is the white part. If the correlated part may be 0, correlated_mm is 0, and
-/// white_mm is the SD of all noise.
+/// correlated_mm is 0, and white_mm is the white part. If the correlated part is known, but may be 0 or has an unknown
+/// time constant, correlated_mm is 0, and white_mm is the SD of all noise.
 std::optional<TrackerNoise> known_noise(const RestNoise& noise);
 
 }  // namespace hrt

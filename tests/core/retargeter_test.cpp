@@ -133,7 +133,7 @@ TEST(Retargeter, ARetarget_IsSeenFromTheTrackedAndThePerceivedPosition) {
     const Reach aimed = retargeter.retarget(moved(real_place, -30.0, 0.0), moved(virtual_place, -30.0, 0.0));
     EXPECT_NEAR(aimed.start.away_mm, 50.0, 2.0);
     EXPECT_NEAR(aimed.real_direction_deg, bearing_deg({0.0, 50.0}, moved(real_place, -30.0, 0.0)), 1.5);
-    // The person responds 0.2 s later.
+    // The controller for people expects the response 0.2 s later, the paper's controller expects it immediately.
     const PlatePoint felt = point_ahead({}, 5.0, slid(mode == ControlMode::reach ? 1250 * ms : 1050 * ms).away_mm);
     EXPECT_NEAR(aimed.virtual_direction_deg, bearing_deg(felt, moved(virtual_place, -30.0, 0.0)), 5.0);
     const PlateCommand command = retargeter.update(seen(1060 * ms, slid(1060 * ms)));

@@ -105,7 +105,7 @@ TEST(PaperReach, PositionsAfterDirections_SetTheDistanceToGo) {
   EXPECT_EQ(controller.summary().dropped_samples, 0);
 }
 
-// The lift lasts until the largest time; the reach begins at the smallest.
+// The reach begins at the smallest time, and the lift lasts until the largest time, of std::int64_t.
 TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
   PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
   const auto sample = [](std::int64_t time_ns, Observation observation) {

@@ -102,7 +102,7 @@ class Hash {  // FNV-1a of 64-bit words
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-// The results have the same bits with every compiler, optimisation level and host.
+// The results must have these bits with every compiler, optimisation level and host.
 TEST(Batch, FixedSeeds_GiveTheDocumentedBits) {
   Hash draws;
   for (std::uint32_t trial = 0; trial < 1000; ++trial) {

@@ -78,7 +78,7 @@ TEST(Registration, ExactTouches_GiveTheHandCalculatedRotationSd) {
   EXPECT_NEAR(found.covariance(1, 1), variance_mm2 / spread_mm2, 1e-12);
 }
 
-// 1,000 fits for each assumed SD; the true SD is 3 mm, for which the lower bound is 95 % minus four binomial SDs.
+// 1,000 fits for each assumed SD; the true SD is 3 mm, for which the lower bound is 95 % minus about four binomial SDs.
 TEST(Registration, NoisyTouches_LieWithinTheIntervals) {
   for (const double assumed_mm : {2.0, 3.0, 4.0}) {
     int turn_covered = 0, place_covered = 0, fitted = 0;

@@ -66,9 +66,9 @@ Watched watch(const PersonCondition& condition, std::uint32_t index) {
 /// of the duration.
 struct Account {
   int began_early = 0;        // more than 60 ms before the onset
-  int rested_in_motion = 0;   // RESTING while the finger moves faster than 20 mm/s
-  int arrived_in_motion = 0;  // ARRIVED more than 5 mm from the position of the stop
-  int arrived_late = 0;       // ARRIVED more than 0.5 s after the stop, or never
+  int rested_in_motion = 0;   // PlateCommand::resting while the finger moves faster than 20 mm/s
+  int arrived_in_motion = 0;  // PlateCommand::arrived more than 5 mm from the position of the stop
+  int arrived_late = 0;       // PlateCommand::arrived more than 0.5 s after the stop, or never
   double time_to_go_error = 0.0;
 };
 
