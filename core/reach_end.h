@@ -29,7 +29,6 @@ class ReachEnd {
   ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt)
       : start_(start), target_(target), way_from_(start), start_is_felt_(start_is_felt) {}
 
-  /// Changes the target to `target` while the finger is at `finger`.
   void retarget(const PlatePoint& target, const PlatePoint& finger);
 
   /// Processes a sample. `finger`: the phase detector, which has already processed this sample.

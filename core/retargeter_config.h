@@ -15,7 +15,6 @@
 
 namespace hrt {
 
-/// Controller of the plate orientation.
 enum class ControlMode {
   mpc,          ///< controller of paper section III
   reach,        ///< controller for people if samples have positions; otherwise as mpc

@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// Wide prior of a parameter. It bounds parameters that the slides hardly determine.
+// The priors are wide; they bound parameters that the slides hardly determine.
 struct Prior {
   double mean;
   double deviation;

@@ -25,16 +25,15 @@ using PartsMatrix = Eigen::Matrix<double, slide_parts, slide_parts>;
 
 struct CurveFit {
   SlidingPersonModel person;
-  double effective = 0.0;     ///< effective number of parameters that the slides, not the prior, determine
-  FitVector prior_deviation;  ///< prior SD of each parameter
-  FitVector prior_off;        ///< prior mean minus parameter, in SDs
-  FitMatrix information;      ///< information matrix of the parameters under the given covariance of a slide
+  double effective = 0.0;  ///< effective number of parameters that the slides, not the prior, determine
+  FitVector prior_deviation;
+  FitVector prior_off;    ///< prior mean minus parameter, in SDs
+  FitMatrix information;  ///< information matrix of the parameters under the given covariance of a slide
   FitMatrix covariance;  ///< covariance of the parameters by the jackknife over slides, plus errors of the steering law
   std::vector<SlideDirections> residuals;  ///< residuals of each slide, deg
   std::vector<SlideJacobian> jacobians;
 };
 
-/// Convert between a person and a vector of parameters.
 FitVector fit_vector(const SlidingPersonModel& person);
 SlidingPersonModel fitted_person(const FitVector& parameters);
 

@@ -7,7 +7,7 @@
 namespace hrt {
 namespace {
 
-// Slides whose plate angles differ by less than this are compared.
+// slide_verdicts() takes the median direction of the slides whose plate angles differ by at most this.
 constexpr double near_angle_deg = 4.0;
 // Minimum numbers of slides and angles within max_offset_deg for that limit to apply.
 constexpr std::size_t enough_slides = 10;

@@ -21,14 +21,14 @@ enum class SlideVerdict {
 struct PersonFit {
   std::vector<SlideVerdict> verdicts;  ///< for each slide
   std::vector<std::size_t> used;       ///< indices of the fitted slides
-  SlideScatter scatter;                ///< scatter of the slides about polynomials over the plate angle
+  SlideScatter scatter;
   CurveFit fit;
   LackOfFit lack_of_fit;
   /// largest settled offset from motion to ridge normal to each side, over the fitted slides
   double max_left_deg = 0.0;
   double max_right_deg = 0.0;
 
-  /// Returns a function of the person with its 95 % interval.
+  /// Returns `number` of the fitted person, with its 95 % interval.
   Interval value(const std::function<double(const SlidingPersonModel&)>& number) const;
 };
 

@@ -8,7 +8,6 @@
 
 namespace hrt {
 
-/// One quantity from two calibrations.
 struct RepeatedValue {
   Interval first;
   Interval second;

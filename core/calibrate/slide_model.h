@@ -9,13 +9,13 @@ namespace hrt {
 /// Limit of the direction of motion relative to the direction of the target.
 inline constexpr double max_direction_deg = 60.0;
 
-/// Parameters of a person. Angles are relative to the direction of the target.
+/// Angles are relative to the direction of the target.
 struct SlidingPersonModel {
   IllusionCurve curve;
   double bias_deg = 0.0;      ///< goal direction at the middle of the path
   double habit_deg = 0.0;     ///< goal direction minus bias: habit_deg at the start of the path, -habit_deg at its end
   double curve_drift = 0.0;   ///< eta: relative increase of the curve from the middle to the end of the path
-  double start_deg = 0.0;     ///< initial direction
+  double start_deg = 0.0;     ///< part of the initial direction that is the same in all slides
   double start_share = 0.0;   ///< lambda: fraction of the final direction that is present at the start
   double log_gain = 2.2;      ///< natural logarithm of the rate k of correction, 1/s
   double delay_s = 0.06;      ///< D, 0 to 0.2

@@ -24,7 +24,7 @@ int polynomial_degree(std::span<const SlideTrack> slides);
 /// Returns the powers 0 to `degree` of the plate angle, in units of 75 degrees.
 Eigen::VectorXd plate_powers(double plate_deg, int degree);
 
-/// Computes the scatter. Requires at least 8 slides.
+/// Requires at least 8 slides.
 SlideScatter slide_scatter(std::span<const SlideTrack> slides);
 
 }  // namespace hrt

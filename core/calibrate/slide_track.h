@@ -24,15 +24,15 @@ using SlideDirections = Eigen::Matrix<double, slide_parts, 1>;
 
 /// A reduced slide. Angles are relative to the direction of the target.
 struct SlideTrack {
-  double plate_deg = 0.0;                                   ///< direction of the ridge normal, -90 to 90
-  SlideDirections direction_deg = SlideDirections::Zero();  ///< direction of each part
+  double plate_deg = 0.0;  ///< direction of the ridge normal, -90 to 90
+  SlideDirections direction_deg = SlideDirections::Zero();
 
   /// Pace in steps of `step_s` from the onset.
   struct Step {
-    double advance_mm;     ///< distance in the direction of the target in this step
-    double share;          ///< fraction of the path at the step's middle
-    int window = -1;       ///< index of the window that contains the step; -1: none
-    double samples = 0.0;  ///< number of samples in this step
+    double advance_mm;  ///< distance in the direction of the target in this step
+    double share;       ///< fraction of the path at the step's middle
+    int window = -1;    ///< index of the window that contains the step; -1: none
+    double samples = 0.0;
   };
   double onset_s = 0.0;
   double step_s = 0.01;
@@ -44,7 +44,7 @@ struct SlideTrack {
 /// Returns the direction of the second half of a path.
 inline double settled_direction_deg(const SlideDirections& directions) { return 0.5 * (directions(2) + directions(3)); }
 
-/// Removes duplicates of a position: see core/tracker/repeated_position.h.
+/// Returns the samples without copies of a position (core/tracker/repeated_position.h).
 std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples);
 
 inline constexpr double min_slide_mm = 30.0;

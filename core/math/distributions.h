@@ -33,8 +33,7 @@ double normal_cdf(double x);
 /// Returns P(F > f) for `numerator` and `denominator` degrees of freedom, both > 0; 1 for f <= 0.
 double f_tail(double f, double numerator, double denominator);
 
-/// Returns the 97.5 % quantile of Student's t; `degrees` of freedom >= 3. The error is 0.023 at 3, and below 0.001 from
-/// 8 on.
+/// Returns the 97.5 % quantile of Student's t for `degrees` >= 3. Error: 0.023 at 3, below 0.001 from 8 on.
 double student_975(double degrees);
 
 /// SD of a normal variable with mean 0 divided by the median of its absolute value: 1 / 0.6745.

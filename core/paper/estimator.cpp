@@ -18,7 +18,6 @@ constexpr double initial_speed_sd_mm_s = 30.0;
 constexpr double initial_direction_sd_deg = 4.0;
 // SD of the drift of w_T in a model step. Over a reach of 30 steps, the drift is a tenth of the prior SD of w_T.
 constexpr double weight_drift_sd = 0.001;
-// Variance assumed for an exact direction.
 constexpr double exact_direction_variance_deg2 = 1e-12;
 // Limit of the NIS of a position (Mahalanobis distance 5).
 constexpr double outlier_innovation = 25.0;

@@ -17,7 +17,6 @@
 
 namespace hrt {
 
-/// Prior and noise of an Estimator.
 struct EstimatorConfig {
   /// True: w_T is estimated; false: participant.tactile_weight is taken as exact.
   bool adapt = false;
@@ -81,10 +80,8 @@ class Estimator {
   double normalised_innovation() const { return normalised_innovation_; }
 
   static constexpr int max_outliers = 5;
-  /// Range of the estimate of sigma_u^2.
   static constexpr double min_motor_variance_deg2 = 0.05;
   static constexpr double max_motor_variance_deg2 = 5.0;
-  /// Range of the estimate of w_T.
   static constexpr double min_tactile_weight = 0.02;
   static constexpr double max_tactile_weight = 0.48;
 

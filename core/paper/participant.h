@@ -103,7 +103,7 @@ inline double step_variance_deg2(const Participant& participant, double gain) {
   return participant.motor_variance_deg2 + gain * participant.sensory_variance_deg2;
 }
 
-/// Gains of the next steps: data() points at K_k .. K_k+horizon-1.
+/// Kalman gains of the current and the next steps.
 class GainWindow {
  public:
   /// Begins at the first step of a reach. Requires is_valid(participant), 1 <= horizon <= max_horizon + max_lead.

@@ -58,7 +58,6 @@ SampleCounts ReachEstimator::counts() const {
   return counts;
 }
 
-// Begins the first model step at `time_ns`.
 void ReachEstimator::start(std::int64_t time_ns, const PlatePoint& place) {
   clock_.start(time_ns);
   now_ns_ = time_ns;

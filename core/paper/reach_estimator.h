@@ -1,7 +1,7 @@
 // Estimates the motion of the finger and the tactile weight of the person in one reach.
 //
 // The steps of the model start with the motion. While the finger rests or is lifted, the steps are suspended, since
-// nothing is perceived. A step without samples is predicted.
+// nothing is perceived. A step without an accepted observation is predicted.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 namespace hrt {
 
 struct SampleCounts {
-  std::int64_t steps = 0;            ///< model steps with samples
-  std::int64_t predicted_steps = 0;  ///< model steps without samples
+  std::int64_t steps = 0;            ///< model steps with an accepted observation
+  std::int64_t predicted_steps = 0;  ///< model steps without an accepted observation
   std::int64_t samples = 0;
   std::int64_t dropped_samples = 0;  ///< samples without an observation, outliers and duplicates
 };
@@ -45,7 +45,7 @@ class ReachEstimator {
   double direction_deg() const { return direction_deg_; }
   double tactile_weight() const { return estimator_.tactile_weight(); }
   double tactile_weight_sd() const { return estimator_.tactile_weight_sd(); }
-  /// True if neither the previous nor the current step has a sample.
+  /// True if neither the previous nor the current step has an accepted observation.
   bool predicted() const { return missed_ && !sampled_; }
   /// Current step; -1 before the motion.
   std::int64_t current_step() const { return clock_.step(); }
@@ -54,7 +54,7 @@ class ReachEstimator {
   /// Kalman gains of the current and the next steps (GainWindow); valid until the next observe() or step().
   const double* gains() const { return gains_.data(); }
 
-  /// Counts since the start of the reach; `steps` includes the current step if it has a sample.
+  /// Counts since the start of the reach; `steps` includes the current step if it has an accepted observation.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
   const FingerPhase& finger() const { return finger_; }

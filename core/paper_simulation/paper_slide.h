@@ -7,7 +7,6 @@
 
 namespace hrt {
 
-/// Participant and tracker of a simulated slide.
 struct CalibrationCondition {
   Participant participant;
   double goal_direction_deg = 0.0;  ///< direction of the target

@@ -8,7 +8,6 @@
 
 namespace hrt {
 
-/// Result of one step of a SimulatedParticipant. Angles in degrees.
 struct SimulatedStep {
   double felt_direction_deg;  ///< h_k: combination of touch and proprioception
   double gain;                ///< K_k
@@ -55,7 +54,7 @@ class SimulatedParticipant {
   double goal_direction_deg_;
   double variance_deg2_;                  // variance of the perceived direction
   double perceived_direction_deg_ = 0.0;  // theta_hat; 0 before the first step
-  double finger_direction_deg_ = 0.0;     // P
+  double finger_direction_deg_ = 0.0;
 };
 
 }  // namespace hrt

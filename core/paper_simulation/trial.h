@@ -12,12 +12,12 @@ inline constexpr int max_trial_steps = 10'000;
 
 /// Parameters of a trial except its random numbers. The defaults are condition 1 of Table I.
 struct Condition {
-  Participant participant;             ///< simulated participant
+  Participant participant;
   RetargeterConfig controller;         ///< `controller.participant` is the one that the controller assumes
   double real_direction_deg = -5.0;    ///< P_R
   double virtual_direction_deg = 5.0;  ///< theta_V, less than 90 degrees from P_R
   double plate_orientation_deg = 0.0;  ///< plate orientation before the first step
-  int steps = 30;                      ///< steps of a reach, 1 to max_trial_steps
+  int steps = 30;                      ///< 1 to max_trial_steps
   double tolerance_deg = 1.5;          ///< largest |P - P_R| after the last step of a hit, >= 0
 };
 

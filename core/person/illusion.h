@@ -1,11 +1,9 @@
-// The illusion of touch in the controller's model: the ridges shift the direction of motion that the person perceives
-// by
+// The illusion of touch in the model of the controller for people: ridges shift the perceived direction of motion by
 //   g(t) = (w t - b t (t / 75)^2) (1 - f A / (|cos t| + A))
 // where t is the angle from the direction of motion to the ridge normal, in degrees, wrapped to +-90. g is linear
 // in each of w, b and f, so that a filter can estimate these parameters. If b > 0 and f = 0, g has its maximum at
 // t = 75 sqrt(w / (3 b)), if that is below 90. The last factor is the mean fraction of the cue from touch that has not
-// decayed between two ridges: near 1 - f at low speed (large A) and for a motion along the ridges, near 1 at high
-// speed.
+// decayed between two ridges: it is near 1 for a fast motion (A near 0), and near 1 - f for a slow one or along ridges.
 #pragma once
 
 #include "core/person/tuning.h"
@@ -13,7 +11,7 @@
 
 namespace hrt {
 
-/// Parameters of a person's illusion, dimensionless.
+/// All fields are dimensionless.
 struct Illusion {
   double weight;          ///< w: slope at 0
   double curve;           ///< b: a third of the decrease of the slope from 0 to 75 degrees

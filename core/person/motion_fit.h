@@ -8,7 +8,7 @@ namespace hrt {
 
 struct MotionFit {
   double log_rate;  ///< natural logarithm of one over the duration in seconds
-  double onset_s;   ///< time of the onset
+  double onset_s;
 };
 
 /// Returns the most probable log rate and onset, searched over a grid of rates, of a motion over `path_mm` that began

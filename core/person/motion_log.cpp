@@ -27,8 +27,7 @@ void MotionLog::add(double time_s, const PlatePoint& position, double felt_plate
   positions_[count_++] = {time_s, position, felt_plate_deg};
 }
 
-// Processes all positions with `filter`, and returns the log likelihood l. Between positions, felt_plate_deg is
-// interpolated.
+// Processes all positions with `filter`, interpolates felt_plate_deg between them, and returns the log likelihood l.
 double MotionLog::log_likelihood(PersonFilter& filter) const {
   double sum = 0.0;
   double time_s = onset_s_;

@@ -2,8 +2,7 @@
 //
 // The SD of the wander is a parameter of the filter, not a state, so the filter cannot estimate it. After the reach,
 // three filters, whose log_wander differs by -eps, 0 and eps (Tuning::wander_step) from the mean of its prior, process
-// the positions. Their log likelihoods are, with the normalised innovation squared (nis) and covariance S of an
-// innovation,
+// positions. With the normalised innovation squared (nis) and the covariance S of innovations, log likelihoods are
 //   l = beta sum over the positions of -(nis + log det S) / 2
 // From l, the posterior of log_wander is approximated by a normal distribution with precision 1 / var - l'' and a mean
 // that is l' / precision above that of the prior. var is the variance of the prior, l' and l'' are finite differences

@@ -89,8 +89,7 @@ class PersonEstimator {
   const FingerPhase& finger() const { return finger_; }
   /// Returns a copy of the filter after the target's move, before the response; nullopt if no response is pending.
   std::optional<PersonFilter> after_retarget() const;
-  /// Time of the filter's state, in seconds of the times given to observe(); before the onset, time of the last
-  /// position.
+  /// Time of the filter's state, on the time axis of observe(); before the onset, time of the last position.
   double time_s() const { return filter_s_; }
   /// Rest position of the finger, which is the origin of the filter's positions.
   const PlatePoint& origin() const { return begun() ? origin_ : finger_.rest_place(); }

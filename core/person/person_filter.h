@@ -134,7 +134,7 @@ class PersonFilter {
   double unanswered_deg_ = 0.0;
   double path_mm_;
   TrackerNoise noise_;
-  double wander_deg2_;  // variance of the wander
+  double wander_deg2_;
   State mean_;
   double rate_;  // exp(rho)
   Covariance covariance_;

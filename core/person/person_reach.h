@@ -103,7 +103,7 @@ class PersonReach {
   PlateCommand command_;
   ReachSummary counts_;
   bool prepared_ = false;  // prepare_plate() has given a command since the last sample
-  double seen_s_ = 0.0;    // time of the last sample
+  double seen_s_ = 0.0;    // time from the first to the last sample
   double square_felt_sum_deg2_ = 0.0;
   std::int64_t felt_samples_ = 0;
   std::int64_t counted_step_ = -1;

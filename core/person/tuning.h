@@ -41,17 +41,16 @@ struct Tuning {
   double weight_curve_correlation = 0.85;  ///< prior correlation of weight and curve
   double steered_habit_sd_deg = 2.0;       ///< deg: upper limit of the SD of the habit with which a reach begins
   double known_weight_sd = 0.001;          ///< [model] this and the next three: SDs of known_person()
-  double known_bias_sd_deg = 0.05;         ///< deg
+  double known_bias_sd_deg = 0.05;
   double known_fading_sd = 0.01;
-  double known_scatter_sd_deg = 0.05;   ///< deg
-  double min_weight_sd = 0.01;          ///< this and the next three: lower bounds of SDs in calibrated_person()
-  double min_curve_sd = 0.015;          ///< includes the misfit of illusions that are not cubic
-  double min_bias_sd_deg = 0.5;         ///< deg
-  double min_habit_sd_deg = 0.4;        ///< deg
+  double known_scatter_sd_deg = 0.05;
+  double min_weight_sd = 0.01;  ///< this and the next three: lower bounds of SDs in calibrated_person()
+  double min_curve_sd = 0.015;  ///< includes the misfit of illusions that are not cubic
+  double min_bias_sd_deg = 0.5;
+  double min_habit_sd_deg = 0.4;
   double max_correlation = 0.95;        ///< largest correlation of weight and curve in calibrated_person()
   double given_duration_log_sd = 0.12;  ///< SD of log_rate if Reach::duration_s is given
 
-  // Illusion.
   double touch_memory_s = 0.3;  ///< s: [model] time constant of the decay of the cue from touch
   double first_ridge = 1.2;     ///< second term of A (illusion_at()) after one ridge spacing of travel
   double max_slope = 3.0;       ///< [model] bound of |1 - dg/dtheta| in steer()
@@ -81,12 +80,10 @@ struct Tuning {
   double max_stretch = 1.5;
   double new_motion_sd_s = 0.15;  ///< s: SD of the phase, as a time, at the beginning of the second motion
 
-  // Onset.
   double fit_spacing_s = 0.02;   ///< s: [time] spacing of the positions in the fit of the onset
   double rate_deviations = 0.8;  ///< step of the grid of rates, in SDs of the prior
-  double onset_sd_s = 0.02;      ///< s: SD of the onset
+  double onset_sd_s = 0.02;      ///< s: SD of the estimated time of the onset
 
-  // Gate and fit statistics.
   double max_accepted_nis = 25.0;  ///< a position with a NIS above this is an outlier
   /// number of successive outliers before a position is accepted as a jump. Kept for
   /// PersonEstimatorTest.AnOutlierIsRejectedAndAJump_IsFollowed.
@@ -104,36 +101,31 @@ struct Tuning {
   // Rest and motion: core/tracker/finger_phase.h.
   PhaseTuning phase;
 
-  // Pauses.
   double min_pausing_nis = 6.0;          ///< lower bound of the NIS of the first position of a pause
   double min_pausing_speed_mm_s = 25.0;  ///< mm/s: while the filter expects a lower speed, no pause is detected
   double pause_clock_sd_s = 0.07;        ///< s: SD of the phase, as a time, added at both ends of a pause and at a jump
   double reaction_time_s = 0.2;          ///< s: [model] time from a target's move to the person's response
 
-  // Plan.
   /// mm/deg: miss that costs as much as a change of the shift by one degree
   double change_weight_mm_deg = 0.08;
   double weight_caution = 0.2;    ///< number of SDs by which the plan's weight is below the mean
   double min_plan_weight = 0.03;  ///< lower limit of the plan's weight
 
-  // Flags.
   /// [model] fraction of the duration after which the person no longer responds to the plate
   double last_phase = 0.97;
   double first_judged_phase = 0.5;  ///< fraction of the duration up to which PlateCommand::off_target is false
-  double min_margin_deg = 0.3;      ///< deg: a gap that is larger than the largest shift minus this is unreachable
+  double min_margin_deg = 0.3;      ///< deg: a gap larger than the largest shift minus this margin is unreachable
   double margin_deviations = 0.9;   ///< number of SDs of shift minus gap that are subtracted from min_margin_deg
   /// if the finger is nearer to the target than this fraction of the distance of the targets,
   /// PlateCommand::aimed_direction_deg is no longer the direction from the finger
   double min_aim_fraction = 0.1;
 
-  // Tracker noise.
   /// mm: lower limit of each part; without noise, every deviation would be attributed to the person
   double min_known_noise_mm = 0.02;
   double white_noise_fraction = 0.66;       ///< white part of a configured total noise, as a fraction
   double correlated_noise_fraction = 0.75;  ///< correlated part; the squares of both fractions add up to 1
   double min_leg_mm = 10.0;                 ///< mm: in a retarget, shorter distances do not determine a direction
 
-  // Learning.
   /// difference of log_wander between the three filters that motion_log.h compares
   double wander_step = 0.5;
   /// factor of the log likelihood of a motion; below 1, because successive positions are correlated

@@ -1,4 +1,3 @@
-// One sample of the tracked finger.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +8,8 @@
 namespace hrt {
 
 enum class Observation {
-  none,       ///< tracking is lost
-  lifted,     ///< the finger is lifted from the plate
+  none,  ///< tracking is lost
+  lifted,
   direction,  ///< FingerSample::direction_deg
   position,   ///< FingerSample::position
 };

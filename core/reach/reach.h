@@ -57,7 +57,6 @@ struct ReachProgress {
   bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
 };
 
-/// SD, in degrees, of an unknown miss.
 inline constexpr double unknown_miss_sd_deg = 180.0;
 
 /// Command for the plate, with the state from which it was computed.

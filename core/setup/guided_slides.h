@@ -11,7 +11,7 @@
 
 namespace hrt {
 
-/// Detects the slides and fits the correction of the tracker's frame. Uses no heap, lock or exception.
+/// Uses no heap, lock or exception.
 class GuidedSlides {
  public:
   static constexpr int max_objects = 8;

@@ -10,8 +10,7 @@ constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | set
 constexpr std::uint32_t need_plate = setup_guides | slide_parts_of_setup;
 // Capacity per slide: 4 s at 250 Hz on average.
 constexpr std::size_t samples_a_slide = 1000;
-// Plate angles of the slides, see planned_share(). Beyond 0.8, a person with a usual tactile weight slides along the
-// ridges.
+// Plate angles of slides (planned_share()). Beyond 0.8, a person with a usual tactile weight slides along the ridges.
 constexpr std::array<double, first_slides> fractions{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
                                                      0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
 

@@ -51,7 +51,7 @@ class Setup {
  public:
   explicit Setup(const SetupConfig& config);
 
-  /// Processes a sample; times must not decrease.
+  /// Times of samples must not decrease.
   void update(const SetupSample& sample);
   SetupStep step() const;
 

@@ -27,7 +27,7 @@ class SetupProgress {
  private:
   static constexpr std::uint64_t patience_ns = 20'000'000'000;
   static constexpr int min_samples = 100;    // fewer: the application paused
-  static constexpr int many_samples = 1000;  // 11 s at 90 Hz
+  static constexpr int many_samples = 1000;  // enough to diagnose Kind::time; 11 s at 90 Hz
 
   std::optional<std::int64_t> since_ns_;
   std::int64_t now_ns_ = 0;

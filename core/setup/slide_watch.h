@@ -13,8 +13,7 @@ class SlideWatch {
 
   /// Waits for a slide straight ahead.
   void begin(const PlatePoint& start, double distance_mm, double plate_orientation_deg);
-  /// Returns true if the sample belongs to the slide or to the rest before it. is_first() is true for the first such
-  /// sample.
+  /// Returns true if the sample belongs to the slide or to the rest before it. is_first(): it is the first such sample.
   bool observe(const SetupSample& sample);
 
   Phase phase() const { return phase_; }

@@ -43,7 +43,7 @@ enum class FamilyKind {
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): in the order in which the table reads best
 struct PeopleFamily {
   const char* name;
-  const char* description;  ///< description for tables
+  const char* description;
   /// true: the controller's parameters were searched with this family; false: it was held out, and only the last few
   /// candidates were compared on it
   bool tuned;

@@ -66,7 +66,6 @@ class Tracker {
   /// `about`: centre of rotation and scale of the frame.
   Tracker(const TrackerModel& model, const PlatePoint& about, Draws draws);
 
-  /// Takes a sample of the finger if one is due at `time_s`.
   void sample_if_due(double time_s, const PlatePoint& finger) {
     if (time_s >= next_s_) take_sample(time_s, finger);
   }

@@ -3,23 +3,21 @@
 //   waiting --left--> moving --still--> paused --left--> moving
 //   any --lift()--> lifted --next position--> waiting, or paused after a motion
 //
-// sigma is the SD of the noise of a coordinate: known, or estimated (noise_learner.h). The tests, with the numbers of
-// PhaseTuning:
+// sigma is the SD of the noise of a coordinate: known, or estimated (noise_learner.h). Tests, with default PhaseTuning:
 //
 //   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this limit in 1
 //            of 10^7 means. If the noise is estimated, sigma is at least 1 + 2 / n times the SD that n differences of
 //            successive positions show.
 //   still    Over the last T seconds, with at least 10 positions, all later than the detection of the motion, the
-//            displacement d along the least-squares line is below a limit, and the sagitta of the least-squares parabola
-//            is at most four times this limit: a finger that turns back has no displacement. A line through n positions
-//            of white noise has a d of sigma sqrt(12 / n) (SD), of correlated noise up to sqrt(2) sigma. If the speed v
-//            of the motion is known: T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma /
+//            displacement d along the least-squares line is below a limit, and the sagitta of the least-squares
+//            parabola is at most four times this limit: a finger that turns back has no displacement. If the speed v of
+//            the motion is known: T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma /
 //            (15 mm/s), so that a slow motion is not mistaken for a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a
 //            resting hand drifts.
 //   outlier  At rest, a position further from the last one than 600 mm/s * elapsed time + 5.7 sigma (4 SDs of a
 //            difference) is ignored, at most twice in succession. The third one begins a rest at another position.
-//   rest     The rest position is the running mean of positions within 3 sigma of it, with a memory of 1 s. A finger that
-//            returns within 0.5 s has rested meanwhile. The duration restarts after 0.2 s without a position.
+//   rest     The rest position is the running mean of positions within 3 sigma of it, with a memory of 1 s. If a finger
+//            leaves and returns within 0.5 s, the rest continues. Its duration restarts after 0.2 s without a position.
 #pragma once
 
 #include <Eigen/Core>

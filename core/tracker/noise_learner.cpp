@@ -12,14 +12,12 @@ namespace {
 // few time constants hardly shows correlated noise.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
-// If the observed noise is below the assumed noise, the assumed correlated part is reduced, but not below this
-// fraction.
+// If the observed noise is below the assumed noise, the assumed correlated part is reduced to this fraction at least.
 constexpr double min_assumed_share = 0.6;
 constexpr int steps_per_estimate = 8;
 // Upper limit of each part of the noise: larger differences are a motion.
 constexpr double max_noise_mm = 4.0;
-// During a motion, the distance of a position from the line through the previous and the next one counts as at most
-// three SDs.
+// Limit, in SDs, of the distance of a position from the line through the previous and the next one during a motion.
 constexpr double max_departure_deviations = 3.0;
 // Lower limit of each part, since without noise a filter would attribute every deviation to the person.
 constexpr double min_part_mm = 0.02;
@@ -88,8 +86,7 @@ void NoiseLearner<Point>::learn(const RecentPlaces<Point>& places, int rested) {
   update();
 }
 
-// Uses the distance of a position from the line through the previous and the next one, which a uniform motion does not
-// change.
+// Uses the distance of a position from the line through the positions before and after it: 0 in a uniform motion.
 template <class Point>
 void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
   if (known_ || places.count() < 3) return;

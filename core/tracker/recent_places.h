@@ -42,7 +42,6 @@ class RecentPlaces {
     for (int i = 1; i < places; ++i) mean = mean + (1.0 / places) * (*this)[i].position;
     return mean;
   }
-  /// Discards all positions except the last one.
   void keep_last() { count_ = std::min(count_, 1); }
 
  private:

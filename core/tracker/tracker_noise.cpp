@@ -30,11 +30,10 @@ constexpr double quantile = 2.18;
 // c) + max_misfit_deviations * (SD of D).
 constexpr double max_misfit_deviations = 5.0;
 constexpr double max_misfit_share = 0.1;
-// Coordinates that differ by less are equal.
+// Coordinates that differ by less count as equal.
 constexpr double same_coordinate_mm = 1e-6;
 
-// Limits of one call of RestNoiseFit::step(). On a core of 3 GHz, a fit without one block takes 10 us, the median of a
-// rest 20 us.
+// Limits of one RestNoiseFit::step(). On a core of 3 GHz, a fit without one block takes 10 us, and a median 20 us.
 constexpr int blocks_per_step = 25;
 constexpr int rests_per_noise_step = 16;
 

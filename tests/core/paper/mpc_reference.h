@@ -32,7 +32,6 @@ struct KktResidual {
   long double stationarity;   ///< |gradient of half the cost + multipliers of the rows|, minimal over multipliers >= 0
   long double violation_deg;  ///< largest violation of a bound
 };
-/// Computes the residuals for the plate offsets `plate`.
 KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate);
 
 }  // namespace hrt
