@@ -15,7 +15,8 @@
 namespace hrt::reach {
 namespace {
 
-// Copies a name. Characters other than printable ASCII become '?': the plugin rejects invalid UTF-8.
+// Copies a name, of which only HRT_NAME_SIZE - 1 bytes fit. Bytes other than printable ASCII become '?', because the
+// plugin rejects invalid UTF-8.
 void copy_name(const std::string& name, char (&out)[HRT_NAME_SIZE]) {
   std::memset(out, 0, sizeof out);
   std::transform(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(std::min(name.size(), sizeof out - 1)), out,

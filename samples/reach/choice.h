@@ -14,10 +14,11 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Loads the scene's targets into a session of the plugin, configured by the options.
+/// Creates a session of the plugin, configured by the options, with the targets of the scene.
 TargetSet load_targets(const Plugin& plugin, const Options& options);
 
-/// Returns the reaches to make, in order. Throws Failure (ExitCode::scene) if the scene lacks a requested target.
+/// Returns the reaches to make, in order. Throws Failure (ExitCode::scene) if the scene lacks a requested target, or
+/// has no virtual target.
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options);
 
 /// Assumed pose of an unregistered plate in a space of the runtime.
@@ -33,7 +34,8 @@ struct ScenePlace {
 ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session, std::optional<double> eye_height_m,
                     Prompt& prompt);
 
-/// Replaces the plate's limits and latency in the session's configuration by those of the device.
+/// Sets the plate's limits and latency in the session's configuration to those that the device reports. A latency of 0
+/// is ignored; one that is too long for the plugin is reduced.
 void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report& report);
 
 /// Passes the names of the plate and the tracker to the plugin. Warns on standard error if the profile in use was

@@ -30,7 +30,8 @@ void save_profile(const Plugin& plugin, hrt_session session, const std::filesyst
   plugin.check(plugin.hrt_profile_save(session, text.size(), text.data(), &length));
   text.back() = '\n';
   if (const int error = write_whole_file(file, text); error != 0)
-    throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
+    throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error) +
+                                        "; select another file (--calibrate)");
 }
 
 RecordingFile::RecordingFile(const Plugin& plugin, hrt_session session, std::filesystem::path file)

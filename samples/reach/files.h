@@ -9,20 +9,20 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Loads the profile into the plugin's session. Throws Failure (ExitCode::plugin) if the file is not a profile.
+/// Loads the profile into the plugin's session. Throws Failure (ExitCode::plugin) if the file cannot be read or is not
+/// a profile.
 void load_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
 /// Writes the session's profile and replaces the file atomically. Throws Failure (ExitCode::output).
 void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
-/// Opens the file in the constructor, so that a wrong name is reported before the first reach. Functions throw
-/// Failure (ExitCode::output).
+/// The plugin's recording of a session. Functions throw Failure (ExitCode::output).
 class RecordingFile {
  public:
-  /// `file`: empty for no recording.
+  /// Opens the file and starts the recording. `file`: empty for no recording.
   RecordingFile(const Plugin& plugin, hrt_session session, std::filesystem::path file);
 
-  /// Closes the file. A second call has no effect.
+  /// Closes the file, and throws if it is incomplete. A second call has no effect.
   void finish();
 
  private:

@@ -105,7 +105,7 @@ class Run {
         prompt_(options.speak_with, [this](const std::string&) { status_.clear(); }) {
     for (const auto& file : {options.calibrate, options.register_to})
       if (const std::string why = file.empty() ? "" : why_not_writable(file); !why.empty())
-        throw Failure(ExitCode::output, file.string() + " cannot be written: " + why);
+        throw Failure(ExitCode::output, file.string() + " cannot be written: " + why + "; select another file");
     if (!options.registered.empty()) registered_ = read_registration(options.registered);
     if (!options.profile.empty()) load_profile(plugin_, targets_.session, options.profile);
     if (!options.finger.empty()) {
@@ -162,8 +162,8 @@ class Run {
       } catch (const XrLost& lost) {
         losses = slides_made() == before ? losses + 1 : 1;
         if (losses > losses_allowed)
-          throw Failure(ExitCode::runtime_failed,
-                        std::string("the OpenXR runtime was lost repeatedly: ") + lost.what());
+          throw Failure(ExitCode::runtime_failed, std::string("the OpenXR runtime was lost repeatedly: ") +
+                                                      lost.what() + "; restart the runtime, then start again");
         status_.clear();
         std::cerr << "hrt-reach: " << lost.what() << "; connecting again\n";
         prompt_.speak("The connection to the headset was lost. The program connects again.");
@@ -177,7 +177,7 @@ class Run {
     XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
     std::optional<Simulation> simulation;
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation.emplace(runtime, session);
-    // Null: requests are printed and spoken. The mock runtime may still simulate a user, who then feels the plate.
+    // Null: a person is instructed by text and speech. The mock runtime may still simulate a user, who feels the plate.
     Simulation* const instructed = simulation && !options_.person ? &*simulation : nullptr;
     if (instructed != nullptr) {
       session.place_plate(session.floor_space(), targets_.plate_pose);
@@ -185,7 +185,7 @@ class Run {
       instructed->seed(options_.seed, static_cast<std::uint32_t>(next_));
     } else {
       prompt_.listen();
-      // place_of() may wait for an answer, so it is called before the plate is opened, which then needs service().
+      // place_of() may wait for an answer. An open plate, which needs service() in each frame, would stop meanwhile.
       if (touch_)
         scene_place_ = {session.floor_space(), targets_.plate_pose,
                         "The position of the plate relative to the touch frame is that of the option --finger."};
@@ -228,7 +228,7 @@ class Run {
     keys.plate_is_placed();
     if (calibrates()) calibrate(context);
     keys.reaches_begin();
-    checked_ = true;  // find_plate() has checked or made the registration
+    checked_ = true;  // by find_plate(), if the plate is registered
     while (!is_done()) make_next_reach(context);
     session.end();
   }
@@ -266,7 +266,7 @@ class Run {
     check_output();
   }
 
-  // Makes one reach. A reach that does not end is reported, and the run continues.
+  // Makes one reach. A reach that does not begin or end is reported; the third one in a row ends the run.
   void make_next_reach(RunContext& context) {
     const TargetPair& pair = pairs_[next_];
     try {
@@ -349,8 +349,9 @@ class Run {
   // Throws if standard output fails, for example because the reader closed the pipe.
   static void check_output() {
     if (!std::cout.flush())
-      throw Failure(ExitCode::output,
-                    "standard output cannot be written: its reader has closed it, or the disk is full");
+      throw Failure(
+          ExitCode::output,
+          "standard output cannot be written: its reader has closed it, or the disk is full; send it elsewhere");
   }
 
   void print_header_once(const XrRuntime& runtime, const Plate& plate) {
@@ -410,7 +411,7 @@ int run_from(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hrt::app::note_interrupts();
-  std::signal(SIGPIPE, SIG_IGN);  // a closed output is reported by the write
+  std::signal(SIGPIPE, SIG_IGN);  // check_output() reports a closed output
   // Suppresses the messages of the OpenXR loader, unless the user has set this variable.
   setenv("XR_LOADER_DEBUG", "none", 0);
   return hrt::reach::run_from(argc, argv);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t widest_name = 32;
 
-// Replaces values that would be printed as "-0.0".
+// Avoids "-0.0" in a text with one decimal.
 double without_minus_zero(double value) { return std::abs(value) < 0.05 ? 0.0 : value; }
 
 std::string line(const char* name, const hrt_interval& interval, const char* unit) {

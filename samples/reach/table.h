@@ -1,4 +1,4 @@
-// Printed output: progress of a reach, results of reaches and of a calibration.
+// Texts: progress of a reach, results of reaches and of a calibration.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,8 @@ bool is_within_tolerance(const ReachResult& result);
 /// True if the reach ended inside the real target's radius, or within the tolerance if the scene gives no radius.
 bool is_reached(const TargetPair& pair, const ReachResult& result);
 
-/// Progress of a reach: on a terminal, one line that is rewritten; with `verbose`, a line per frame instead.
+/// Progress of a reach on standard error: one line that is rewritten, if it is a terminal; with `verbose`, a line per
+/// frame instead.
 class StatusLine {
  public:
   explicit StatusLine(bool verbose);
@@ -36,7 +37,7 @@ class StatusLine {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// The table of results, whose columns are as wide as the names of its targets.
+/// The table of results. The names of the targets determine the widths of its columns.
 class Table {
  public:
   explicit Table(const std::vector<TargetPair>& pairs);
@@ -54,7 +55,6 @@ class Table {
   std::size_t real_width_ = 0;
 };
 
-/// Counts over all rows.
 struct Tally {
   int reaches = 0;
   int feasible = 0;                   ///< reaches without the flag HRT_COMMAND_UNREACHABLE
@@ -71,7 +71,7 @@ void print_summary(std::ostream& out, const Tally& tally);
 /// True if the tactile weight is known as precisely as a set-up requires by default.
 bool is_enough(const hrt_setup_result& result);
 
-/// Result in lines to be printed or spoken. `config`: configuration of the session, updated by the result.
+/// Result in lines to be printed or spoken. `config`: configuration of the session after the calibration.
 std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config);
 
 }  // namespace hrt::reach

@@ -20,7 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// Every function that a run calls: those in the runtime's log, and those that the log omits.
+// Functions that a run calls: those in the runtime's log, and xrGetInstanceProcAddr, which the log omits.
 std::set<std::string> functions_of_a_run() {
   auto environment = mock_environment();
   const std::string log = scratch_folder() + "/calls";
@@ -69,7 +69,7 @@ void block_in_each(const std::string& limit_s, Check check) {
   }
 }
 
-// The limit is longer than any other call takes on a busy machine.
+// The limit of 2 s is longer than any other call takes on a busy machine.
 TEST(ReachBlock, EveryCallEndsAtTheLimit) {
   block_in_each("2", [](const std::vector<Blocked>& some) {
     for (const Blocked& blocked : some) {
@@ -101,7 +101,6 @@ TEST(ReachBlock, EveryCallEndsWithinASecondOfASignal) {
   });
 }
 
-// The runtime blocks in a later reach; the finished reaches are kept.
 TEST(ReachBlock, FinishedReachesAreKept) {
   struct Call {
     const char* function;
@@ -117,7 +116,8 @@ TEST(ReachBlock, FinishedReachesAreKept) {
   }
 }
 
-// The 100th frame is within the first reach.
+// Returns an environment in which the runtime blocks in the 100th frame, within the first reach, and holds the lock of
+// a stream.
 std::map<std::string, std::string> blocked_with(const std::string& stream) {
   return scripted_environment("{" + calm +
                               R"(, "calls": [{"function": "xrWaitFrame", "call": 100, "block": true, "holds": ")" +

@@ -36,7 +36,6 @@ Found weight_of(const Outcome& outcome) {
   return found;
 }
 
-// The estimate must match the tactile weight of the simulated participant, and the next reaches must use the profile.
 TEST(ReachCalibrate, EstimatesTheTactileWeightAndWritesAProfile) {
   for (const double weight : {0.15, 0.25}) {
     const std::string folder = scratch_folder(), profile = folder + "/profile.json", recording = folder + "/slides.csv";

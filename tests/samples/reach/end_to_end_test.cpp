@@ -66,7 +66,6 @@ struct Refused {
   Environment environment = mock_environment();
 };
 
-// Each missing or invalid part gives one sentence and its own exit code.
 TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
   const std::string folder = scratch_folder();
   std::ofstream(folder + "/runtime.json")

@@ -98,10 +98,9 @@ TEST(ReachFault, LostSessionsAndInstancesAreCreatedAgain) {
   }
 }
 
-// The participant stays the same and repeats the lost reach identically. With a controller that learns nothing, the
-// only difference is the plate, which is at 0 in a new session: the paper's participant feels the plate, but steers
-// only when the first step ends. The rest at the end may be detected a few samples earlier or later, since the detector
-// adapts to the tracker's noise, and a resting finger trembles.
+// The participant is the same in the new session, and the paper's controller learns nothing. The plate begins at 0, but
+// a participant who steers in steps does not react to it before the first step ends. Only the rest at the end may be
+// detected a few samples earlier or later, because the detector adapts to the tracker's noise.
 TEST(ReachFault, ALossChangesNoReach) {
   const std::string paper = R"("participants": [{"steering": "steps"}])";
   const std::vector<std::string> arguments = {desk, "--controller", "paper", "--seed", "5"};
@@ -218,7 +217,7 @@ TEST(ReachFault, AFrameComesLate) {
             run_program({desk}).out);
 }
 
-// The runtime rejects LOCAL_FLOOR, the first space created, as an older API layer does.
+// In the second case, the runtime rejects LOCAL_FLOOR, the first space created, as an older API layer does.
 TEST(ReachFault, WithoutAFloorThePlateIsPlacedInLocal) {
   const std::string refused =
       R"(, "calls": [{"function": "xrCreateReferenceSpace", "result": "XR_ERROR_VALIDATION_FAILURE"}])";

@@ -10,8 +10,8 @@
 
 namespace hrt::reach {
 
-/// A plate in LOCAL space. The default is 2.4 m and 20 degrees from the pose in the desk's scene, (0.12, 0.75, -0.32)
-/// and 20 degrees about the vertical. The joint is 8 mm above the skin.
+/// Pose of a plate in LOCAL space, whose origin is 1.2 m above the floor. `turn_deg`: rotation about the vertical. The
+/// default is 2.1 m and 20 degrees from plate_of_desk.
 struct PlatePose {
   double x_m = 0.12 + 2.0;
   double y_m = 0.75 - 1.2;
@@ -19,7 +19,7 @@ struct PlatePose {
   double turn_deg = 40.0;
 };
 
-/// Pose of the plate in the desk's scene, above a floor 1.2 m below the origin.
+/// Pose of the plate in desk.gltf.
 inline const PlatePose plate_of_desk{0.12, 0.75 - 1.2, -0.32, 20.0};
 
 struct Place {
@@ -31,14 +31,14 @@ struct Place {
 inline const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
                                          {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
 
-/// Attitude of the hand, in degrees: rotations about its right, its back and its pointing direction.
+/// Attitude of the hand: rotations in degrees about the axes to its right, out of its back, and backwards.
 struct Attitude {
   double raised = 0.0;
   double turned = 0.0;
   double leant = 0.0;
 };
 
-/// A path of a hand that rests at each position and moves between them in an arc above the plate.
+/// The path of a hand over a plate. Functions append a motion to it.
 class Path {
  public:
   explicit Path(PlatePose plate = {}) : plate_(plate) {
@@ -46,6 +46,7 @@ class Path {
     time_ms_ = 600;
   }
 
+  /// Moves to a position on the plate in 0.4 s, and rests there.
   Path& hold(const Place& place, int for_ms = 1200) {
     add(time_ms_ += 400, place, 0.0);
     add(time_ms_ += for_ms, place, 0.0);
@@ -81,7 +82,6 @@ class Path {
   }
   Path& rest(int for_ms) { return slide(last_, for_ms); }
 
-  /// Continues the path at this time.
   Path& wait_until(int time_ms) {
     time_ms_ = time_ms;
     return *this;

@@ -27,7 +27,7 @@ TEST(ReachRecording, IsTheSameForTheSameSeedAndReplays) {
   EXPECT_NE(first.out, run_program({desk, "--seed", "4", "--record", folder + "/c.csv"}).out);
   EXPECT_EQ(read_file(folder + "/a.csv"), read_file(folder + "/b.csv"));
   EXPECT_NE(read_file(folder + "/a.csv"), read_file(folder + "/c.csv"));
-  // each reach: begin, one sample per frame for at least 1.6 s, end
+  // Each reach has a row for its begin, one per frame for at least 1.6 s, and one for its end.
   EXPECT_GE(expect_replays(folder + "/a.csv"), 3U * (144U + 2U));
 }
 
@@ -130,7 +130,6 @@ TEST(ReachPlate, IsUnpluggedOrFallsSilentInTheMiddleOfAReach) {
   }
 }
 
-// After Ctrl-C the plate stops, and the recording is complete.
 TEST(ReachInterrupted, StopsThePlateAndKeepsFinishedReaches) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     PtyPlate device;

@@ -73,7 +73,6 @@ TEST(SimulatedServo, TurnsAtItsSpeedTheShortWayRoundAndStopsWhereItIs) {
   EXPECT_DOUBLE_EQ(*servo.orientation_deg(9 * second), -85.0);
 }
 
-// A recording that the plugin could not write completely.
 TEST(ReachRecordingFile, LostRowsFailTheRun) {
   Plugin plugin(HRT_PLUGIN);
   plugin.hrt_recording_start = [](hrt_session, const char*) noexcept { return HRT_OK; };

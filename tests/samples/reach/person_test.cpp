@@ -61,7 +61,8 @@ TEST(ReachPerson, TakesAThickFinger) {
   EXPECT_EQ(rows(0.018)[0].peak_felt_deg, rows(0.008)[0].peak_felt_deg);
 }
 
-// Script: tracking of the right finger is lost half way; the left finger touches there and slides to the cylinder.
+// Returns a script in which tracking of the right finger is lost half way. The left finger, `left_height_m` above the
+// plate, continues from there to the cylinder.
 std::string relay(double left_height_m) {
   PlatePose left_plate = plate_of_desk;
   left_plate.y_m += left_height_m;
@@ -159,7 +160,6 @@ TEST(ReachPerson, AnUnfinishedReachDoesNotStopTheRun) {
   expect_said(untracked, "3 reaches in a row did not begin or end in time");
 }
 
-// A simulated user's reach that does not end in time is reported, with exit code 8.
 TEST(ReachPerson, AnUnfinishedSimulatedReachDoesNotStopTheRun) {
   expect_said(expect_exit(8, run_program({desk, "--time-limit", "1"})), "The reach to \"pawn\" did not end within 1 s");
 }
@@ -314,7 +314,6 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   EXPECT_TRUE(has(read_file(profile), "\"tactile_weight\":"));
 }
 
-// A calibration that the key q stops leaves no profile.
 TEST(ReachKeys, AStoppedCalibrationWritesNothing) {
   const Voice voice;
   const plate::Pty terminal(80);

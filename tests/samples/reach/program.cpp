@@ -19,8 +19,8 @@ std::vector<std::string> variables_of(const std::map<std::string, std::string>& 
   for (const auto& [name, value] : environment) variables.push_back(name + "=" + value);
   for (const char* passed_on : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS", "HOME"})
     if (const char* value = std::getenv(passed_on)) variables.push_back(std::string(passed_on) + "=" + value);
-  // The first of two equal variables counts. This default avoids a crash of the leak search, which misinterprets
-  // thread-local storage of a library 16 bytes into a page; no such storage here has a pointer.
+  // A default: of two variables with the same name, the first one counts. It avoids a crash of AddressSanitizer's leak
+  // search, which misinterprets thread-local storage that begins 16 bytes into a page.
   variables.emplace_back("ASAN_OPTIONS=intercept_tls_get_addr=0");
   return variables;
 }

@@ -61,7 +61,7 @@ std::vector<Row> rows_of(const Outcome& outcome);
 /// Empty folder for this test, removed at the end of the process.
 std::string scratch_folder();
 
-/// Folder for the recording of a reach to the bottle in a runtime with a fault.
+/// A new folder, and arguments of a reach to the bottle that is recorded there.
 struct Files {
   std::string folder = scratch_folder();
 

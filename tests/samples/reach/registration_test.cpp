@@ -194,7 +194,7 @@ TEST_F(ReachRegistration, MeasuresTheTrackersBearing) {
   expect_said(expect_exit(2, run_program({desk, "--measure-tracker"})), "needs a person");
 }
 
-// The table of SETUP.md.
+// Expected values are those of the table in plugin/SETUP.md.
 TEST(ReachTracker, SharesAreThoseOfTheTable) {
   for (const auto& [sd_deg, share] :
        {std::pair{0.3, "100"}, {0.75, "95"}, {1.0, "87"}, {1.5, "68"}, {2.0, "55"}, {2.9, "40"}}) {

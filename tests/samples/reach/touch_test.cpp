@@ -47,7 +47,7 @@ struct EmulatedFrame {
     g_object_unref(handler);
     g_object_unref(bed);
   }
-  // A negative id: lifted.
+  // A negative id reports that the contact was lifted.
   void report(std::int64_t time_ns, int slot, int id, int x, int y, bool is_dropped = false) {
     const std::lock_guard lock(mutex);
     const auto add = [&](std::uint16_t type, std::uint16_t code, int value) {
