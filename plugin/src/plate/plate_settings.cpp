@@ -96,6 +96,7 @@ void PlateLink::change_setting(const std::string& name, double value) {
         "the ranges";
   if (why == "word") why = "the firmware has no setting of this name; hrt-plate show lists the names";
   if (why == "busy") why = "the plate is in motion; try again when it is at rest";
+  if (why == "sum" || why == "byte" || why == "length") why = "the line was damaged in transmission; try again";
   if (!why.empty()) throw PlateFailure(Fault::protocol, "refuses " + body + ": " + why);
 }
 

@@ -96,8 +96,8 @@ SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue
   const double turn = (above_deg - below_deg) / (2.0 * scale_deg);
   const double span_us = turn == 0.0 ? 1e9 : std::round(first_span_us / turn);
   if (std::abs(span_us) < 500.0 || std::abs(span_us) > 2500.0)
-    throw PlateFailure(Fault::device, format("the servo turned by %g degrees between the two readings; 60 were "
-                                             "commanded. Start again and read the scale carefully",
+    throw PlateFailure(Fault::device, format("turned by %g degrees between the two readings; 60 were commanded. Start "
+                                             "again and read the scale carefully",
                                              turn * 60.0));
   turn_and_wait(device, 0.0);
   board.change_setting("span", span_us);  // at orientation 0 this does not move the servo
