@@ -61,7 +61,7 @@ EmulatedBoard::EmulatedBoard(const std::vector<std::uint8_t>& eeprom) : avr_(avr
     avr_eeprom_desc_t all{bytes.data(), 0, static_cast<std::uint32_t>(bytes.size())};
     avr_ioctl(avr_, AVR_IOCTL_EEPROM_SET, &all);
   }
-  std::uint32_t flags = 0;  // the line does not sleep, and does not echo to the terminal
+  std::uint32_t flags = 0;  // simavr's serial line neither sleeps nor copies the bytes to the terminal
   avr_ioctl(avr_, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
   start_line();
   open_emergency_stop(false);

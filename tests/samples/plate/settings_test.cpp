@@ -19,7 +19,7 @@ Settings with(Setting setting, int32_t hundredths) {
 TEST(PlateSettings, HaveDefaultsThatFit) {
   const Settings settings = settings_default();
   EXPECT_TRUE(settings_valid(&settings));
-  // Pulses of 1000 to 2000 us, which every servo can follow.
+  // Pulses of 1000 to 2000 us, the usual range of hobby servos.
   EXPECT_EQ(settings_lower_limit(&settings), -4500);
   EXPECT_EQ(settings_upper_limit(&settings), 4500);
   EXPECT_FALSE(settings_has_feedback(&settings));

@@ -303,7 +303,7 @@ struct Hobby : Disturbed<HobbyPlate> {
                       {reader_of(scale_readings(*this)), [](const std::string&) {}});
   }
   EmulatedServo& physics() { return servo; }
-  static constexpr double exchange_ms = 10.0;  // half a period of its pulses
+  static constexpr double exchange_ms = 10.0;  // mean time until the next pulse: half a period
 };
 
 struct Xl330 : Disturbed<EmulatedDynamixel> {
@@ -324,18 +324,19 @@ struct Xl330 : Disturbed<EmulatedDynamixel> {
     return found;
   }
   EmulatedServo& physics() { return motor; }
-  static constexpr double exchange_ms = 3.9;  // half of an exchange in progress, and the longer message of a command
+  // Mean time until an exchange in progress ends, and additional duration of the message of a command.
+  static constexpr double exchange_ms = 3.9;
   double speed_deg_s;
 };
 
-// Compares measurements with the ground truth (latency: dead time and half an exchange; backlash: play and both sides
-// of the dead band).
+// Compares measurements with the ground truth. The true latency is the dead time plus exchange_ms, the true backlash
+// the play plus both sides of the dead band.
 struct Accuracy {
   std::map<std::string, std::vector<double>> errors;  // in stated standard errors
   double mean_ms = 0.0, max_ms = 0.0;                 // errors of the latency
 
-  // Returns the errors that exceed the tolerance: 5 % of the speed, 3 ms of latency, a third of the acceleration, half
-  // a count of the sensor for the backlash, or three stated standard errors if these are more.
+  // Returns the errors that exceed the tolerance, which is the largest of three stated standard errors, 5 % of the true
+  // value, and `least`.
   std::string compare(const Measurements& found, const EmulatedServo& servo, double exchange_ms) {
     std::string wrong;
     const auto check = [&](const char* name, const Measured& measured, double truth, double least) {
