@@ -1,5 +1,5 @@
-# Makes the header-only libraries of this Debian available to cross compilers, which must not use /usr/include,
-# because it also contains the headers of this machine's C library.
+# Makes Debian's header-only libraries available to cross compilers, which must not use /usr/include, because it also
+# contains the headers of this machine's C library.
 get_property(in_try_compile GLOBAL PROPERTY IN_TRY_COMPILE)
 if(in_try_compile)
   return()

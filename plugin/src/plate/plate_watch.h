@@ -17,9 +17,8 @@ class PlateWatch {
 
   PlateWatch(const PlateGreeting& greeting, Time now) : greeting_(greeting), reported_(now) {}
 
-  /// From this call on, a plate that does not turn to this orientation is stuck.
+  /// Starts to expect that the plate turns to this orientation; note_stop() ends the expectation.
   void note_command(double orientation_deg);
-  /// From this call on, the plate need not move.
   void note_stop();
   /// nullopt: the orientation is unknown. Throws PlateFailure if the plate is stuck or beyond its limits.
   void note_report(Time time, std::optional<double> orientation_deg);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::int64_t resampling_ns = 12'000'000;  // period of a touch frame of 100 Hz, plus 2 ms for a late report
 constexpr double object_m = 0.012;                  // a contact nearer than this to a known object is this object
 constexpr double noise_m = 0.0005;                  // assumed SD of a position that an infrared frame reports
-constexpr int max_events = 4096;                    // limit of events in one call, for a device that sends endlessly
+constexpr int max_events = 4096;                    // per locate(), so that it returns if a device sends without pause
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   throw Failure(ExitCode::tracker, "the touch frame " + path + " " + what);

@@ -110,8 +110,8 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   }
 }
 
-/* Processes a millisecond of the first pulses, which hold a servo with a sensor where it is, or home one without. If the
- * settings adc_least and adc_most are exchanged, the servo turns away from its first pulse: the plate then stops. */
+/* Processes a millisecond of the first pulses, which hold a servo with a sensor where it is, or home one without. Stops
+ * if the servo turns away from its first pulse: the settings adc_least and adc_most are exchanged. */
 static void settle(Plate* plate) {
   --plate->settle_ms;
   if (is_measured(plate) && !is_homing(plate)) {
@@ -260,7 +260,7 @@ static LineError parse_angle(const char* word, int32_t* out) {
   return *out < -36000 || *out > 36000 ? LINE_OUT_OF_RANGE : LINE_OK;
 }
 
-/* Returns the next word of `rest`, and moves `rest` to the word after it. Null: the end, or two spaces. */
+/* Returns the next word of `rest`, and moves `rest` to the word after it. Null: the end, or a space too many. */
 static char* next_word(char** rest) {
   char* word = *rest;
   if (word == NULL || *word == 0 || *word == ' ') return NULL;

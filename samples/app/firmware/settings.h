@@ -58,8 +58,8 @@ uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_mill
 int32_t settings_lower_limit(const Settings* settings);
 int32_t settings_upper_limit(const Settings* settings);
 
-/** Speed of the motion, in hundredths of a degree a second. Without a sensor it is at most 60 degrees a second, which
- * every hobby servo can follow. A servo that lagged behind the pulse would continue to turn after a stop. */
+/** Speed of the motion, in hundredths of a degree a second. Without a sensor it is at most 60 degrees a second, because
+ * a servo that lagged behind its pulse would continue to turn after a stop. */
 int32_t settings_speed(const Settings* settings);
 
 bool settings_has_feedback(const Settings* settings);

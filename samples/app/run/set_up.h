@@ -29,9 +29,10 @@ class SetUp {
   SetUp(const SetUp&) = delete;
   SetUp& operator=(const SetUp&) = delete;
 
-  /// Runs until the result is complete, and prints a line per slide to `slides`. Throws as run_reach(); after XrLost it
-  /// may be called again. Throws Failure: no_hand if the user does not respond in time or six slides in a row are
-  /// rejected; registration if touches are rejected three times; plate if the plate does not turn.
+  /// Runs until the result is complete. Prints a line per slide to `slides`, unless it is null. Throws XrLost, after
+  /// which it may be called again; Failure: no_hand if the user does not respond in time or six slides in a row are
+  /// rejected, registration if touches are rejected three times, plate if the plate does not turn; otherwise Failure or
+  /// XrFailure.
   hrt_setup_result run(RunContext& context, std::ostream* slides = nullptr);
 
   std::uint32_t done() const { return asked_.done; }

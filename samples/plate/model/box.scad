@@ -1,5 +1,5 @@
-// Box without a floor for stop button, fuse holder and board, next to the drum. The board hangs under the lid on cable
-// ties. Screws through the columns at its sides fix the box.
+// Box without a floor for stop button, fuse holder and circuit board, next to the drum. The circuit board hangs under
+// the lid on cable ties. Screws through the columns at its sides fix the box.
 
 box_middle_mm = [deck_radius_mm + 30 + box_mm[0] / 2, 0];
 box_top_z = drum_bottom_z + box_mm[2];

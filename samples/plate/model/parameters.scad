@@ -57,11 +57,11 @@ horn_pocket_mm = 1.5;
 horn_slack_mm = 0.5;
 
 /* [Sensor of a hobby servo: an AS5600 board of 23 x 23 mm, its chip in the middle] */
-// Space for the sensor between hub and servo: 14; 0: without a sensor.
+// Height between hub and servo for the sensor: 14, or 0 without a sensor.
 sensor_room_mm = 0;
 sensor_board_mm = [23.2, 1.6];
 magnet_mm = [6, 2.5];
-// Gap between magnet and chip. The height of the chip is the same.
+// Gap between magnet and chip, and height of the chip.
 magnet_gap_mm = 1.5;
 
 /* [Dynamixel XL330. Measure yours] */

@@ -16,7 +16,7 @@ module mount_outline(hole_mm) {
   }
 }
 
-// Base (the child, with holes of $hole_mm) with the posts on it.
+// Posts on a base. The base is the child, whose holes have the diameter $hole_mm.
 module on_posts() {
   recess_z = mount_bottom_z + mount_recess_mm;
   layer(mount_bottom_z, recess_z) let($hole_mm = post_washer_mm) children();

@@ -25,12 +25,10 @@ constexpr double max_lag_deg = 0.5;
 constexpr int bends = 9;                 // number of the settings bend_0 to bend_8: the nonlinearity of the sensor
 constexpr double max_bend_deg = 5.0;     // a larger nonlinearity shows that the sensor is mounted wrongly
 constexpr double stop_margin_deg = 2.0;  // distance of the limits from the stops
-// Errors that the standard errors of the fits do not include, found with 200 simulated plates; relative, except
-// min_play_deg. A hobby servo: error of the acceleration, due to the residual nonlinearity of its sensor; error of the
-// backlash, due to the resolution of the sensor and the dead band. An XL330: error of the acceleration; error of the
-// latency, relative to the ramp; error of the speed, due to the resolution of the encoder.
-constexpr double bend_error = 0.45, min_play_deg = 0.06;
-constexpr double acceleration_error = 0.16, ramp_error = 0.04, encoder_error = 0.00018;
+// Errors that the standard errors of the fits do not include, found with 200 simulated plates. They are relative,
+// unless they are in degrees. The ramp is half of the duration of the acceleration.
+constexpr double hobby_acceleration_error = 0.45, hobby_backlash_error_deg = 0.06;
+constexpr double xl330_acceleration_error = 0.16, xl330_ramp_error = 0.04, xl330_speed_error = 0.00018;
 constexpr double speed_fraction = 0.9;  // speed setting, as a fraction of the speed of the servo
 constexpr double max_speed_deg_s = 300.0;
 
@@ -209,18 +207,17 @@ Measurements commission(const Opener& open, const Dialogue& dialogue) {
         Fault::device,
         format("turns at %.0f deg/s, but its profile velocity is set to %.0f deg/s. Do not use this servo",
                found.speed_deg_s.value, found.limits.speed_deg_s));
-  // Half of the duration of the acceleration, which fit_steps() has subtracted to obtain the latency.
   const double ramp_ms = 500.0 * found.speed_deg_s.value / found.acceleration_deg_s2.value;
   if (!has_settings) {
-    widen(found.acceleration_deg_s2, acceleration_error * found.acceleration_deg_s2.value);
-    widen(found.latency_ms, ramp_error * ramp_ms);
-    widen(found.speed_deg_s, encoder_error * found.speed_deg_s.value);
+    widen(found.acceleration_deg_s2, xl330_acceleration_error * found.acceleration_deg_s2.value);
+    widen(found.latency_ms, xl330_ramp_error * ramp_ms);
+    widen(found.speed_deg_s, xl330_speed_error * found.speed_deg_s.value);
   }
   if (BoardSettings* board = device->board_settings()) {
     for (Measured* angle : {&found.speed_deg_s, &found.acceleration_deg_s2, &found.backlash_deg})
       widen(*angle, scale_error * angle->value);
-    widen(found.acceleration_deg_s2, bend_error * found.acceleration_deg_s2.value);
-    widen(found.backlash_deg, min_play_deg);
+    widen(found.acceleration_deg_s2, hobby_acceleration_error * found.acceleration_deg_s2.value);
+    widen(found.backlash_deg, hobby_backlash_error_deg);
     board->change_setting("latency", std::clamp(std::round(found.latency_ms.value), 0.0, 200.0));
     found.limits.speed_deg_s = std::clamp(std::floor(speed_fraction * found.speed_deg_s.value), 1.0, max_speed_deg_s);
     board->change_setting("speed", found.limits.speed_deg_s);

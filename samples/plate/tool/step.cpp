@@ -16,7 +16,7 @@ double filtered_deg(double time_s, double acceleration_deg_s2, double filter_s) 
   return acceleration_deg_s2 * (0.5 * time_s * time_s - filter_s * time_s + filter_s * filter_s * settling);
 }
 
-// Fractions of a step between which the plate has its full speed.
+// Between these fractions of a step, the plate is assumed to have its full speed.
 constexpr double ramp_begins = 0.3, ramp_ends = 0.65;
 
 // Line through the samples between these fractions: its slope, and the time at which it crosses 0.
