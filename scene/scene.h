@@ -18,13 +18,13 @@ namespace hrt {
 struct ScenePlate {
   Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
   double radius_m;
-  std::optional<double> max_speed_deg_s;  ///< maximum speed of the plate's servo, if the file has it
+  std::optional<double> max_speed_deg_s;  ///< of the servo; unset: not in the file
   std::string node_path;                  ///< names of the nodes from the root to the plate, joined with '/'
 };
 
 enum class TargetKind {
   real_object,     ///< the hand is steered to it
-  virtual_object,  ///< the user sees it, and reaches for it; a real object is assigned to it
+  virtual_object,  ///< the user sees it, and reaches for it
 };
 
 struct SceneTarget {
@@ -32,15 +32,15 @@ struct SceneTarget {
   std::string name;                      ///< unique among the targets
   Vec3 world_position_m;                 ///< origin of the node
   Vec3 position_m;                       ///< origin of the node in plate coordinates; y is the height above the plate
-  std::optional<double> radius_m;        ///< radius of the object, if the file has it
-  std::optional<std::size_t> served_by;  ///< index in Scene::targets of the assigned real target; set if virtual
+  std::optional<double> radius_m;        ///< unset: not in the file
+  std::optional<std::size_t> served_by;  ///< of a virtual target: index in Scene::targets of its real target
   std::string node_path;                 ///< as in ScenePlate
 };
 
 struct Scene {
   ScenePlate plate;
   Vec3 start_m;                           ///< in plate coordinates, on the plate: y = 0
-  std::optional<std::string> start_path;  ///< path of the start's node, if the file has one
+  std::optional<std::string> start_path;  ///< node_path of the start; unset: not in the file
   std::vector<SceneTarget> targets;       ///< in the order of the file's node tree
 };
 

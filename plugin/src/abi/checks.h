@@ -139,7 +139,6 @@ hrt_result check_field(const S& values, const Field<S, T>& field) {
   return check_value(field.name, field, field.of(values));
 }
 
-/// Fails naming the first field that is out of its range.
 template <class S>
 hrt_result check_fields(const S& values) {
   hrt_result result = HRT_OK;

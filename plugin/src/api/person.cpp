@@ -45,7 +45,6 @@ hrt_result check_begun(const SimulatedHand& hand) {
               "the person has begun no reach: call hrt_person_begin() with a virtual target first");
 }
 
-// Moves the person as the current step of the session's set-up instructs.
 hrt_result follow(SimulatedUser& user, std::int64_t time_ns, double plate_orientation_deg, hrt_sample* sample) {
   return sessions.with("hrt_person_move", user.session, [&](RecordedSession& s) -> hrt_result {
     const Session& session = s.session();

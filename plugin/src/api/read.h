@@ -14,7 +14,6 @@ hrt_result check_rotation(const char* field, const double (&rotation)[4]);
 hrt_result check_distance_from_plate(Vec3 position_m);
 
 hrt_result read(const hrt_session_config& given, SessionModel* out);
-/// Reads a configuration like read(). A null pointer means the defaults.
 hrt_result read_or_default(const hrt_session_config* given, SessionModel* out);
 
 hrt_result read(const hrt_target_config& given, Target* out);

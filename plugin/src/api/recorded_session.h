@@ -56,14 +56,13 @@ class RecordedSession {
   /// HRT_COMMAND_IMPLAUSIBLE once for each configuration. `handle` identifies the session in the log.
   void log_findings(std::uint64_t handle);
 
-  /// Logs a warning if the conditions under which the user was measured differ from the present ones.
   void log_conditions(std::uint64_t handle) const;
 
   void set_log(const hrt_host& host) { plugin::set_log(&log_, host); }
 
   std::uint32_t state() const;  ///< flags HRT_STATE_*
 
-  /// Starts to record calls into a file. `handle` identifies the session in the log.
+  /// `handle` identifies the session in the log.
   hrt_result start_recording(const char* path, std::uint64_t handle);
   hrt_result check_recording() const;
   /// The next three functions require that check_recording() succeeds.

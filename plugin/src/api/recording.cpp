@@ -51,7 +51,7 @@ bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {
   return true;
 }
 
-// Repeats the calls of a recording, and compares the row that each repeated call would write with the recorded row.
+// Repeats the calls of a recording, and compares the rows that the repeated calls would write with the recorded ones.
 class Replay {
  public:
   hrt_result run(std::string_view text, hrt_replay_report* out) {

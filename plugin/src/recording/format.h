@@ -37,7 +37,6 @@ struct TargetChanged {
   hrt_target_config config;  ///< unspecified if the target was removed
 };
 
-/// Plate orientation at the start of the recording.
 struct InitialPlateOrientation {
   double orientation_deg;
 };
@@ -111,7 +110,6 @@ inline constexpr std::string_view recording_begin = "# haptic retargeting record
 /// Returns the lines before the first record: format, explanation, names of the columns.
 std::string recording_header();
 
-/// Writes the line of a record: a row of the table or a comment.
 void write_record(const Record& record, RecordText& out);
 
 inline constexpr std::string_view config_comment = "# config ";

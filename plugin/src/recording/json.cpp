@@ -38,7 +38,6 @@ void visit_fields(hrt_conditions& conditions, auto&& visit) {
   visit("tracker", conditions.tracker);
 }
 
-// Writes the fields of a JSON object without nested objects.
 class ObjectWriter {
  public:
   explicit ObjectWriter(JsonText& out) : out_(out) { out_ << "{"; }

@@ -71,7 +71,7 @@ class Recorder {
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;
-  Hash checksum_;  // checksum of the written text
+  Hash checksum_;
   Text<128> name_;
   const SessionLog& log_;
   std::thread writer_;

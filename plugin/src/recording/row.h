@@ -1,4 +1,3 @@
-// Writes and reads one row of a recording's table.
 #pragma once
 
 #include <array>

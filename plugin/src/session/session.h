@@ -21,7 +21,7 @@ struct ReachRequest {
   std::uint64_t virtual_target = 0;
   std::optional<double> plate_orientation_deg;  ///< unset: the plate is at the last command
   double duration_s = 0.0;                      ///< expected duration of the motion; 0: unknown
-  bool starts_at_finger = false;                ///< the reach starts at the first position of the finger
+  bool starts_at_finger = false;
 };
 
 class Session {
@@ -30,7 +30,7 @@ class Session {
   explicit Session(SessionModel model) : model_(std::move(model)) {}
 
   const SessionModel& model() const { return model_; }
-  /// Replaces the model. Requires is_valid(model). Fails during a reach or a set-up.
+  /// Requires is_valid(model). Fails during a reach or a set-up.
   hrt_result set_model(const SessionModel& model);
 
   /// Orientation at which the plate is assumed to be: that of the last command, or that given to begin() after it.
@@ -39,7 +39,7 @@ class Session {
 
   bool is_reaching() const { return std::holds_alternative<Reaching>(state_); }
   bool is_setting_up() const { return std::holds_alternative<SettingUp>(state_); }
-  hrt_result check_idle() const;  ///< fails during a reach and during a set-up
+  hrt_result check_idle() const;
   hrt_result check_reaching() const;
   hrt_result check_setting_up() const;
 
@@ -72,7 +72,7 @@ class Session {
   /// Continues the current fit; after the last fit, ends the set-up.
   hrt_result finish_setup();
   hrt_result cancel_setup();
-  /// The part in progress. Requires is_setting_up().
+  /// Requires is_setting_up().
   SetupPart setup_part() const { return std::get<SettingUp>(state_)->part(); }
   SetupStep setup_step() const { return std::get<SettingUp>(state_)->step(); }
   const SetupReport& setup_report() const { return *report_; }
@@ -88,10 +88,9 @@ class Session {
     TargetPlace real;
     TargetPlace virtual_target;
   };
-  /// Quality of the registration for a reach.
   struct RegistrationAssessment {
-    bool is_poor = false;            // missing although required, or less accurate than required
-    bool contacts_disagree = false;  // contacts contradict the registration
+    bool is_poor = false;  // missing although required, or less accurate than required
+    bool contacts_disagree = false;
   };
   /// A reach that has ended, and whose contact may still be reported.
   struct EndedReach {

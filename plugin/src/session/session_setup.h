@@ -24,7 +24,7 @@ struct SetupReport {
   std::uint32_t dropped = 0;  ///< flags of the parts that ended without a result
   SetupDrop drop;             ///< the last dropped part; drop.reason is valid while the set-up exists
   std::string drop_reason;    ///< copy of drop.reason
-  int slides = 0;             ///< number of slides that were made
+  int slides = 0;
   std::optional<FingertipOffset> fingertip;
   std::optional<Registration> registration;
   std::optional<RegistrationCheck> check;
@@ -32,7 +32,7 @@ struct SetupReport {
   RetestDifference differing;
 };
 
-/// A set-up in progress. A call that fails changes nothing.
+/// A set-up in progress. If a call fails, the set-up and the model are unchanged.
 class SessionSetup {
  public:
   /// Fails if the parts cannot be combined, or if a requirement of a part is not met.
@@ -55,7 +55,7 @@ class SessionSetup {
   hrt_result check_shown(const SetupSample& sample) const;
 
   Setup setup_;
-  double plate_orientation_deg_;  // plate orientation of the last step
+  double plate_orientation_deg_;  // of the last step
   std::optional<std::int64_t> last_time_ns_;
   RepeatedPosition<Eigen::Vector3d> repeated_;
   std::unique_ptr<PartFit> fit_;  // fit of the current part; null if it has not begun
