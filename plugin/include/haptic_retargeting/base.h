@@ -45,12 +45,12 @@
  *  - Calls set rounding to nearest and, on x86, mask floating-point exceptions; at their end, they restore the host's
  *    floating-point mode. The host's flush-to-zero mode and locale do not affect results.
  *  - The library sends and handles no signals. Its only threads are one for each recording, which blocks signals.
- *  - In the child of a fork, sessions work; recordings stay with the parent (recording.h).
+ *  - The child of a fork has the sessions, but not the recordings (recording.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call at that time.
  *
- * Names end with their units: _deg degrees, _deg2 degrees squared, _m metres, _s seconds, _ns nanoseconds, _deg_s
- * degrees per second. Tags in comments give other units, ranges and defaults; the range of an array applies to each
- * element:
+ * Names end with their units: _deg degrees, _deg2 degrees squared, _deg_s degrees per second, _deg_s2 degrees per
+ * second squared, _m metres, _s seconds, _ns nanoseconds. Tags in comments give other units, ranges and defaults; the
+ * range of an array applies to each element:
  *   @unit U           unit of a value whose name does not end in it; 1: a pure number
  *   @range A to B     allowed values; "0 or A to B" allows 0 as well
  *   @default V        value that hrt_..._init() sets

@@ -38,10 +38,10 @@ extern "C" {
  *  gap is therefore the largest shift for the allowed plate orientations.
  *
  *  GUIDANCE_ARRIVAL allows orientations within person.motion_bound_deg of the direction of the motion, and the shift
- *  follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 and a bound of 75 degrees.
- *  FIXED_DIRECTION and HRT_CONTROL_FIXED_PLATE use the model of the paper, with orientations within
- *  paper.plate_bound_deg of the virtual direction plus the bias: 14.9 degrees for a weight of 0.15 and a bound of 84.5
- *  degrees. */
+ *  follows the user's illusion curve (HRT_PERSON_WEIGHT): 11.25 degrees for a linear illusion of weight 0.15 and a
+ *  bound of 75 degrees. FIXED_DIRECTION and HRT_CONTROL_FIXED_PLATE use the model of the paper, with orientations
+ *  within paper.plate_bound_deg of the virtual direction plus the bias: 14.9 degrees for a weight of 0.15 and a bound
+ *  of 84.5 degrees. */
 typedef struct hrt_gap {
   uint32_t struct_size;
   /** 1 if the gap is feasible: the plate can keep the finger moving in the direction of the real target. @bool */
@@ -87,17 +87,17 @@ typedef uint32_t hrt_assign_flags;
 /** Maximum number of virtual targets, and of real targets, in hrt_gap_assign(). */
 #define HRT_ASSIGN_TARGETS_MAX 1000
 
-/** Assigns real targets to as many virtual ones as possible, with feasible gaps only. Among these assignments, it
- *  returns one whose largest ratio of |gap_deg| to max_gap_deg is minimal. With EXCLUSIVE, 1000 targets of each role
- *  take up to a second.
+/** Assigns real targets to as many virtual ones as possible, with feasible gaps only. Of these assignments, it chooses
+ *  one whose largest ratio of |gap_deg| to max_gap_deg is minimal. With EXCLUSIVE, 1000 targets of each role take up to
+ *  a second.
  *
  *  @param virtual_targets  Targets that need a real one.
  *  @param real_targets     Targets to choose from.
  *  @param flags            HRT_ASSIGN_*.
  *  @param capacity         Number of elements of `out_gaps`.
  *  @param out_gaps         Gap of each virtual target. `out_gaps[0].struct_size` is the size of each element. A virtual
- *                          target without a real one has `reachable` 0, a null real_target, and the numbers of its
- *                          smallest gap to a real target.
+ *                          target without a real one has `reachable` 0 and real_target {0}; its other fields describe
+ *                          its smallest gap.
  *  @return BUFFER_TOO_SMALL if `capacity` is below `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the wrong
  *          argument or target; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */

@@ -36,8 +36,8 @@ typedef uint32_t hrt_reach_flags;
  *  a reach or set-up of this session, and at 0 before the first command. */
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
 /** The reach starts at the first position of the finger instead of hrt_session_config::start_position_m; directions and
- *  distances are measured from this position. Until the first position, the plate turns as for the configured start,
- *  and samples are not counted. Has no effect if samples have directions only. */
+ *  distances are measured from this position. Until the first position, the controller uses the configured start, and
+ *  samples are not counted. Has no effect if samples have directions only. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
 /** Configuration of a reach. */
@@ -114,7 +114,8 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the last command is repeated */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
-/** The motion differs from the model by more than noise explains: estimates and UNREACHABLE are unreliable. */
+/** Under ARRIVAL: the motion differs from the model by more than noise explains; estimates and UNREACHABLE are
+ *  unreliable. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
 /** Under ARRIVAL: the bearing of the end of the motion, predicted or actual, probably differs by more than 1.5 degrees
  *  from that of the real target. Under either guidance: after three tenths of the path, the finger is more than 60
@@ -124,12 +125,12 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_RESTING UINT32_C(512)
 /** Under FIXED_DIRECTION: the solver stopped before it found the optimum; the command is within its limits. */
 #define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
-/** A defect in this library: a value was not a finite number. The value is replaced: a plate orientation by that of
- *  the last command, any other value by 0. The log reports the first defect of each session, at the calls listed at
- *  HRT_COMMAND_REGISTRATION. */
+/** A defect in this library: a value was not a finite number. A plate orientation is replaced by that of the last
+ *  command, any other value by 0. The log reports the first defect of a session, in the calls that
+ *  HRT_COMMAND_REGISTRATION lists. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older than registration.max_age_ns, less accurate than registration.max_sd_deg, or
- *  missing although one of these limits is set. Set up again (setup.h). The log reports it at the next call of
+ *  missing although one of these limits is set. Set up again (setup.h). The log reports this in the next call of
  *  hrt_host_set_log(), hrt_session_set(), hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load(),
  *  hrt_profile_reset() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
@@ -144,7 +145,7 @@ typedef uint32_t hrt_command_flags;
  *  correct registrations would require. The plate or the tracker's coordinate system has moved, or another object was
  *  touched. Set up again (setup.h). */
 #define HRT_COMMAND_CONTACTS UINT32_C(16384)
-/** The finger rests more than 15 mm from the start and has not been at the start: ask the user to move to the start.
+/** The finger rests more than 15 mm from the start, and was not at the start in this reach: ask the user to move there.
  *  The motion begins when the finger has rested at the start, or moves from its present position. */
 #define HRT_COMMAND_NOT_AT_START UINT32_C(32768)
 /** The miss is unknown: no sample shows a motion; or, in a command under FIXED_DIRECTION, it is not predicted.
@@ -153,8 +154,8 @@ typedef uint32_t hrt_command_flags;
 /** Times, units or axes are probably wrong: times do not advance in nanoseconds; the finger is faster than 5 m/s,
  *  further than three plate radii from the plate's centre, or moving away from the virtual target; the start or the
  *  real target is further than two radii from the centre; the directions of all targets are probably in radians; or the
- *  finger ends beyond the virtual target, on the side away from the real target. The log names the cause at the calls
- *  listed at HRT_COMMAND_REGISTRATION. The reach does not change the estimates of the user. */
+ *  finger ends beyond the virtual target, on the side away from the real target. The log names the cause, in the
+ *  calls that HRT_COMMAND_REGISTRATION lists. The reach does not change the estimates of the user. */
 #define HRT_COMMAND_IMPLAUSIBLE UINT32_C(131072)
 
 /** Value of hrt_command::time_to_go_s before the motion and in a pause; under FIXED_DIRECTION, in every command. */
@@ -190,10 +191,10 @@ typedef struct hrt_command {
   uint32_t struct_size;
   /** Reasons and warnings, HRT_COMMAND_*. */
   hrt_command_flags flags;
-  /** Plate orientation to turn to now, within the stops. Orientations 180 degrees apart have the same ridges: a plate
-   *  without stops (under FIXED_DIRECTION: without limits of speed and acceleration) turns to the nearest of them; any
-   *  other plate stays within one half turn during a reach. Without stops, successive reaches may turn the plate
-   *  further and further in one direction: the device must count turns, or remove whole ones. @ccw */
+  /** Plate orientation to turn to now, within the stops. Orientations 180 degrees apart have the same ridges. Under
+   *  ARRIVAL without stops, and under FIXED_DIRECTION without limits of speed and acceleration, the nearest of them is
+   *  commanded; otherwise, the plate stays within one half turn during a reach. Without stops, successive reaches may
+   *  turn the plate further and further in one direction: the device must count turns, or remove whole ones. @ccw */
   double plate_orientation_deg;
   /** Bearing of the finger, seen from the start of the reach; 0 until the finger moves. In a reach with directions
    *  only, the direction of the last step. @ccw */
@@ -201,9 +202,8 @@ typedef struct hrt_command {
   /** Direction of motion that the user perceives according to the model: at the present plate orientation or, under
    *  FIXED_DIRECTION, at the end of the step. @ccw */
   double perceived_direction_deg;
-  /** Estimated present perceived-direction error (perceived minus intended direction), which the user could notice.
-   *  Users notice about 4.5 degrees of visual redirection; no threshold of redirection by touch is published. 0 before
-   *  the motion and under FIXED_DIRECTION. @ccw */
+  /** Estimated present perceived-direction error (perceived minus intended direction), which the user could notice. 0
+   *  before the motion and under FIXED_DIRECTION. @ccw */
   double felt_error_deg;
   /** Bearing of the predicted position of arrival or, while the finger rests, of the finger, minus that of the real
    *  target; 0 with HRT_COMMAND_MISS_UNKNOWN. @ccw */
@@ -215,7 +215,7 @@ typedef struct hrt_command {
   double distance_to_go_m;
   /** Predicted time until the motion ends, or HRT_NOT_MOVING, or HRT_ARRIVED. */
   double time_to_go_s;
-  /** Tactile weight that the controller assumes. @unit 1 */
+  /** Present estimate of the tactile weight, as defined at hrt_session_person::tactile_weight. @unit 1 */
   double tactile_weight;
   /** SD of tactile_weight; 0: assumed to be exact. @unit 1 */
   double tactile_weight_sd;
@@ -231,12 +231,12 @@ typedef struct hrt_reach_counts {
   int64_t samples;         /**< samples of the reach */
   int64_t dropped_samples; /**< samples that were dropouts or rejected as outliers */
   int64_t steps;           /**< steps with samples */
-  int64_t saturated_steps; /**< steps with samples in which the plate's bound or a stop limited the command */
+  int64_t saturated_steps; /**< steps with samples whose command had HRT_COMMAND_SATURATED */
 } hrt_reach_counts;
 
 /** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. HRT_ADAPTATION_CARRIED
- *  writes slightly different estimates into hrt_session_config::person: those of a second pass of the filter over the
- *  motion, with the observed HRT_PERSON_LOG_WANDER. Under FIXED_DIRECTION, curve, bias and their SDs are 0.
+ *  writes slightly different estimates into hrt_session_config::person, from a second pass of the filter over the
+ *  motion. Under FIXED_DIRECTION, curve, bias and their SDs are 0.
  *
  *  Under ARRIVAL, the SDs of weight and bias are too small after many reaches with gaps on the same side, where a
  *  weight and a bias have the same effect. To measure a user, alternate the sides of the gaps. */
@@ -271,7 +271,7 @@ typedef struct hrt_reach_paper {
    *  @flatten motor_variance_sd_deg2 */
   double motor_variance_sd_deg2;
   int64_t predicted_steps;    /**< steps without samples */
-  int64_t rate_limited_steps; /**< steps with samples in which the plate's speed limited the command */
+  int64_t rate_limited_steps; /**< steps with samples whose command had HRT_COMMAND_RATE_LIMITED */
 } hrt_reach_paper;
 
 /** Result of a reach. */

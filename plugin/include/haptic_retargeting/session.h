@@ -82,8 +82,8 @@ typedef uint32_t hrt_session_flags;
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 /** The user finds start_position_m by touch, for example by a dimple. A finger that rests before a reach is then
  *  assumed to be at the start, even if the tracker reports another position, and positions are measured relative to
- *  this rest: a shift of the tracker's coordinate system does not rotate a reach. Under FIXED_DIRECTION, the flag only
- *  affects HRT_COMMAND_ARRIVED and HRT_COMMAND_NOT_AT_START. HRT_SETUP_GUIDES sets this flag. */
+ *  this rest: a shift of the tracker's coordinate system does not rotate a reach. Under FIXED_DIRECTION, the flag
+ *  does not change commands. HRT_SETUP_GUIDES sets this flag. */
 #define HRT_SESSION_START_FELT UINT32_C(4)
 
 /* Indices of the user's parameters (traits) in hrt_session_config::person.mean. */
@@ -96,8 +96,8 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_GAIN 2
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
-/** Habit, a curvature of the path: half of the aimed direction at the start minus that at the end. Mean over reaches;
- *  towards different targets, the habits of a recorded person differ by 7 deg (SD). @range -45 to 45 @unit deg @ccw */
+/** Habit, a curvature of the path: half of the aimed direction at the start minus that at the end; mean over reaches.
+ *  @range -45 to 45 @unit deg @ccw */
 #define HRT_PERSON_HABIT 4
 /** Speed profile of the motion, from 0: minimum jerk, to 1: constant speed. @range 0 to 1 @unit 1 */
 #define HRT_PERSON_EVENNESS 5
