@@ -42,8 +42,7 @@ func begin(start: Vector3) -> void:
 	_perceived_path = _new_path(BLUE)
 
 
-## Adds the finger to the true path when its distance from the start has grown by 2 mm. Adds a step of the same length, in
-## the perceived direction, to the perceived path.
+## Adds a step to both paths for each 2 mm of distance from the start; the perceived one has the perceived direction.
 func follow(finger: Vector3, perceived_deg: float) -> void:
 	var step_m := _start.distance_to(to_local(finger)) - _length_m
 	if step_m < MIN_STEP_M:

@@ -19,8 +19,7 @@ const REOPENING_S := 3.0
 
 ## Name of the device that turns the plate, such as serial:/dev/ttyACM0; empty: the plate is only drawn.
 @export var device := ""
-## Parts of the set-up. Without any part, the plate has the pose that the scene's file gives. With --mouse, the parts are
-## Registration and, if it is set, Guides.
+## Parts of the set-up. Without parts, the plate has the pose of the scene's file. --mouse always includes Registration.
 @export_flags("Fingertip:1", "Registration:2", "Guides:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
@@ -165,8 +164,7 @@ func _choose_targets() -> void:
 	_feasible = feasible
 
 
-## Called when the headset has moved the origin of its space. Registers the plate again, then repeats the interrupted
-## set-up or reach.
+## The headset has moved the origin of its space: registers the plate again, then repeats the interrupted set-up or reach.
 func _register_again() -> void:
 	if _state == State.OVER:
 		return

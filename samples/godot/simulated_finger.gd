@@ -5,7 +5,7 @@ extends Finger
 
 ## Offset from the tracked joint to the skin in the axes of the joint, which a set-up measures.
 const SKIN_OFFSET := Vector3(0, -0.008, -0.012)
-## Height to which the finger is lifted. A set-up detects this lift even at 5 frames a second, within three frames.
+## High enough that a set-up detects the lift even at 5 frames a second.
 const LIFT := Vector3(0, 0.12, 0)
 const SPEED_M_S := 0.4
 ## SD of the tracker noise of each coordinate, equal to that of the plugin's simulated person.

@@ -37,7 +37,6 @@ static void hash_command(const hrt_command* command) {
   HRT_HASHED_FIELDS(HASH_WHOLE, HASH_NUMBER)
 }
 
-/* Returns the next noise value, from -500 to 500. */
 static int64_t noise(void) {
   static int64_t seed = 7;
   seed = seed * 16807 % 2147483647;

@@ -165,8 +165,7 @@ Value call_on(Variant& self, const char* method, std::initializer_list<const gde
   return from_variant(result.get());
 }
 
-/** Number of Godot's Object.NOTIFICATION_POSTINITIALIZE. */
-constexpr int64_t kPostInitialize = 0;
+constexpr int64_t kNotificationPostInitialize = 0;
 
 /** A node of a scene, with the PlateNode that implements it. */
 class Instance : public Engine {
@@ -216,7 +215,7 @@ gde_object* create_instance(void*, gde_bool notify) noexcept {
   Instance* instance = new (std::nothrow) Instance(object);
   if (!instance) return object;
   engine.object_set_instance(object, EngineName(kClassName).get(), instance);
-  if (notify) instance->notify(kPostInitialize);
+  if (notify) instance->notify(kNotificationPostInitialize);
   return object;
 }
 

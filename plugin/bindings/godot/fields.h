@@ -1,5 +1,4 @@
-// Tables of the properties, Dictionary keys, constants and error texts of the class HapticRetargeting. They are in
-// tables.cpp, which plugin/bindings/generate writes.
+// Tables for the class HapticRetargeting, in tables.cpp, which plugin/bindings/generate writes.
 #pragma once
 
 #include <haptic_retargeting/gap.h>

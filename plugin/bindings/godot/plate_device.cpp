@@ -1,5 +1,4 @@
-// The device that turns the plate, by libhrt_plate. close_device(), which open_device() also calls, waits for at most
-// 0.5 s; the other methods do not wait.
+// The device that turns the plate. Only close_device(), which open_device() calls, waits for it, for at most 0.5 s.
 #include "plate_node.h"
 
 namespace hrt_godot {
@@ -17,8 +16,8 @@ Error PlateNode::after_device(hrt_result result) {
   result_ = result;
   if (result == HRT_ERROR_WRONG_STATE) {
     const hrt_plate_report report = read_device();
-    if (!failure_is_shown_ && report.state == HRT_PLATE_STATE_FAILED) {
-      failure_is_shown_ = true;
+    if (!device_failure_is_shown_ && report.state == HRT_PLATE_STATE_FAILED) {
+      device_failure_is_shown_ = true;
       engine_.push_error(report.message);
     }
   } else if (result != HRT_OK) {
@@ -29,7 +28,7 @@ Error PlateNode::after_device(hrt_result result) {
 
 Error PlateNode::open_device(std::string device) {
   if (const Error closed = close_device(); closed != Error::kOk) return closed;
-  failure_is_shown_ = false;
+  device_failure_is_shown_ = false;
   return after_device(hrt_plate_open(engine_.system_path(device).c_str(), nullptr, &device_));
 }
 

@@ -111,9 +111,8 @@ Error PlateNode::report(hrt_result result) {
   return error();
 }
 
-/** Creates the session or updates its configuration, from the properties and the node's pose. Does nothing during a
- *  reach or a set-up. Returns false, and shows the error, if a property or the pose is wrong: properties are checked
- *  here, because a scene sets them one at a time. */
+/** Applies the properties and the node's pose to the session, and creates it if needed. Does nothing during a reach or a
+ *  set-up. Returns false, and shows the error, if the properties, which a scene sets one at a time, are not valid. */
 bool PlateNode::configure() {
   if (reaching_ || setting_up_) return true;
   hrt_session_config& config = properties_.session;
@@ -134,8 +133,7 @@ bool PlateNode::configure() {
   return true;
 }
 
-/** Connects the session's log to the engine's warnings. Lines that the last reach has stored, for example that a clock
- *  or unit is probably wrong, are shown immediately. */
+/** Shows the session's log as warnings, including the lines that the last reach has stored. */
 bool PlateNode::take_log() {
   hrt_host host = hrt_host_init();
   host.context = &engine_;

@@ -59,7 +59,7 @@ struct Method {
   std::vector<Argument> arguments;
   Value (*function)(PlateNode& node, const Value* arguments);
 };
-/** Methods of PlateNode for scripts: a table in tables.cpp, which is generated from the declarations below. */
+/** Methods of PlateNode for scripts. The table is generated from the declarations below. */
 extern const std::span<const Method> methods;
 /** Maximum number of arguments that are read: one more than any method has, to detect too many. */
 inline constexpr size_t kArgumentsMax = 8;
@@ -165,9 +165,9 @@ class PlateNode {
   Engine& engine_;
   hrt_session session_{};
   hrt_person person_{};
-  int64_t seed_ = 0;  ///< seed of person_
+  int64_t person_seed_ = 0;
   hrt_plate device_{};
-  bool failure_is_shown_ = false;  ///< the error log has the failure of the device
+  bool device_failure_is_shown_ = false;
   std::vector<hrt_gap> assigned_;
   Properties properties_;            ///< values of the properties, and the node's pose
   hrt_session_config configured_{};  ///< the configuration that the session has
@@ -182,7 +182,7 @@ class PlateNode {
   std::bitset<128> refused_;  ///< reasons for which samples of this reach or set-up were refused
 };
 
-/** Creates a row of the table `methods`, with the types of the function. */
+/** Returns a row of `methods`, with the types of the function. */
 template <auto function, typename Result, typename... Arguments>
 Method bind(const char* name, std::array<const char*, sizeof...(Arguments)> names,
             Result (PlateNode::*)(Arguments...)) {

@@ -125,12 +125,12 @@ Error PlateNode::end() {
 /** Begins a simulated finger. The same seed continues with the same person. */
 Error PlateNode::begin_simulated_finger(hrt_target virtual_target, int64_t seed) {
   if (!configure()) return error();
-  if (person_.value == 0 || seed != seed_) {
+  if (person_.value == 0 || seed != person_seed_) {
     hrt_person person{};
     if (!ok(hrt_person_create(nullptr, static_cast<uint64_t>(seed), &person))) return error();
     if (person_.value) hrt_person_destroy(person_);
     person_ = person;
-    seed_ = seed;
+    person_seed_ = seed;
   }
   return report(hrt_person_begin(person_, session_, virtual_target));
 }
@@ -151,8 +151,7 @@ Vector3 PlateNode::move_simulated_finger(Time time_ns) {
   return move_person(time_ns, sample);
 }
 
-/** Advances the simulated finger and passes its sample to the plugin, in doubles and with the orientation of the
- *  simulated servo. Returns the tracked position of the finger in the world, or NaN after an error. */
+/** As move_person(); also passes the sample to the plugin, in doubles and with the orientation of the servo. */
 Vector3 PlateNode::update_simulated_finger(Time time_ns) {
   hrt_sample sample;
   const Vector3 seen = move_person(time_ns, sample);

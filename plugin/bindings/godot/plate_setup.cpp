@@ -15,8 +15,7 @@ Error PlateNode::begin_setup(int64_t what) {
   return error();
 }
 
-/** Processes a sample of a set-up. A change of the plate orientation is signalled by plate_commanded, any other change
- *  of the step by setup_step. */
+/** Processes a sample. Emits plate_commanded if the plate orientation changes, setup_step if anything else changes. */
 Error PlateNode::guide(const hrt_sample& sample) {
   hrt_setup_step step = hrt_setup_step_init();
   if (!taken(hrt_setup_update(session_, &sample, &step))) return error();

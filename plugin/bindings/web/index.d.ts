@@ -1,4 +1,4 @@
-// Structs have the fields of the C headers, with the same names, which end in the unit; see abi.d.ts.
+// Structs have the fields of the C headers; those of nested structs have other names: plate_radius_m. See abi.d.ts.
 import type {
   hrt_contact, hrt_gap, hrt_command, hrt_conditions, hrt_person_config, hrt_person_state, hrt_reach_summary,
   hrt_recording_status, hrt_replay_report, hrt_sample, hrt_scene_info, hrt_scene_target, hrt_session_config,
@@ -44,8 +44,7 @@ export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | 
 export interface Library {
   readonly version: { readonly major: number; readonly minor: number; readonly patch: number };
   createSession(config?: Input<hrt_session_config>): Session;
-  /** Creates a simulated person, whose hand the plate deflects. The same seed and configuration give the same person on
-   *  every platform. */
+  /** Creates a simulated person. The same seed and configuration give the same person on every platform. */
   createPerson(seed?: number | bigint, config?: Input<hrt_person_config>): Person;
   /** Loads a scene from the bytes of a .gltf or .glb file; error texts contain `name`. */
   loadScene(bytes: ArrayBuffer | Uint8Array, name?: string): Scene;
@@ -119,13 +118,12 @@ export interface Session {
   /** Parameters of the user as JSON, to be saved and loaded later. */
   readonly profile: string;
   loadProfile(profile: string): void;
-  /** Conditions under which the user was measured; `differing` (HRT_CONDITION_*) flags those that differ from the present
-   *  conditions. */
+  /** Conditions under which the user was measured; `differing` flags those that differ from the present ones. */
   readonly conditions: Output<hrt_conditions>;
   /** Sets the current conditions: names of plate and tracker, and the time in seconds since 1970. */
   setConditions(conditions: Input<hrt_conditions>): void;
 
-  /** Begins a set-up of the parts HRT_SETUP_*: registration, fingertip, calibration, retest, or all missing parts. */
+  /** Begins a set-up of the parts HRT_SETUP_*; by default, of all missing parts. */
   beginSetup(what?: number, config?: Input<hrt_setup_config>): void;
   /** Reads `sample` once a frame. Show `text` and `place_m` of the result, and send `plate_orientation_deg` to the plate. */
   updateSetup(): Output<hrt_setup_step>;
@@ -149,8 +147,7 @@ export interface Person {
   /** Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target. Without a target, the
    *  person follows the session's set-up. */
   begin(session: Session, virtualTarget?: TargetId): void;
-  /** Commands the plate's servo, advances the simulation to `time_ns`, and writes the reports of tracker and servo to `sample`,
-   *  which must be Session.sample. */
+  /** Commands the servo, advances the simulation to `time_ns`, and writes what tracker and servo report to `sample`. */
   move(sample: Session["sample"], time_ns: number, plateOrientationDeg: number): void;
   /** True and perceived position of the finger. */
   readonly state: Output<hrt_person_state>;

@@ -1,5 +1,4 @@
-// The plugin for browsers and bundlers: loads the WebAssembly module, and wraps its C functions. node.mjs adapts this
-// file to node. Types and documentation: index.d.ts; fields of structs: abi.d.ts.
+// The plugin for browsers and bundlers. Types and documentation: index.d.ts; fields of structs: abi.d.ts.
 import * as abi from "./abi.js";
 import { Command, readCommand, readSample, Sample, writeSample } from "./frame.mjs";
 import { HapticRetargetingError, Host, Memory, readText } from "./memory.mjs";

@@ -96,7 +96,6 @@ export class Memory {
 
   /** Returns the struct that a function writes to its last argument. */
   get(type, name, ...values) { return this.output(type, (at) => this.call(name, ...values, at)); }
-  /** Calls a function with a struct as its last argument. */
   put(type, fields, name, ...values) { this.withStruct(type, fields, (at) => this.call(name, ...values, at)); }
 
   write(type, at, name, value) {

@@ -1,4 +1,4 @@
-// Reads and writes numbers in the module's memory, and rejects values that the conversion would change.
+// Checks numbers, and reads and writes them in the module's memory.
 
 // Size and DataView methods of each type of field. Integers are allowed from `least` to `most`.
 export const types = {
@@ -26,8 +26,7 @@ export function checked(name, type, value) {
   return wide ? BigInt(value) : Number(value);
 }
 
-// For use in each frame, without a new object: 64-bit integers are numbers, which are exact to 2^53. Doubles are not
-// checked.
+// For use in each frame, without new objects: 64-bit integers are numbers, exact to 2^53. Doubles are not checked.
 export function writeU32(view, at, name, value) {
   if (value >>> 0 !== value) throw new RangeError(`${name} is ${String(value)}; a whole number from 0 to 4294967295 is needed`);
   view.setUint32(at, value, true);

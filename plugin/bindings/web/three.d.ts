@@ -50,12 +50,11 @@ export class HandReach {
   /** Measured plate orientation, to be set before each update. Default NaN: not measured. */
   measuredPlate_deg: number;
   /** True if the host knows that the finger does not touch the plate; to be set before each update. A fingertip above the
-   *  session's lift_height_m always counts as lifted. Default false. */
+   *  session's lift_height_m counts as lifted too. Default false. */
   lifted: boolean;
-  /** Updates the session with the index fingertip, or with a dropout, and shows the plate's command. Call it once in each frame
-   *  of an XRSession during a reach. `time_ms` is the time that the frame's callback receives; `hand` is inputSource.hand;
-   *  `referenceSpace` is the space in which the scene is drawn, null before it exists. Creates no objects. Throws the errors of
-   *  Session.update(). */
+  /** Updates the session with the index fingertip, or with a dropout, and shows the plate's command. Call it once in each
+   *  frame of an XRSession during a reach. `time_ms` is the time that the frame's callback receives; `hand` is
+   *  inputSource.hand; `referenceSpace` is the space in which the scene is drawn, null before it exists. */
   updateFromHand<Joint, Space>(time_ms: number, frame: HandFrame<Joint, Space>, hand: { get(name: "index-finger-tip"): Joint | undefined } | null | undefined,
                                referenceSpace: Space | null): Session["command"];
 }

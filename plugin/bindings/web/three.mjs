@@ -1,5 +1,4 @@
-// Support for three.js: the plate as an object, and reaches of a hand that WebXR tracks. Types and documentation:
-// three.d.ts.
+// Support for three.js. Types and documentation: three.d.ts.
 import { BoxGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, Quaternion, Vector3 } from "three";
 import { HRT_SAMPLE_LIFTED, HRT_SAMPLE_PLATE_ORIENTATION, HRT_SAMPLE_PLATE_POSE, HRT_SAMPLE_WORLD_POSITION } from "./abi.js";
 

@@ -44,8 +44,7 @@ static class Reload
         return wrong == "" ? 0 : 1;
     }
 
-    // Records until a write fails, which the library logs. If it logged by a delegate of an unloaded domain, the process
-    // would end.
+    // Records until a write fails. The library logs this, and must not call a delegate of an unloaded domain.
     static string RecordUntilFailure(string path)
     {
         var sample = new Sample { structSize = (uint)Marshal.SizeOf(typeof(Sample)) };

@@ -46,8 +46,7 @@ function slide(session, frames) {
   }
 }
 
-// This test is the first, because later tests store values of other types in fields for numbers, after which the engine
-// allocates more.
+// The first test, because tests that store other types in fields for numbers make the engine allocate more.
 sessionTest("a frame allocates no objects", ({ session, real, virtual }) => {
   session.beginReach(real, virtual);
   const frames = (count, from) => {

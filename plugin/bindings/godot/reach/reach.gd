@@ -41,7 +41,6 @@ func _process(_delta: float) -> void:
 		return stop("sample %d is refused; the error before this one has the reason" % i)
 	hash_command(plate.get_command())
 
-# Returns the next noise value, from -500 to 500.
 func noise() -> int:
 	random = random * 16807 % 2147483647
 	return random % 1001 - 500

@@ -68,7 +68,6 @@ def _dotted(version: tuple[int, int, int]) -> str:
 
 
 def library_version() -> tuple[int, int, int]:
-    """Returns the version of the loaded library."""
     return _version(library())
 
 

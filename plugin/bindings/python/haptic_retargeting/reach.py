@@ -81,7 +81,6 @@ class Reach:
         if len(out) != len(samples) or not out.flags.writeable:
             raise ValueError(f"out must be writeable and have {len(samples)} rows, as samples has")
         samples = known(samples)
-        # Rows are passed by address, which is faster than by objects.
         update, samples_at, commands_at = _update_at(), samples.ctypes.data, out.ctypes.data
         for row in range(len(samples)):
             if row % _ROWS == 0:  # waits for the disk of a recording; without a recording, the call fails without effect
@@ -141,6 +140,6 @@ class Reach:
 
 
 def _update_at() -> ctypes._FuncPointer:
-    """Returns hrt_reach_update() with a prototype that accepts addresses."""
+    """Returns hrt_reach_update() with a prototype that accepts addresses, which are faster than objects."""
     prototype = ctypes.CFUNCTYPE(ctypes.c_int32, _abi.SessionHandle, ctypes.c_void_p, ctypes.c_void_p)
     return prototype(ctypes.cast(library().hrt_reach_update, ctypes.c_void_p).value or 0)

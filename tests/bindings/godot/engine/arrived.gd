@@ -1,5 +1,4 @@
-# The finger of the README's first example: ends the program when the hand is within 6 mm of the cylinder, or with exit
-# code 1 after 10 s.
+# The finger of the README's first example: exit code 0 when it is within 6 mm of the cylinder, 1 after 10 s.
 extends Node3D
 
 func _process(_delta: float) -> void:

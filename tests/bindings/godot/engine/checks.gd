@@ -46,7 +46,6 @@ func new_plate() -> HapticRetargeting:
 	add_child(plate)
 	return plate
 
-# Creates a plate with two targets, and begins a reach.
 func reaching_plate() -> HapticRetargeting:
 	var plate := new_plate()
 	check_equal(plate.begin(plate.add_real_target("real", -5.0, 0.1), plate.add_virtual_target("felt", 5.0, 0.1)), OK,

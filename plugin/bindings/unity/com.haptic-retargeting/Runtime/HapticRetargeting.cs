@@ -61,7 +61,6 @@ namespace Hrt
         /// later. With the flag OffTarget, the finger has probably missed.</summary>
         public event Action<Command> Arrived;
 
-        /// <summary>Raised by <see cref="EndReach"/>.</summary>
         public event Action<ReachSummary> ReachEnded;
 
         /// <summary>Raised when the instruction to the user in a set-up changes: show its text, and its position with

@@ -3,9 +3,7 @@ using UnityEngine;
 
 namespace HrtSamples
 {
-    /// <summary>
-    /// Creates a plate, centred at this object, a real cylinder and three virtual objects.
-    /// </summary>
+    /// <summary>Creates a plate, centred at this object, a real cylinder and three virtual objects.</summary>
     public sealed class Desk : MonoBehaviour
     {
         const float PlateRadiusM = 0.075f;

@@ -49,7 +49,6 @@ namespace HrtSamples
             return config;
         }
 
-        // Returns the next noise value, from -500 to 500.
         long Noise()
         {
             seed = seed * 16807 % 2147483647;

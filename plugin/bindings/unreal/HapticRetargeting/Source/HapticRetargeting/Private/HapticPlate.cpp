@@ -1,5 +1,4 @@
-// The device that turns the component's plate, by libhrt_plate. ClosePlate, which OpenPlate also calls, waits for at most
-// 0.5 s; the other functions do not wait.
+// The device that turns the plate. Only ClosePlate, which OpenPlate calls, waits for it, for at most 0.5 s.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"

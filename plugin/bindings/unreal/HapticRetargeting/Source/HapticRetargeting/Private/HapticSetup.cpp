@@ -19,8 +19,7 @@ bool UHapticRetargetingComponent::BeginSetup(int32 What)
 	return true;
 }
 
-/** Processes a sample of a set-up. Broadcasts a change of the plate orientation by OnPlateCommanded, and any other change
- *  of the step by OnSetupStepped. */
+/** Processes a sample. Broadcasts OnPlateCommanded if the plate orientation changes, OnSetupStepped if anything else does. */
 bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 {
 	hrt_setup_step Now = hrt_setup_step_init();

@@ -1,4 +1,3 @@
-// A session of the plugin as a component, for one user and one plate.
 #pragma once
 
 #include "Components/SceneComponent.h"
@@ -149,27 +148,23 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting|Setup")
 	bool IsSettingUp() const { return bSettingUp; }
 
-	/** Replaces finger and servo by a simulated person, who moves towards the virtual target, feels the plate and is deflected
-	 *  by it, or follows the set-up if the target's Id is 0. A model, not a measurement of people. The same seed gives the
-	 *  same person. */
+	/** Replaces finger and servo by a simulated person, who moves towards the virtual target and is deflected by the plate,
+	 *  or follows the set-up if the target's Id is 0. The same seed gives the same person. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool BeginSimulatedFinger(const FHapticTarget& Virtual, int64 Seed);
 
-	/** Advances the simulated finger to Time. Call it instead of UpdateFinger. OutLocation is the tracked position of the
-	 *  finger in the world. */
+	/** Advances the simulated finger to Time, instead of UpdateFinger. OutLocation is its tracked position in the world. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool UpdateSimulatedFinger(double Time, FVector& OutLocation);
 
 	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
 	 *  commission` writes. Some seconds later, the device is ready: from then on, it receives each command, and UpdateFinger,
 	 *  UpdateJoint and BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed, acceleration, latency
-	 *  and stops are copied to Settings once, between reaches. Failures are logged. Returns false if opening cannot start,
-	 *  for example because the name is not valid. */
+	 *  and stops are copied to Settings once, between reaches. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool OpenPlate(const FString& Device);
 
-	/** Returns true if the plate accepts commands. The plate stops after 0.3 s without this call, UpdateFinger or
-	 *  UpdateJoint. */
+	/** True if the plate accepts commands. It stops after 0.3 s without this call, UpdateFinger or UpdateJoint. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool IsPlateReady();
 
@@ -200,8 +195,7 @@ public:
 	/** For C++: returns the session for calls of the C headers, with the value 0 on failure. After a call that changes the
 	 *  configuration, call TakeFromSession(). */
 	hrt_session GetSession();
-	/** Copies what C calls have changed in the session's configuration into Settings. If the plate's pose has changed, moves
-	 *  the component there. */
+	/** Copies changes that C calls made in the session's configuration to Settings, and moves the component to the plate. */
 	void TakeFromSession();
 
 	virtual void OnComponentDestroyed(bool bDestroyingHierarchy) override;
