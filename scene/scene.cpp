@@ -86,12 +86,13 @@ class SceneReader {
   void visit_all(const std::vector<int>& siblings) {
     for (const int index : siblings) {
       if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
-        refuse(path_.empty() ? file_ : where(), "refers to node {}, but the file has only {} nodes", index,
-               model_.nodes.size());
+        refuse(path_.empty() ? file_ : where(),
+               "refers to node {}, but the file has only {} nodes; export the file again", index, model_.nodes.size());
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
       path_.push_back(index);
       if (is_visited_[static_cast<std::size_t>(index)])
-        refuse(where(), "the node appears twice in the scene: it has two parents, or is its own descendant");
+        refuse(where(),
+               "the node appears twice in the scene; allowed: one parent, which is not a descendant of the node");
       is_visited_[static_cast<std::size_t>(index)] = true;
       if (path_.size() > gltf_limits::node_depth)
         refuse(where(), "the node has too many ancestors; allowed: up to {} levels", gltf_limits::node_depth);
@@ -127,7 +128,7 @@ class SceneReader {
       const auto node_is_refused = [&](const std::string& what) { refuse(where(path(depth + 1)), "{}", what); };
       const auto check_size = [&](const char* key, const std::vector<double>& values, std::size_t size) {
         if (!values.empty() && values.size() != size)
-          node_is_refused(fmt::format("{} is not an array of {} numbers", key, size));
+          node_is_refused(fmt::format("{} is not an array of {} numbers; export the file again", key, size));
       };
       check_size("matrix", node.matrix, 16);
       check_size("translation", node.translation, 3);

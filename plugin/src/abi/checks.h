@@ -108,7 +108,8 @@ inline hrt_result write_text(const char* what, std::string_view text, std::uint6
 
 inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
   if ((flags & ~known) == 0) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the known flags, which are the bits of ", known);
+  return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the bits of ", known, ". Clear the others, ",
+              flags & ~known);
 }
 
 /// Fails unless the value is within the field's range. `name` is the name of the field in the error text.

@@ -122,7 +122,8 @@ hrt_result File::open_regular(const char* path, int flags, std::uint64_t max_siz
   if (file.descriptor_ < 0 || status_of(file.descriptor_, &status) != 0) return fail_of_file(path);
   if (!is_regular(status)) return fail_as_not_regular(path);
   if (const auto size = static_cast<std::uint64_t>(status.st_size); size > max_size)
-    return fail(HRT_ERROR_SYSTEM, Shown{path}, ": has ", size, " bytes; allowed: up to ", max_size);
+    return fail(HRT_ERROR_SYSTEM, Shown{path}, ": has ", size, " bytes; allowed: up to ", max_size,
+                ". Name another file");
   *out = std::move(file);
   return HRT_OK;
 }

@@ -246,7 +246,8 @@ hrt_result read_row(std::string_view line, Record* out) {
   for (const auto& [call, read] : calls_in_rows)
     if (cells[0] == call) return read(cells, out);
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
-              "\"; allowed: begin, update, retarget, touched, cancel, end, setup_update, setup_finish, setup_cancel");
+              "\"; allowed: begin, update, retarget, touched, cancel, end, setup_update, setup_finish, setup_cancel. "
+              "Record again");
 }
 
 bool is_same_row(std::string_view row, std::string_view other) {
@@ -265,7 +266,7 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
   const auto known = std::find(std::begin(verbs), std::end(verbs), verb);
   if (known == std::end(verbs))
     return fail(HRT_ERROR_BAD_FORMAT, "the change of the target is \"", Shown{verb},
-                "\"; allowed: added, set, removed");
+                "\"; allowed: added, set, removed. Record again");
   *out = {.change = static_cast<TargetChanged::Change>(known - verbs), .number = 0, .config = {}};
   HRT_RETURN_IF_FAILED(take_number("the target's number", next_word(), &out->number));
   return out->change == TargetChanged::Change::removed ? HRT_OK : read_json(rest, &out->config);

@@ -96,7 +96,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool end_object() override { return true; }
   bool key(string_t& name) override {
     fields.push_back({.key = name});
-    if (fields.size() > max_fields) set_error("the text has too many fields; allowed: up to ", max_fields);
+    if (fields.size() > max_fields) set_error("the text has over ", max_fields, " fields; save it again");
     return fields.size() <= max_fields;
   }
   bool start_array(std::size_t) override {

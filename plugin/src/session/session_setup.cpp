@@ -123,7 +123,7 @@ SessionSetup::SessionSetup(const SessionModel& model, const Targets& targets, st
 
 hrt_result SessionSetup::check_shown(const SetupSample& sample) const {
   if (setup_.config().only_possible || is_over() || !sample.tracked_mm || setup_.can_show(sample)) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "flags lacks fields that this part of the set-up requires: ",
+  return fail(HRT_ERROR_OUT_OF_RANGE, "flags lacks fields that this part of the set-up requires; set ",
               part() == setup_fingertip ? "WORLD_POSITION with JOINT_ROTATION" : "WORLD_POSITION");
 }
 
