@@ -1,5 +1,4 @@
-// Errors of calls. A function throws an Error; the wrapper of every entry point (entry.h) converts it to the result of
-// the call and a line of the call log.
+// A function throws an Error; the wrapper in entry.h converts it to the result of the call and a line of the log.
 #pragma once
 
 #include <fmt/format.h>

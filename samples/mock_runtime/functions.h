@@ -1,5 +1,4 @@
-// The functions and extensions of the runtime. Declarations, dispatch table, call log and fault injection are generated
-// from the list of functions.
+// Lists of functions and extensions, from which declarations, dispatch table, call log and faults are generated.
 #pragma once
 
 #include <array>

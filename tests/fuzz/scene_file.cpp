@@ -1,5 +1,4 @@
-// Loads arbitrary bytes as a scene file: a scene must fulfil the postconditions of load_scene(), an error must be one
-// line.
+// Loads arbitrary bytes: a scene must fulfil the postconditions of load_scene(), an error must be one line.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -160,8 +160,7 @@ TEST_F(PersonTest, ConfiguredDurationSetsTheTimeToGo) {
   EXPECT_LT(expected_s(1.5), expected_s(3.0) - 0.3);
 }
 
-// The estimates differ a little from those of the summary, because the motion is filtered again after the reach, with
-// the observed wander.
+// The estimates differ from the summary's, because the motion is filtered again, with the observed wander.
 TEST_F(PersonTest, EstimatesAreWrittenToTheConfiguration) {
   create(servo_config());
   PersonCondition condition = steady_person();

@@ -1,5 +1,4 @@
-// Every input field has the range and the default of its comment in the headers: the limits are accepted; values beyond
-// them are rejected, naming the field, and change nothing.
+// Input fields accept the limits that the headers document, and reject values beyond them, naming the field.
 #include <cmath>
 #include <limits>
 #include <set>

@@ -220,8 +220,7 @@ bool forbid_system_calls() {
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-// Returns the exit status of a child that runs the body without system calls. Threads that `prepare` starts may make
-// system calls.
+// Returns the status of a child that runs the body without system calls, except in threads that `prepare` starts.
 template <class Prepare, class Body>
 int status_without_system_calls(Prepare&& prepare, Body&& body) {
   const pid_t child = fork();

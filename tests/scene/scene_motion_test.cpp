@@ -1,5 +1,4 @@
-// Properties of random scenes: a rigid motion of the scene changes no plate coordinates; a mirrored scene has negated
-// directions.
+// A rigid motion of a random scene changes no plate coordinates; mirroring it negates the directions.
 #include <gtest/gtest.h>
 
 #include <cmath>

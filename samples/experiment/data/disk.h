@@ -8,8 +8,7 @@
 
 namespace hrt::experiment {
 
-/// Called with the name of a step of a write, sync, link or change of state. Tests end the process in the call, to
-/// simulate a crash; a session through OpenXR reads keys.
+/// Called with the name of a step, such as a write or a sync. Tests simulate a crash in it; XrSubject reads keys in it.
 using Step = std::function<void(const char*)>;
 
 /// File operations of a session. On failure they throw Refusal with the file and the system's reason.

@@ -42,8 +42,7 @@ std::vector<Event> read_journal(const std::string& text, const std::string& name
 /// Writes a journal. The file is locked, so that only one process can write it.
 class Journal {
  public:
-  /// Creates the file or appends to it. Throws Refusal if it cannot be written, is damaged, or another process has
-  /// locked it.
+  /// Creates the file or appends to it. Throws Refusal if it is damaged, is locked by a process or cannot be written.
   Journal(std::filesystem::path file, const Disk& disk, std::function<Now()> clock);
   ~Journal();
   Journal(const Journal&) = delete;

@@ -106,8 +106,8 @@ struct Design {
   double alpha;
   double margin;  ///< equivalence margin, in the measure's unit
   SimulatedTraits simulated;
-  std::string text;    ///< content of study.json
-  std::string sha256;  ///< hash of `text`
+  std::string text;  ///< content of study.json
+  std::string sha256;
 };
 
 /// Parses and checks a design. Throws Refusal naming the field and what is allowed. `name`: file name for messages.
@@ -119,8 +119,7 @@ hrt_session_config config_of(const Condition& condition);
 
 const Json& design_schema();
 
-/// Returns the letter of a condition before unblinding. Letters are assigned at random for each participant, so those
-/// of one participant reveal nothing about another's.
+/// Returns the letter of a condition before unblinding. Letters are assigned at random for each participant.
 std::string letter_of(const Design& design, unsigned participant, unsigned condition);
 
 /// Returns the text of a registered report in Markdown: hypotheses, power, every field of the design with its meaning,

@@ -41,8 +41,7 @@ std::string plan_text(const Design& design, const Schedule& schedule);
 
 std::string name_of(BlockKind kind);
 
-/// Returns the name of a condition before unblinding: its letter; for practice and noticeability, the kind of the
-/// block.
+/// Returns the name of a condition before unblinding: its letter; for practice and noticeability, the kind of block.
 std::string blinded_name(const Design& design, unsigned participant, BlockKind kind, unsigned condition);
 
 /// Returns a summary of the design: trials, minutes, balance, order of each participant by letters.

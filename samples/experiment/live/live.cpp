@@ -189,8 +189,7 @@ void Live::moment(const app::RunContext& context, const app::TargetPair& pair, c
     facts["path"] = facts["felt"] = "";
     finger_m_ = felt_m_ = moment.position_m;
   }
-  // For each step of the finger of at least 2 mm, the perceived path has a step of equal length in the perceived
-  // direction.
+  // Each step of at least 2 mm extends the perceived path by an equal length in the perceived direction.
   constexpr double min_step_m = 0.002;
   const double step_m = app::distance_along_plate_m(moment.position_m, finger_m_);
   if (step_m >= min_step_m) {

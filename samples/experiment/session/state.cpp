@@ -41,8 +41,8 @@ void State::end_trial(TrialRecord::End of_trial) {
   rest_due = block < schedule.blocks.size();
 }
 
-// Records a reach. If the reach is invalid, inserts its trial at a random later position of the block, or ends the
-// trial as missing after the last allowed attempt.
+// Records a reach. An invalid one moves its trial to a random later position, or makes it missing after the last
+// attempt.
 void State::apply_reach(const Event& event) {
   TrialRecord& record = trials[block][pending.front()];
   record.reach = event.data;

@@ -27,7 +27,7 @@ struct ReachOrder {
   double virtual_deg;
   double distance_m;
   double radius_m;  ///< radius of the real object; 0: unknown
-  unsigned number;  ///< number of the reach in the session, from 0
+  unsigned number;  ///< number of the reach, for random draws; differs between the reaches of a session
 };
 
 struct ReachOutcome {
@@ -77,8 +77,8 @@ class Subject {
   virtual std::optional<hrt_setup_config> marks() const { return std::nullopt; }
   /// Applies the pose that was found by touches. Returns the registration as a text, which verify() reads.
   virtual std::string registered(const hrt_session_config&) { return {}; }
-  /// Checks the registration by one touch. Returns the distance from the registered mark, metres; nullopt if the plate
-  /// has moved.
+  /// Checks the registration by one touch. Returns its distance from the mark in metres; nullopt if the plate has
+  /// moved.
   virtual std::optional<double> verify(const std::string&) { return 0.0; }
 
   virtual bool consents() = 0;

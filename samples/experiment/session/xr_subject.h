@@ -21,8 +21,7 @@ namespace hrt::experiment {
 class XrSubject : public Subject {
  public:
   /// Uses these options: scene, plugin, hands, finger, plate, speak_with, person, time_limit_s, runtime_limit and seed.
-  /// `live` displays the session; null: no display. Throws app::Failure, app::XrFailure, and Refusal if the
-  /// experimenter has no terminal.
+  /// `live`: page that displays the session, or null. Throws app::Failure, app::XrFailure and Refusal.
   XrSubject(const Design& design, unsigned participant, const app::Options& options, Live* live);
   /// Waits until all sentences have been spoken.
   ~XrSubject() override;

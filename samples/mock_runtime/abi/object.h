@@ -43,8 +43,7 @@ std::uint64_t id_of(Handle handle) {
   return reinterpret_cast<std::uint64_t>(handle);
 }
 
-/// Finds an existing object by its handle. A handle is a number that is never reused and never dereferenced, so null,
-/// invalid and destroyed handles are detected.
+/// Finds objects by handles, which are numbers: they are never reused or dereferenced, so invalid ones are detected.
 class Registry {
  public:
   template <typename T, typename Parent, typename... Args>

@@ -10,8 +10,7 @@
 
 namespace hrt::mock {
 
-/// Value that the member `type` of an OpenXR structure must have, and the structure's name, which is null for a C++
-/// type that is not an OpenXR structure.
+/// Required `type` of an OpenXR structure, and the structure's name, which is null for other C++ types.
 struct StructureType {
   XrStructureType type = XR_TYPE_UNKNOWN;
   const char* name = nullptr;

@@ -1,5 +1,4 @@
-// Wrapper of every function in functions.h: holds the lock of the runtime, injects faults, resolves handles, checks
-// pointers, converts exceptions to results and logs the call.
+// Wrapper of each function in functions.h: locks, injects faults, resolves handles, checks pointers, logs the call.
 #pragma once
 
 #include <mutex>
@@ -41,8 +40,7 @@ template <typename Argument, bool handles>
 using Parameter = typename std::conditional_t<handles, std::type_identity<Argument>,
                                               decltype(parameter_for(std::declval<Argument>()))>::type;
 
-/// True for functions whose implementation returns the result, because OpenXR has several success codes for them. Other
-/// implementations return nothing: the call returns XR_SUCCESS unless they throw an Error.
+/// True for functions with several success codes: their implementations return the result, others return nothing.
 constexpr bool returns_result(std::string_view name) {
   return name == "xrPollEvent" || name == "xrGetReferenceSpaceBoundsRect" || name == "xrBeginFrame" ||
          name == "xrSyncActions" || name.ends_with("HapticFeedback");

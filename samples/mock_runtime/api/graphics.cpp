@@ -1,5 +1,4 @@
-// XR_KHR_vulkan_enable2: the runtime chooses the physical device, and creates the application's VkInstance and
-// VkDevice.
+// XR_KHR_vulkan_enable2: chooses the physical device, and creates the application's VkInstance and VkDevice.
 #include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/session.h"
 

@@ -11,8 +11,7 @@
 namespace hrt::mock {
 namespace {
 
-// Returns the index of an extension in `extensions`. Throws XR_ERROR_EXTENSION_NOT_PRESENT if the runtime does not
-// offer the extension.
+// Returns the index of an extension. Throws XR_ERROR_EXTENSION_NOT_PRESENT if the runtime does not offer it.
 std::size_t find_extension(const char* name) {
   require_pointer(name, "an element of enabledExtensionNames");
   for (std::size_t i = first_extension; i < extensions.size(); ++i)

@@ -18,8 +18,7 @@ void load_script() {
   shared.script_error.clear();
   shared.log.open();
   try {
-    // A loader negotiates for every instance. An unchanged script is not applied again, so that the counts of calls
-    // continue and a fault of an earlier instance does not recur.
+    // A loader negotiates for every instance. An unchanged script is kept, so that past faults do not recur.
     const std::string text = script_from_environment();
     if (text != shared.script_text) shared.apply(text);
   } catch (const Error& error) {

@@ -13,8 +13,7 @@ namespace hrt::mock {
 struct Runtime {
   /// Held during every call, except while xrWaitFrame waits or the script delays or blocks the call.
   std::mutex mutex;
-  /// Wakes xrWaitFrame: notified when a frame begins, an event of the script occurs, a session ends, or a session or an
-  /// instance is destroyed.
+  /// Wakes xrWaitFrame when a frame begins, an event of the script occurs, or a session or the instance ends.
   std::condition_variable_any frame_begun;
   Registry registry;
   Object* instance = nullptr;    ///< the existing instance, or null
@@ -27,8 +26,7 @@ struct Runtime {
   std::uint64_t sessions = 0;  ///< number of sessions created since the script took effect
   std::string script_error;    ///< mistake in the script that HRT_MOCK_SCRIPT names; empty: no mistake
 
-  /// Puts a script into effect and restarts the counts of calls and sessions. Throws as parse_script() does; the
-  /// previous script then remains in effect.
+  /// Puts a script into effect and restarts the counts. If it throws, as parse_script() does, nothing changes.
   void apply(const std::string& text) {
     script = parse_script(text);
     script_text = text;

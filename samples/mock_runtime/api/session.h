@@ -53,8 +53,7 @@ class Session : public Object {
   /// of the states in between; from READY, STOPPING if the session is running. Otherwise, and after LOSS_PENDING, no
   /// effect.
   void go_to(XrSessionState state);
-  /// Executes the event session_state of the script. EXITING means that the user ends the application: the session goes
-  /// to STOPPING, and enters EXITING after xrEndSession.
+  /// Executes the event session_state of the script. EXITING leads to STOPPING, and after xrEndSession to EXITING.
   void change_state(XrSessionState state);
   void recenter(const Recenter& change);
 

@@ -27,13 +27,11 @@ class GraphicsDevice {
   virtual ~GraphicsDevice() = default;
   /// Returns the supported swapchain formats in order of preference.
   virtual std::vector<std::int64_t> formats() const = 0;
-  /// Creates images, which keep the device alive. Throws XR_ERROR_FEATURE_UNSUPPORTED if the Vulkan device has no
-  /// images of this format, usage and size.
+  /// Creates images, which keep the device alive. Throws XR_ERROR_FEATURE_UNSUPPORTED if Vulkan does not support them.
   virtual std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info, std::uint32_t count) = 0;
 };
 
-/// Creates the device for the graphics binding of a session. Throws XR_ERROR_GRAPHICS_DEVICE_INVALID if the binding has
-/// a null handle, or if the device lacks a Vulkan function or the queue.
+/// Throws XR_ERROR_GRAPHICS_DEVICE_INVALID for a null handle, or a device without a needed function or the queue.
 std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkanKHR& binding,
                                                    PFN_vkGetInstanceProcAddr get_proc_addr);
 

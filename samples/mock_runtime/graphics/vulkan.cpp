@@ -33,8 +33,7 @@ void check_vulkan(VkResult result, const char* what) {
           static_cast<int>(result));
 }
 
-// All formats have four bytes per pixel. Depth images are never read, but Godot begins no session without a depth
-// format.
+// All formats have four bytes per pixel. Depth images are never read; Godot begins no session without a depth format.
 constexpr std::array vulkan_formats{VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB, VK_FORMAT_D32_SFLOAT};
 
 bool is_depth(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT; }

@@ -33,7 +33,7 @@ struct Script {
   bool hand_tracking = true;             ///< value in XrSystemHandTrackingPropertiesEXT
   std::int64_t picture_interval = 0;     ///< interval between pictures in frames; 0: not set
   bool has_picture_events = false;
-  ExtensionSet withheld;  ///< extensions that the script removes from the runtime
+  ExtensionSet withheld;
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;
@@ -43,8 +43,7 @@ struct Script {
   bool hides(std::size_t extension) const;
 };
 
-/// Parses a script. Checks it against script.schema.json and against rules that the schema does not express, such as
-/// names of functions. Throws an Error that names the key, the mistake and the allowed values.
+/// Parses and checks a script. Throws an Error that names the key, the mistake and the allowed values.
 Script parse_script(std::string_view json);
 
 /// Returns the content of the file that the environment variable HRT_MOCK_SCRIPT names; "{}", the default script, if

@@ -18,8 +18,7 @@ struct HandJoint {
 
 using HandJoints = std::array<HandJoint, XR_HAND_JOINT_COUNT_EXT>;
 
-/// Returns the joints of a hand whose index finger points down onto a surface. `orientation` is that of the wrist. A
-/// left hand is the mirror image of a right one.
+/// Returns the joints of a hand whose index finger points down. `orientation` is that of the wrist.
 HandJoints place_hand(XrHandEXT hand, const Eigen::Vector3d& index_tip_m, const Eigen::Quaterniond& orientation);
 
 }  // namespace hrt::mock

@@ -14,8 +14,7 @@ struct Range {
   double max;
 };
 
-/// Distributions from which a participant is drawn; SCRIPTS.md describes each field. Names are drawn with equal
-/// probability.
+/// Distributions from which a participant is drawn. SCRIPTS.md describes the fields; names have equal probability.
 struct PersonSettings {
   std::vector<IllusionFamily> illusions = {IllusionFamily::linear, IllusionFamily::saturating, IllusionFamily::sine,
                                            IllusionFamily::tanh};
@@ -48,8 +47,7 @@ struct DrawnPerson {
   Person towards(double virtual_direction_deg) const;
 };
 
-/// Draws participant `number` of a seed. Each field uses a random number of its own, so that fixing one field in the
-/// script does not change the others.
+/// Draws participant `number` of a seed. Fixing one field in the script does not change the draws of the others.
 DrawnPerson draw(const PersonSettings& settings, std::uint64_t seed, std::uint32_t number);
 
 /// Returns the random numbers for the noise of reach `number`.

@@ -31,8 +31,7 @@ inline Pose inverse(const Pose& pose) {
 /// Returns the rotation by an angle about a unit axis.
 Eigen::Quaterniond rotation(double angle_deg, const Eigen::Vector3d& axis);
 
-/// Converts a pose. Throws XR_ERROR_POSE_INVALID unless every number is finite and the quaternion has unit length
-/// within 1 %, as the specification requires.
+/// Throws XR_ERROR_POSE_INVALID unless all numbers are finite and the quaternion has unit length within 1 %.
 Pose checked_pose(const XrPosef& pose);
 
 XrPosef to_xr(const Pose& pose);

@@ -1,5 +1,4 @@
-// Settings of the simulated world, read from a script. By default the tracker and the servo are ideal: no noise, no
-// latency, unlimited speed.
+// Settings of the simulated world. By default, tracker and servo have no noise, no latency and unlimited speed.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -52,8 +52,7 @@ class World {
   void place_plate(const Pose& plate) { plate_ = plate; }
   bool plate_is_placed() const { return plate_.has_value(); }
 
-  /// Sets the seed of later reaches and of the tracker noise, and the number of the next reach, which selects the
-  /// participant.
+  /// Sets the seed of later reaches and of the tracker noise, and the number of the next reach.
   void set_seed(std::uint64_t seed, std::uint32_t next_reach);
 
   void command_plate(double orientation_deg) { servo_.command(orientation_deg); }

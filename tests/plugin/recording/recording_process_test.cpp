@@ -200,8 +200,7 @@ int status_in_child(Body&& body) {
   return status;
 }
 
-// The writing thread belongs to the parent. In a child, the session works, and its calls report that it is not
-// recorded.
+// The writing thread belongs to the parent. Calls in a child succeed, and report that they are not recorded.
 TEST_F(RecordingTest, ForkedChildIsNotRecordedAndReportsIt) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();

@@ -223,8 +223,7 @@ class Leaving : public SimulatedSubject {
   std::int64_t jump_ms_;
 };
 
-// After a pause of an hour, or if the clock was set back, the block restarts, and the journal records the restart.
-// After a pause of a minute, the block continues.
+// The block restarts after a pause of an hour or if the clock was set back, and continues after a minute.
 TEST(ExperimentSession, ALongPauseRestartsTheBlock) {
   const Design design = small_design(2);
   struct {
@@ -298,8 +297,7 @@ TEST(ExperimentSession, ConditionsAreLetters) {
   EXPECT_TRUE(has(export_study(design, folder.path, true).files.at("trials.csv"), "secret people"));
 }
 
-// Practice and noticeability, whose condition the design reveals, have no letter, and letters differ between
-// participants.
+// Practice and noticeability, whose condition the design reveals, have no letter. Letters differ by participant.
 TEST(ExperimentSession, LettersRevealNoCondition) {
   const Design design = small_design(1, [](json& study) {
     study["participants"] = 12;

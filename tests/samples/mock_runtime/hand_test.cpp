@@ -149,8 +149,7 @@ TEST_F(MockLocalFloor, IsOnTheFloorBelowLocal) {
 
 using MockDevices = MockRuntime;
 
-// Derived by hand: the head moves 0.2 m to the right and turns left by 90 degrees in one second; after half of the time
-// it has moved 0.1 m and turned by 45 degrees.
+// The head moves 0.2 m to the right and turns left by 90 degrees in 1 s: by 0.1 m and 45 degrees at half time.
 TEST_F(MockDevices, HeadAndViewsAreInterpolatedOnThePathOfTheHead) {
   begin_with(R"({"head": {"path": [
     {"time_ms": 0, "position_m": [0, 0, 0]},
