@@ -211,11 +211,11 @@ bool CalibrationFit::refuse(std::string reason) {
 
 // Reduces one slide; after the last one, selects the slides to fit. Returns false if the calibration is rejected.
 bool CalibrationFit::begin() {
-  if (trial_ == 0)
+  if (next_trial_ == 0)
     if (auto refusal = check(trials_, goal_direction_deg_)) return refuse(refusal->reason);
-  if (trial_ < trials_.size()) {
-    add_slide(trials_[trial_], trial_, goal_direction_deg_, &slides_);
-    ++trial_;
+  if (next_trial_ < trials_.size()) {
+    add_slide(trials_[next_trial_], next_trial_, goal_direction_deg_, &slides_);
+    ++next_trial_;
     return true;
   }
   if (auto refusal = check(slides_, trials_.size())) return refuse(refusal->reason);

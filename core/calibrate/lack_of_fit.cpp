@@ -21,7 +21,7 @@ LackOfFitTests::LackOfFitTests(const CurveFit& fit, std::span<const SlideTrack> 
   residuals_.tail(fit_parameters) = fit.prior_off;
   derivatives_ = Eigen::MatrixXd::Zero(rows, fit_parameters);
   derivatives_.bottomRows(fit_parameters).diagonal() = fit.prior_deviation.cwiseInverse();
-  degrees_ = static_cast<double>(count * slide_parts) - fit.effective;
+  residual_freedom_ = static_cast<double>(count * slide_parts) - fit.effective;
   Eigen::MatrixXd angle = Eigen::MatrixXd::Zero(rows, degree - 1);
   Eigen::MatrixXd trend = Eigen::MatrixXd::Zero(rows, 2);
   Eigen::MatrixXd path = Eigen::MatrixXd::Zero(rows, Eigen::Index{2} * slide_parts);
@@ -52,14 +52,14 @@ LackOfFitTests::LackOfFitTests(const CurveFit& fit, std::span<const SlideTrack> 
 
 bool LackOfFitTests::step() {
   Pattern& pattern = patterns_[pattern_];
-  if (column_ < pattern.columns.cols()) {
-    const double left = linear_fit(derivatives_, pattern.columns.col(column_), rank_threshold).left;
-    pattern.allowed += pattern.allowed_deg(column_) * pattern.allowed_deg(column_) * left;
-    ++column_;
+  if (next_column_ < pattern.columns.cols()) {
+    const double left = linear_fit(derivatives_, pattern.columns.col(next_column_), rank_threshold).left;
+    pattern.allowed += pattern.allowed_deg(next_column_) * pattern.allowed_deg(next_column_) * left;
+    ++next_column_;
     return false;
   }
   pattern.p = pattern_p(pattern);
-  column_ = 0;
+  next_column_ = 0;
   return ++pattern_ == patterns_.size();
 }
 
@@ -70,7 +70,7 @@ double LackOfFitTests::pattern_p(const Pattern& pattern) const {
   both << derivatives_, pattern.columns;
   const LinearFit with = linear_fit(both, residuals_, rank_threshold);
   const auto gained = static_cast<double>(with.rank - without.rank);
-  const double degrees = degrees_ - gained;
+  const double degrees = residual_freedom_ - gained;
   if (gained < 1.0 || degrees < 4.0) return 1.0;
   return f_tail((without.left - with.left) / (gained * with.left / degrees + pattern.allowed), gained, degrees);
 }

@@ -44,10 +44,10 @@ class LackOfFitTests {
   // Residuals and derivatives of all slides, whitened, followed by those of the prior.
   Eigen::VectorXd residuals_;
   Eigen::MatrixXd derivatives_;
-  double degrees_;  // degrees of freedom of the fit's residuals
+  double residual_freedom_;
   std::array<Pattern, 3> patterns_;
   std::size_t pattern_ = 0;
-  Eigen::Index column_ = 0;  // next column whose `allowed` is computed
+  Eigen::Index next_column_ = 0;
 };
 
 }  // namespace hrt

@@ -40,18 +40,19 @@ void Descent::begin_pass() {
   const Eigen::VectorXd precision = precision_of(problem_.prior_deviation);
   information_ = precision.asDiagonal();
   gradient_ = precision.cwiseProduct(problem_.prior_mean - fit_.parameters);
-  group_ = 0;
+  next_group_ = 0;
   attempt_ = 0;
 }
 
 bool Descent::step() {
-  if (group_ < problem_.groups) {
-    for (const std::size_t end = std::min(group_ + groups_per_step, problem_.groups); group_ < end; ++group_) {
-      const Eigen::MatrixXd derivatives = problem_.derivatives(group_, fit_.parameters);
+  if (next_group_ < problem_.groups) {
+    for (const std::size_t end = std::min(next_group_ + groups_per_step, problem_.groups); next_group_ < end;
+         ++next_group_) {
+      const Eigen::MatrixXd derivatives = problem_.derivatives(next_group_, fit_.parameters);
       information_ += product(derivatives.transpose(), derivatives);
-      gradient_ += product(derivatives.transpose(), residuals_[group_]);
+      gradient_ += product(derivatives.transpose(), residuals_[next_group_]);
     }
-    if (group_ < problem_.groups) return false;
+    if (next_group_ < problem_.groups) return false;
   }
   Eigen::MatrixXd damped = information_;
   damped.diagonal() = (1.0 + damping_) * information_.diagonal();

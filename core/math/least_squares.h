@@ -45,7 +45,7 @@ class Descent {
   std::vector<Eigen::VectorXd> residuals_;
   Eigen::MatrixXd information_;
   Eigen::VectorXd gradient_;
-  std::size_t group_ = 0;  // next group whose derivatives are added
+  std::size_t next_group_ = 0;
   int pass_ = 0;
   int attempt_ = 0;
   double damping_ = 1e-3;

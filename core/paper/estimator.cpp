@@ -41,7 +41,7 @@ Estimator::Estimator(const EstimatorConfig& config, const Participant& participa
     : config_(config),
       noise_mm2_(square(config.tracker_noise_mm > 0.0 ? config.tracker_noise_mm : assumed_noise_mm)),
       goal_direction_deg_(goal_direction_deg),
-      motor_variance_deg2_(participant.motor_variance_deg2),
+      prior_motor_variance_deg2_(participant.motor_variance_deg2),
       motor_variance_information_(1.0 / (config.motor_variance_sd_deg2 * config.motor_variance_sd_deg2)) {
   state_ << start.right_mm, start.away_mm, initial_speed_mm_s, 0.0, participant.tactile_weight;
   covariance_.setZero();
@@ -155,8 +155,9 @@ FingerEstimate Estimator::estimate() const {
           .tactile_weight = tactile_weight(),
           .tactile_weight_sd = tactile_weight_sd(),
           .tracker_noise_mm = std::sqrt(noise_mm2_),
-          .motor_variance_deg2 = std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
-                                            min_motor_variance_deg2, max_motor_variance_deg2),
+          .motor_variance_deg2 =
+              std::clamp(prior_motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
+                         min_motor_variance_deg2, max_motor_variance_deg2),
           .motor_variance_sd_deg2 = 1.0 / std::sqrt(motor_variance_information_)};
 }
 

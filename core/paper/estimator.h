@@ -105,7 +105,7 @@ class Estimator {
 
   double step_direction_deg_ = 0.0;  // direction at the start of the current step, before samples correct it
   double step_variance_deg2_ = 0.0;  // variance of step_direction_deg_; 0 before the first step has ended
-  double motor_variance_deg2_;       // mean of the prior
+  double prior_motor_variance_deg2_;
   double motor_variance_score_ = 0.0;
   double motor_variance_information_;
 };

@@ -57,12 +57,12 @@ bool PersonEstimator::observe(double time_s, const PlatePoint& position, const P
     filter_.place_at(position - origin());
     return true;
   } else {
-    ++backlog_;
+    ++unprocessed_;
     if (finger_.phase() == Phase::moving && std::exchange(clock_stopped_, false))
       filter_.add_phase_sd(tuning().pause_clock_sd_s);
   }
   bool taken = true;
-  for (int i = 0; i < max_replayed && backlog_ > 0; ++i) taken = take(finger_.places()[--backlog_], plate);
+  for (int i = 0; i < max_replayed && unprocessed_ > 0; ++i) taken = take(finger_.places()[--unprocessed_], plate);
   if (caught_up()) finger_.find_pause();
   return taken;
 }
@@ -76,7 +76,7 @@ void PersonEstimator::lift(double time_s, const PlateTrace& plate) {
   finger_.lift();
   clock_stopped_ = true;
   log_.close();
-  backlog_ = 0;
+  unprocessed_ = 0;
 }
 
 void PersonEstimator::retarget(double time_s, double virtual_direction_deg, double longer_mm) {
@@ -121,8 +121,8 @@ void PersonEstimator::begin_motion() {
   log_.begin(filter_, onset_s_);
   clock_stopped_ = false;
   filter_s_ = onset_s_;
-  backlog_ = 0;
-  while (backlog_ < places.count() - 1 && places[backlog_].time_s > onset_s_) ++backlog_;
+  unprocessed_ = 0;
+  while (unprocessed_ < places.count() - 1 && places[unprocessed_].time_s > onset_s_) ++unprocessed_;
 }
 
 void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
@@ -185,7 +185,7 @@ PersonBelief PersonEstimator::learnt() const { return log_.belief(filter_.belief
 
 // A pause can only have begun if the filter did not predict the position.
 bool PersonEstimator::find_pause(double nis) {
-  if (backlog_ > 0 || nis <= tuning().min_pausing_nis) return false;
+  if (unprocessed_ > 0 || nis <= tuning().min_pausing_nis) return false;
   const double speed_mm_s = filter_.speed_mm_s();
   return speed_mm_s > tuning().min_pausing_speed_mm_s && (finger_.at_rest() || finger_.find_pause(speed_mm_s));
 }

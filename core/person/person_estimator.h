@@ -84,7 +84,7 @@ class PersonEstimator {
   /// the motion is no pause.
   bool moving() const { return begun() && !clock_stopped_; }
   /// True if the filter has processed all stored positions.
-  bool caught_up() const { return backlog_ == 0; }
+  bool caught_up() const { return unprocessed_ == 0; }
   const PersonFilter& filter() const { return filter_; }
   const FingerPhase& finger() const { return finger_; }
   /// Returns a copy of the filter after the target's move, before the response; nullopt if no response is pending.
@@ -129,7 +129,7 @@ class PersonEstimator {
   MotionLog log_;
 
   bool clock_stopped_ = false;  // the filter's phase does not advance: the finger has paused or is lifted
-  int backlog_ = 0;             // number of positions that the filter has not processed
+  int unprocessed_ = 0;
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;
   double felt_plate_deg_ = 0.0;  // ridge normal whose effect the person perceived in the last step of the filter

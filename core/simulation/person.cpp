@@ -83,13 +83,13 @@ SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, doub
     : person_(person),
       virtual_direction_deg_(virtual_direction_deg),
       distance_mm_(distance_mm * person.path_scale),
-      total_s_(with_pauses_s(person)),
+      duration_with_pauses_s_(with_pauses_s(person)),
       virtual_place_(point_ahead(start, virtual_direction_deg, distance_mm_)),
       draws_(draws),
       position_(start),
       felt_position_(start),
       feels_place_(feels_place || seeks_place()),
-      delay_(std::clamp(static_cast<int>(std::lround(person.delay_s / tick_s)), 0, history_size - 1)),
+      delay_ms_(std::clamp(static_cast<int>(std::lround(person.delay_s / tick_s)), 0, history_size - 1)),
       noise_sd_deg_(std::sqrt(person.noise_deg2_per_s * tick_s)),
       direction_deg_(person.start_direction_deg),
       felt_deg_(person.start_direction_deg),
@@ -114,7 +114,7 @@ void SlidingPerson::draw_reach() {
   }
   if (person_.pace == Pace::recorded) {
     pace_ = draw_pace(person_.own_path.log_duration_sd, draws_);
-    total_s_ = person_.duration_s * pace_.time_scale * (recorded_ ? 1.0 : recorded_tail_scale);
+    duration_with_pauses_s_ = person_.duration_s * pace_.time_scale * (recorded_ ? 1.0 : recorded_tail_scale);
   }
   if (person_.pace != Pace::submovements) return;
   const double first = 0.5 + 0.35 * draws_.uniform();
@@ -155,8 +155,8 @@ double SlidingPerson::progress(double time_s) const {
       return share;
     }
     case Pace::recorded:
-      return recorded_ ? interpolated(recorded_->path_fraction, time_s / total_s_)
-                       : pace_.path_fraction(time_s / total_s_);
+      return recorded_ ? interpolated(recorded_->path_fraction, time_s / duration_with_pauses_s_)
+                       : pace_.path_fraction(time_s / duration_with_pauses_s_);
     case Pace::reversal:
       return 1.1 * minimum_jerk(time_s / d) - 0.1 * minimum_jerk((time_s - d) / (0.4 * d));
   }
@@ -204,7 +204,7 @@ void SlidingPerson::advance(double plate_orientation_deg) {
     goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   }
   steer(motion_deg);
-  done_ = time_s_ >= total_s_ + (is_arm() ? 0.25 : 0.0);
+  done_ = time_s_ >= duration_with_pauses_s_ + (is_arm() ? 0.25 : 0.0);
 }
 
 // Moves the finger along the present direction, or pulls an arm in that direction. Returns the direction of the motion.
@@ -231,7 +231,8 @@ double SlidingPerson::move(double travel_mm) {
 
 double SlidingPerson::felt_shift_deg(double offset_deg, double travel_mm) {
   SimulatedIllusion illusion = person_.illusion;
-  if (person_.weight_drift != 0.0) illusion.tactile_weight += person_.weight_drift * (time_s_ / total_s_);
+  if (person_.weight_drift != 0.0)
+    illusion.tactile_weight += person_.weight_drift * (time_s_ / duration_with_pauses_s_);
   illusion.tactile_weight = std::clamp(illusion.tactile_weight, 0.01, 0.49);
   const double shift_deg = hrt::felt_shift_deg(illusion, offset_deg);
   if (person_.touch_s > 0.0) return touched_shift_deg_ += (shift_deg - touched_shift_deg_) * tick_s / person_.touch_s;
@@ -268,8 +269,8 @@ void SlidingPerson::steer(double motion_deg) {
     return;
   }
   felt_history_[static_cast<std::size_t>(millisecond_ % history_size)] = answered_deg;
-  if (millisecond_ > delay_) {
-    const int felt_ms = millisecond_ - delay_;
+  if (millisecond_ > delay_ms_) {
+    const int felt_ms = millisecond_ - delay_ms_;
     double delayed =
         felt_ms <= rested_ms_ ? felt_at_rest_deg_ : felt_history_[static_cast<std::size_t>(felt_ms % history_size)];
     if (predicts) delayed += direction_deg_;

@@ -133,14 +133,14 @@ class SlidingPerson {
   Person person_;
   double virtual_direction_deg_;
   double distance_mm_;
-  double total_s_;  // duration including pauses
+  double duration_with_pauses_s_;
   PlatePoint virtual_place_;
   int answers_in_ms_ = 0;  // time until the response to a moved target; 0: none is pending
   Draws draws_;
   PlatePoint position_;
   PlatePoint felt_position_;
   bool feels_place_;
-  int delay_;            // milliseconds
+  int delay_ms_;
   double noise_sd_deg_;  // SD of the noise that each step of 1 ms adds to the direction
   double direction_deg_;
   double velocity_right_mm_s_ = 0.0, velocity_away_mm_s_ = 0.0;  // state of an arm

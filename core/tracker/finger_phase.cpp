@@ -37,7 +37,7 @@ template <class Point>
 typename PhaseDetector<Point>::Outcome PhaseDetector<Point>::process(double time_s, const Point& position) {
   if (at_rest()) {
     if (is_outlier(time_s, position)) return Outcome::ignored;
-    if (std::exchange(outliers_, 0) > tuning_.max_outliers)
+    if (std::exchange(successive_outliers_, 0) > tuning_.max_outliers)
       phase_ = Phase::lifted;  // too many successive outliers: the finger rests elsewhere
   }
   const double gap_s = places_.count() > 0 ? time_s - places_[0].time_s : 0.0;
@@ -64,8 +64,9 @@ bool PhaseDetector<Point>::is_outlier(double time_s, const Point& position) {
   if (places_.count() == 0) return false;
   const double allowed_mm =
       tuning_.max_start_speed_mm_s * (time_s - places_[0].time_s) + tuning_.outlier_deviations * sigma_mm();
-  outliers_ = square_distance_mm2(position, places_[0].position) > square(allowed_mm) ? outliers_ + 1 : 0;
-  return outliers_ > 0 && outliers_ <= tuning_.max_outliers;
+  successive_outliers_ =
+      square_distance_mm2(position, places_[0].position) > square(allowed_mm) ? successive_outliers_ + 1 : 0;
+  return successive_outliers_ > 0 && successive_outliers_ <= tuning_.max_outliers;
 }
 
 template <class Point>

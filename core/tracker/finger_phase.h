@@ -32,7 +32,8 @@
 namespace hrt {
 
 /// Parameters of the detector. Fields `..._deviations` are in units of sigma. Numbers were chosen by search on the
-/// simulated people of hrt-study robustness, except numbers with [model], which follow from the tests above.
+/// simulated people of hrt-study robustness, except numbers with [model], which were set by the statistics of the
+/// noise.
 struct PhaseTuning {
   double leaving_deviations = 3.3;  ///< distance from the rest position at which the mean of 3 positions has left
   double min_leaving_mm = 1.0;      ///< mm: lower limit of this distance, for tremor and motion of the skin
@@ -132,7 +133,7 @@ class PhaseDetector {
   bool start_known_;
   bool moved_ = false;
   double moving_since_s_ = 0.0;
-  int outliers_ = 0;  // number of successive outliers
+  int successive_outliers_ = 0;
 };
 
 using FingerPhase = PhaseDetector<PlatePoint>;

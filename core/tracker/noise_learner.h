@@ -61,7 +61,7 @@ struct NoiseParts {
 /// lag is the number of its differences that do not overlap.
 NoiseParts separate(const StructureFunction& differences, double correlation_s);
 
-/// Estimates the noise: the white part always, the correlated part while the finger rests. `Point`: PlatePoint or
+/// Estimates the white part of the noise at rest and in motion, and the correlated part at rest. `Point`: PlatePoint or
 /// Eigen::Vector3d. Uses no heap, lock or exception.
 template <class Point>
 class NoiseLearner {

@@ -9,8 +9,8 @@
 
 namespace hrt {
 
-/// Ring buffer of positions. `Point`: PlatePoint, or Eigen::Vector3d for a tracked position off the plate. No heap,
-/// lock or exception. One thread at a time.
+/// Ring buffer. `Point`: PlatePoint, or Eigen::Vector3d for a tracked position off the plate. Uses no heap, lock or
+/// exception. One thread at a time.
 template <class Point>
 class RecentPlaces {
  public:

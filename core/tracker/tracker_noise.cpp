@@ -13,7 +13,7 @@ constexpr double block_s = 0.5;
 constexpr std::size_t min_blocks = 8;
 constexpr double max_correlation_s = 2.0;
 constexpr double min_correlation_s = 0.01;
-constexpr int times = 48;  // points of the grid of correlation times
+constexpr int grid_points = 48;
 // Smallest correlation time in sample periods: about a quarter of the noise, e^(-1 / 0.7), is left after one period.
 constexpr double min_periods = 0.7;
 // If the correlation time may be shorter than this number of periods, the parts cannot be separated.
@@ -108,11 +108,11 @@ RestNoiseFit::RestNoiseFit(std::span<const std::vector<TimedPoint>> rests)
              {min_correlation_s, min_correlation_s, max_correlation_s, false}} {}
 
 bool RestNoiseFit::step() {
-  if (middles_.size() < rests_.size()) {
-    for (int i = 0; i < rests_per_noise_step && middles_.size() < rests_.size(); ++i) {
-      const std::vector<TimedPoint>& rest = rests_[middles_.size()];
-      middles_.push_back(middle_of(rest));
-      for (const TimedPoint& sample : rest) distances_.push_back(distance_mm(middles_.back(), sample.position));
+  if (rest_medians_.size() < rests_.size()) {
+    for (int i = 0; i < rests_per_noise_step && rest_medians_.size() < rests_.size(); ++i) {
+      const std::vector<TimedPoint>& rest = rests_[rest_medians_.size()];
+      rest_medians_.push_back(middle_of(rest));
+      for (const TimedPoint& sample : rest) distances_.push_back(distance_mm(rest_medians_.back(), sample.position));
     }
     return false;
   }
@@ -121,9 +121,9 @@ bool RestNoiseFit::step() {
     return false;
   }
   if (blocks_.empty()) return !begin();
-  for (int i = 0; i < blocks_per_step && without_.size() < blocks_.size(); ++i)
-    without_.push_back(fit(all_but(blocks_[without_.size()])));
-  if (without_.size() < blocks_.size()) return false;
+  for (int i = 0; i < blocks_per_step && fits_without_one_block_.size() < blocks_.size(); ++i)
+    fits_without_one_block_.push_back(fit(all_but(blocks_[fits_without_one_block_.size()])));
+  if (fits_without_one_block_.size() < blocks_.size()) return false;
   describe();
   return true;
 }
@@ -131,7 +131,8 @@ bool RestNoiseFit::step() {
 void RestNoiseFit::screen() {
   const double max_mm = grossly_outlying * median(std::exchange(distances_, {})) / median_distance;
   for (std::size_t r = 0; r < rests_.size(); ++r)
-    std::erase_if(rests_[r], [&](const TimedPoint& s) { return !(distance_mm(middles_[r], s.position) <= max_mm); });
+    std::erase_if(rests_[r],
+                  [&](const TimedPoint& s) { return !(distance_mm(rest_medians_[r], s.position) <= max_mm); });
 }
 
 // Returns false if the noise cannot be determined.
@@ -139,16 +140,18 @@ bool RestNoiseFit::begin() {
   blocks_ = blocks_of(rests_);
   if (blocks_.size() < min_blocks) return false;
   for (const StructureFunction& block : blocks_) all_.add(block, 1.0);
-  min_s_ = std::max(min_correlation_s, min_periods * all_.sums[0].mean_s());
-  if (!(all_.sums[0].square_mm2 > 0.0) || min_s_ >= max_correlation_s || std::isinf(quantum_mm(rests_))) return false;
+  grid_start_s_ = std::max(min_correlation_s, min_periods * all_.sums[0].mean_s());
+  if (!(all_.sums[0].square_mm2 > 0.0) || grid_start_s_ >= max_correlation_s || std::isinf(quantum_mm(rests_)))
+    return false;
   best_ = fit(all_);
   return true;
 }
 
 RestNoiseFit::Parts RestNoiseFit::fit(const StructureFunction& differences) const {
-  Parts best{{0.0, 0.0, HUGE_VAL}, min_s_};
-  for (int i = 0; i < times; ++i) {
-    const double correlation_s = min_s_ * exponential(logarithm(max_correlation_s / min_s_) * i / (times - 1));
+  Parts best{{0.0, 0.0, HUGE_VAL}, grid_start_s_};
+  for (int i = 0; i < grid_points; ++i) {
+    const double correlation_s =
+        grid_start_s_ * exponential(logarithm(max_correlation_s / grid_start_s_) * i / (grid_points - 1));
     const NoiseParts parts = separate(differences, correlation_s);
     if (parts.cost < best.parts.cost) best = {parts, correlation_s};
   }
@@ -163,7 +166,7 @@ StructureFunction RestNoiseFit::all_but(const StructureFunction& block) const {
 
 void RestNoiseFit::describe() {
   std::vector<double> white, correlated, log_time;
-  for (const Parts& without : without_) {
+  for (const Parts& without : fits_without_one_block_) {
     white.push_back(without.parts.white_mm2);
     correlated.push_back(without.parts.correlated_mm2);
     log_time.push_back(logarithm(without.correlation_s));
@@ -190,7 +193,7 @@ void RestNoiseFit::describe() {
     if (off_mm2 > max_misfit_share * total_mm2 + max_misfit_deviations * jackknifed(means)) fits = false;
   }
   const bool is_correlated = noise_.correlated_mm.lower > 0.0;
-  const bool within = noise_.correlation_s.lower > min_s_ && noise_.correlation_s.upper < max_correlation_s;
+  const bool within = noise_.correlation_s.lower > grid_start_s_ && noise_.correlation_s.upper < max_correlation_s;
   noise_.correlation_s.known = is_correlated && within;
   if (is_correlated && !noise_.correlation_s.known) noise_.correlated_mm.known = false;
   const double min_separate_s = min_separate_periods * all_.sums[0].mean_s();

@@ -46,13 +46,13 @@ class RestNoiseFit {
   void describe();
 
   std::vector<std::vector<TimedPoint>> rests_;
-  std::vector<PlatePoint> middles_;  // median position of each rest
-  std::vector<double> distances_;    // distance of each position from the median of its rest; empty after screen()
+  std::vector<PlatePoint> rest_medians_;
+  std::vector<double> distances_;  // distance of each position from the median of its rest; empty after screen()
   std::vector<StructureFunction> blocks_;
   StructureFunction all_;
-  double min_s_ = 0.0;          // lower end of the grid of correlation times
-  Parts best_{};                // fit of all blocks
-  std::vector<Parts> without_;  // fits that each leave out one block
+  double grid_start_s_ = 0.0;
+  Parts best_{};  // fit of all blocks
+  std::vector<Parts> fits_without_one_block_;
   RestNoise noise_;
 };
 
