@@ -27,7 +27,7 @@ struct CurvePoint {
   Interval shift_deg;
 };
 
-/// Result. `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not determine the
+/// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not determine the
 /// estimate. An offset is the angle from the motion to the ridge normal.
 struct Calibration {
   /// shift of the perceived direction divided by the offset, at offsets of 60 degrees, mean of both sides
@@ -90,7 +90,7 @@ class CalibrationFit {
 
   std::vector<CalibrationTrial> trials_;
   double goal_direction_deg_;
-  std::size_t trial_ = 0;  // index of the next slide to reduce
+  std::size_t next_trial_ = 0;
   CalibrationSlides slides_;
   std::optional<PersonFitting> person_;
   std::optional<std::vector<std::vector<TimedPoint>>> rests_;  // rests before the slides described so far

@@ -9,7 +9,7 @@
 
 namespace hrt {
 
-/// Parameters of a participant. The defaults are condition 1 of the paper's Table I; the paper does not give the
+/// Parameters of a participant. The defaults are condition 1 of the paper's Table I. The paper does not give the
 /// sensory variance; with the default, simulations agree with that table.
 struct Participant {
   /// w_T: fraction of touch in the perceived direction, in (0, 0.5); the rest is proprioception.

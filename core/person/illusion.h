@@ -19,8 +19,9 @@ struct Illusion {
   double slowness = 0.0;  ///< A >= 0; 0 for a finger so fast that nothing decays
 };
 
-/// Returns the illusion of a finger at `speed_mm_s` that has travelled `travelled_mm`; ridges are 10 mm apart. At
-/// 17 mm/s, A is 1, and the last factor is 1 - f / 2 across the ridges. Before the first ridge is crossed, A is large.
+/// Returns the illusion of a finger at `speed_mm_s` that has travelled `travelled_mm`; ridges are 10 mm apart. Before
+/// the first ridge is crossed, A is large. After several ridges, A is 1 at 17 mm/s, and g across the ridges is
+/// multiplied by 1 - f / 2.
 Illusion illusion_at(double weight, double curve, double fading, double speed_mm_s, double travelled_mm,
                      const Tuning& tuning);
 

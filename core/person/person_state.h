@@ -1,5 +1,5 @@
 // States of the person filter, one row each. The first `traits` states describe a person and are carried from reach to
-// reach; their indices in the C interface are named HRT_PERSON_ and the name.
+// reach; HRT_PERSON_WEIGHT to HRT_PERSON_LOG_WANDER in session.h are their indices in the C interface.
 #pragma once
 
 #include <limits>

@@ -25,7 +25,7 @@ struct TraitTuning {
 
 struct Tuning {
   // Prior. The arguments of unknown_person() give the mean and SD of the tactile weight, and the mean of the bias. Mean
-  // and SD of weight and curve are multiples of this SD; the mean of the weight is relative to the given mean.
+  // and SD of weight and curve are multiples of this SD; the given mean is added to the mean of the weight.
   TraitTuning traits[PersonState::traits] = {
       {0.9, 1.7, 0.004, 0.05},  // weight
       {1.1, 1.6, 0.01, 0.02},   // curve

@@ -66,8 +66,9 @@ struct PlateCommand {
   double finger_direction_deg = 0.0;     ///< direction of motion, estimated or predicted
   double bearing_deg = 0.0;              ///< bearing of the finger from the start of the reach; 0 before the motion
   double perceived_direction_deg = 0.0;  ///< perceived direction; under the paper's controller, at the end of the step
-  /// direction to which the finger is steered: that of the real target from the finger; under the paper's controller,
-  /// that of the real target from the start or the last retarget, or the nearest feasible direction
+  /// direction to which the finger is steered. Controller for people: that of the real target from the finger or, close
+  /// to the target, from the start or the last retarget. Paper's controller: that of the real target from the start or
+  /// the last retarget, or the nearest feasible direction
   double aimed_direction_deg = 0.0;
   /// estimate; under the controller for people, the shift of the perceived direction by ridges at 60 degrees to the
   /// motion, divided by 60 degrees
@@ -79,9 +80,9 @@ struct PlateCommand {
   double felt_error_deg = 0.0;      ///< estimated present perceived-direction error; 0 under the paper's controller
   double predicted_miss_deg = 0.0;  ///< predicted bearing of the position of arrival minus that of the real target
   /// SD of the true position of the finger across the line to the real target, as an angle from the start; includes the
-  /// uncertainty of filter, registration and tracker.
+  /// uncertainty of filter, registration and tracker. 180 before the motion and under the paper's controller
   double bearing_error_sd_deg = unknown_miss_sd_deg;
-  double nis = 0.0;                        ///< mean normalised innovation squared of recent positions; expected: 2
+  double nis = 0.0;  ///< mean normalised innovation squared of recent positions, expected: 2; 0: paper's controller
   std::int64_t step = -1;                  ///< model step; -1 before the motion
   ActiveBound active = ActiveBound::none;  ///< bound that limits the command
   bool for_people = false;                 ///< true: controller for people; false: the paper's controller

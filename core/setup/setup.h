@@ -68,8 +68,8 @@ class Setup {
   void close();
   /// Ends the current part without a result, and drops the parts that need its result.
   void drop(SetupProblem problem, std::string_view reason);
-  /// Calibration and retest: requests more slides. Other parts: repeats the part, or drops it at the rejected fit
-  /// number max_rejected_fits.
+  /// Calibration and retest: requests more slides. Other parts: repeats the part, or drops it after max_rejected_fits
+  /// rejected fits.
   void repeat(SetupProblem problem, std::string_view reason);
   std::uint32_t dropped() const { return dropped_; }
   /// The last dropped part. Requires dropped() != 0.
