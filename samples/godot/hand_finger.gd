@@ -1,5 +1,4 @@
-## The tip of the index finger of a hand that OpenXR tracks. Draws the joints and bones of the hand. This node must be a
-## child of the XROrigin3D.
+## The tip of the index finger of a hand that OpenXR tracks; draws the hand. Must be a child of the XROrigin3D.
 class_name HandFinger
 extends Finger
 

@@ -1,5 +1,4 @@
-## A simulated person, who follows the instructions of the session. The plugin simulates the slides, which the plate
-## deflects. No real person took part.
+## A simulated person, who follows the session's instructions. The plugin simulates slides, which the plate deflects.
 class_name SimulatedFinger
 extends Finger
 
@@ -20,7 +19,7 @@ var _plate: HapticRetargeting
 var _seed: int
 var _plate_pose: Transform3D
 var _target_ahead: int
-var _skin_position := LIFT  # position of the skin in plate coordinates
+var _skin_position := LIFT  # in plate coordinates
 var _waypoints: Array[Vector3] = []  # next positions of the skin
 var _rotation_of_joint := Vector3.ZERO
 var _sliding := false

@@ -1,5 +1,4 @@
-// Reloads scripts as Unity's editor does: their domain is unloaded with all open objects, and the library stays
-// loaded.
+// Reloads scripts as Unity's editor does: unloads their domain with all open objects, and keeps the library loaded.
 using System;
 using System.IO;
 using System.Runtime.InteropServices;

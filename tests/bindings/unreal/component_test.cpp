@@ -1,5 +1,4 @@
-// Tests the Unreal component with stubs of the engine's types; see stubs/CoreMinimal.h for the limits of such
-// tests.
+// Tests the Unreal component with stubs of the engine's types (stubs/CoreMinimal.h).
 
 #include <gtest/gtest.h>
 
@@ -232,7 +231,7 @@ TEST_F(Component, TakesTheEstimatesOfAReach) {
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }
 
-// The plate of the scene is at (0.12, 0.75, -0.32) m, rotated by 20 degrees to the left.
+// In the axes of the file, the plate is at (0.12, 0.75, -0.32) m, rotated by 20 degrees to the left.
 TEST_F(Component, LoadsAScene) {
   TArray<FHapticTarget> ids;
   TArray<FHapticSceneTarget> targets;
@@ -257,7 +256,7 @@ TEST_F(Component, LoadsAScene) {
   EXPECT_EQ(ids.Num(), 4);
 }
 
-// The simulated person touches the marks of a plate at (0.3, 0.75, -0.4) m, rotated by 20 degrees to the left.
+// In the plugin's axes, the simulated plate is at (0.3, 0.75, -0.4) m, rotated by 20 degrees to the left.
 TEST_F(Component, SetupMovesThePlateToItsMeasuredPose) {
   const int32 both = static_cast<int32>(HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION);
   EXPECT_FALSE(component_.BeginSetup(0));

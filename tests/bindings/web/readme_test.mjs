@@ -1,7 +1,6 @@
 // Compiles the README's examples as strict TypeScript with the types of three.js, and runs them, with test doubles of
 // a renderer and a headset's frames.
-//
-//   node readme_test.mjs PACKAGE README MODULES TYPES FOLDER    MODULES has typescript and three, TYPES the types of three.js
+//   usage: node readme_test.mjs PACKAGE README MODULES TYPES FOLDER    MODULES has typescript and three, TYPES the types of three.js
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { cpSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
