@@ -6,8 +6,7 @@ export function launch(...more) {
     "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more] });
 }
 
-/** Runs in the page. After it, performance.now() and the callbacks of requestAnimationFrame() advance only by
- *  drawFrame(). */
+/** Runs in the page: performance.now() and animation frames then advance by drawFrame() only. */
 export function stopTime() {
   let now_ms = 0, waiting = [];
   performance.now = () => now_ms;

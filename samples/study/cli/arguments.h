@@ -1,5 +1,4 @@
-// Options of the subcommands: parsers and checks in addition to those of CLI11. Help and error messages both state what
-// is allowed.
+// Options of the subcommands. Help and error messages both state what is allowed.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,7 +18,6 @@ struct PeopleFamily;
 
 namespace hrt::study {
 
-/// Allowed numbers of an option or of a field in a file.
 struct NumberRange {
   double low;
   double high;
@@ -88,7 +86,6 @@ CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<Pers
 
 /// Adds --tune, which sets `tuning` to its defaults with the given fields: NAME=VALUE[,NAME=VALUE...].
 CLI::Option* add_tuning(CLI::App& app, Tuning& tuning);
-/// Returns the names that --tune accepts, with their ranges.
 std::string tuning_names();
 
 /// Splits `text` at separators, and keeps empty parts; returns at least one part.

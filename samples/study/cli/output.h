@@ -39,7 +39,7 @@ class Output {
   /// Throws UsageError naming `argument` if `path` cannot be written, or if another argument names the same file.
   Output(const std::string& argument, const std::string& path);
 
-  /// Writes the complete result. Throws std::runtime_error on failure.
+  /// Throws std::runtime_error on failure.
   void write(std::string_view content) const;
 
  private:

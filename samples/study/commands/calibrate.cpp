@@ -25,7 +25,6 @@ struct CalibrationReport {
   Calibration calibration;
 };
 
-// A value of a calibration, with its label and number of decimals.
 struct EstimatedTrait {
   const char* name;   // name in JSON
   const char* words;  // label with its unit

@@ -44,7 +44,6 @@ struct CoverageOptions {
 enum Quantity { weight, bias, habit, max_gap, quantities };
 constexpr const char* quantity_name[quantities] = {"weight", "bias", "habit", "max_gap"};
 
-// True value and interval of each quantity of one person.
 struct CoveragePerson {
   bool refused = false;  // the calibration failed: no intervals
   std::array<double, quantities> truth{};

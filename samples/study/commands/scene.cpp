@@ -82,7 +82,6 @@ std::string text(const Scene& scene, const SceneOptions& options) {
   return page;
 }
 
-// Returns one row per pair and tactile weight.
 Results results(const Scene& scene, const SceneOptions& options) {
   Results found{.about = {{"simulation", true},
                           {"plate_node", scene.plate.node_path},

@@ -26,9 +26,8 @@ class CsvReader {
   std::string_view text(std::string_view column) const;
   double number(std::string_view column, const NumberRange& range) const;
 
-  /// Returns an error: `text`, the value of `what` in this line, is not `allowed`.
+  /// Returns an error: the value of `what` or `column` in this line is not `allowed`.
   UsageError wrong(const std::string& what, std::string_view text, const std::string& allowed) const;
-  /// Returns an error: the value of `column` in this row is not `allowed`.
   UsageError wrong(std::string_view column, const std::string& allowed) const;
 
  private:

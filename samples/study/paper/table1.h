@@ -17,7 +17,7 @@ struct Table1Options {
   std::uint64_t horizon = 3;
   double sensory_variance_deg2 = 0.1;
   double plate_bound_deg = 84.5;  ///< largest angle between plate orientation and virtual direction
-  std::uint64_t steps = 30;       ///< number of steps of a reach
+  std::uint64_t steps = 30;
   std::uint64_t threads = 1;
 };
 
@@ -28,7 +28,6 @@ struct Cell {
   std::optional<double> paper_percent;  ///< nullopt: the paper has no value for this cell
 };
 
-/// A group of cells with the paper's mean over them.
 struct CellGroup {
   std::string name;  ///< name in CSV and JSON
   std::string title;

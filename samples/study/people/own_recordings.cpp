@@ -101,7 +101,6 @@ RecordedReach checked_reach(const std::string& name, double number, const Sample
   return reach_of(motion);
 }
 
-// Returns the .csv files of a folder, sorted by name.
 std::vector<std::string> csv_files(const std::string& argument, const std::string& folder) {
   namespace fs = std::filesystem;
   const auto refuse = [&](const std::string& why) {

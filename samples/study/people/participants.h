@@ -11,7 +11,6 @@
 
 namespace hrt::study {
 
-/// Columns of calibration data, in output order.
 inline constexpr const char* calibration_header = "trial,time_s,right_m,away_m,plate_orientation_deg";
 
 /// A simulated person's session: `trials_per_angle` slides at each plate angle, in random order.

@@ -49,26 +49,26 @@ struct ReachResult {
   std::optional<bool> miss_covered;    ///< bearing error at the end
 
   bool near() const;         ///< ends within near_deg (1.5) of the real target's bearing
-  bool silent() const;       ///< misses, and no flag is raised
+  bool silent() const;       ///< is not near, and no flag is raised
   bool false_alarm() const;  ///< is near, and flagged unreachable or off target
 };
 
-/// Statistics of many reaches, with 95 % intervals.
+/// Statistics of the members of ReachResult.
 struct ReachGroup {
   Share near;
   Quantile miss_median_mm;
   Quantile miss_95_mm;  ///< 95 % quantile of the misses
   Quantile peak_felt_error_median_deg;
   Quantile peak_felt_error_95_deg;
-  Share unreachable;  ///< flagged unreachable in this reach
-  Share found;        ///< flagged unreachable in this or an earlier reach of the person
-  Share silent;       ///< missed without a flag
-  Share false_alarm;  ///< near, but flagged unreachable or off target
+  Share unreachable;
+  Share found;
+  Share silent;
+  Share false_alarm;
 };
 
 struct RobustnessCell {
   ReachGroup feasible;    ///< reaches of people for whom the gap is feasible
-  ReachGroup infeasible;  ///< reaches of the other people
+  ReachGroup infeasible;
   // Over all people.
   Share misfit;
   Share off_target;
@@ -109,7 +109,7 @@ struct RobustnessOptions {
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
   std::vector<PersonState::Index> informed_of{std::begin(informed_traits), std::end(informed_traits)};
-  Tuning tuning;  ///< parameters of our controller
+  Tuning tuning;
 };
 
 /// Simulates all people at all durations; the durations of one kind are adjacent rows. Person i of a kind and duration
@@ -130,7 +130,7 @@ Share pooled(std::span<const RobustnessRow> rows, ControllerKind controller,
 struct RobustnessStudy {
   RobustnessOptions options;
   std::vector<SimulatedPeople> people;
-  std::vector<RobustnessRow> rows;  ///< result of simulate_robustness()
+  std::vector<RobustnessRow> rows;
 };
 
 /// Returns the name of the people with its mark: + systematic error of tracker or plate, ~ recorded paths, or else *

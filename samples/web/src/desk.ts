@@ -13,8 +13,7 @@ const turn_rad = 0.15;
 
 interface Label {
   readonly element: HTMLElement;
-  /** Position of the label relative to the object that it names: 1 right, -1 left, 0 above. Right and left are
-   *  exchanged if the glass is to the right of the cylinder. */
+  /** 1: right of the named object, -1: left, 0: above. A glass to the right exchanges right and left. */
   readonly side: number;
   place: Readonly<Place>;
   readonly height_m: number;
@@ -72,7 +71,6 @@ export class Desk {
     this.#named.glass.place = ahead(start, course.virtual_deg, course.virtual_m);
     this.#change((stage) => stage.setTargets(course));
   }
-  /** Shows the view from the visitor's seat; `turns`: a drag rotates it. */
   setView(turns: boolean): void {
     this.stage?.setView(turns);
     this.#placeGrip();
@@ -104,15 +102,13 @@ export class Desk {
     this.#placeGrip();
   }
 
-  /** Simplifies the picture after eight successive frames of 60 to 1000 ms, which suggest software rendering.
-   *  `elapsed_ms`: time since the last frame. */
+  /** Simplifies the picture after eight successive frames of 60 to 1000 ms, which suggest software rendering. */
   ease(elapsed_ms: number): void {
     this.#slowFrames = elapsed_ms > 60 && elapsed_ms < 1000 ? this.#slowFrames + 1 : 0;
     if (this.#slowFrames === 8) this.#change((stage) => stage.lighten());
   }
 
-  /** Shows the true hand with this opacity and this fraction of its path, 0 to 1. At 0, the cylinder and two labels are
-   *  hidden too. */
+  /** Shows the true hand, its path, the cylinder and their labels by this fraction, from 0 (hidden) to 1. */
   reveal(fraction: number): void {
     if (fraction === this.#revealed) return;
     this.#revealed = fraction;
@@ -127,7 +123,6 @@ export class Desk {
     this.#drawn = "";
   }
 
-  /** Shows plate and targets of a visitor's scene; null: the page's own. */
   setScene(scene: VisitorScene | null): void {
     this.#change((stage) => stage.setScene(scene));
     for (const name of ["real", "glass"] as const) this.#named[name].element.hidden = scene !== null;
@@ -171,8 +166,7 @@ export class Desk {
     this.#flat.innerHTML = plate(plate_deg) + targets(this.#course, true, all) + hand;
   }
 
-  /** Places each label beside or above the object that it names, within the picture. Of the labels above objects, each
-   *  begins beyond the right end of the previous one. */
+  /** Places the labels within the picture. Those above objects do not overlap unless they reach the edge. */
   #drawLabels(stage: Stage): void {
     const { clientWidth, clientHeight } = this.canvas,
       gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth),
@@ -191,8 +185,7 @@ export class Desk {
     }
   }
 
-  /** Writes the distances at the end of a slide (null: it has not ended), and the positions of ring, glass and dot in
-   *  the picture, to data attributes, for tests. */
+  /** Writes distances of a finished slide and positions in the picture to data attributes, for tests. */
   write(result: SlideEnd | null, dot: Readonly<Place>): void {
     const { dataset } = this.frame;
     for (const [name, place] of Object.entries({ start, glass: this.#named.glass.place, dot })) {

@@ -30,14 +30,12 @@ const turned_deg = 50;
 
 interface Figure {
   readonly caption: string;
-  /** Description of the picture for visitors who do not see it. */
-  readonly picture: string;
+  readonly altText: string;
   readonly height?: number;
   readonly range: readonly [min: number, max: number, value: number];
   /** Slider value for a drag to this position in the picture. The slider limits it to its range. */
   readonly value: (at: Place) => number;
   readonly draw: (value: number) => string;
-  /** Sentence below the picture. */
   readonly text: (value: number) => string;
 }
 
@@ -78,7 +76,7 @@ export function showFigures(library: Library): void {
   const figures: readonly Figure[] = [
     {
       caption: "Drag the fingertip over the ridge. Skin feels a ridge that it crosses. Along a ridge it feels nothing.",
-      picture: "A fingertip from the side, over one ridge",
+      altText: "A fingertip from the side, over one ridge",
       height: 100,
       range: [-70, 70, -40],
       value: ({ right_m }) => 1000 * right_m,
@@ -100,7 +98,7 @@ export function showFigures(library: Library): void {
       caption:
         "Drag around the plate to turn it. A fingertip cannot feel how it moves along a ridge. It only feels ridges that it " +
         "crosses, as a push at a right angle to them.",
-      picture: "The plate from above, with the push of its ridges",
+      altText: "The plate from above, with the push of its ridges",
       range: [-60, 60, 40],
       value: (at) => bearing_deg(start, at),
       draw: (plate_deg) => plate(plate_deg) + arrow("touch", start, normal_deg(plate_deg, 0), 0.08),
@@ -110,7 +108,7 @@ export function showFigures(library: Library): void {
       caption:
         "Turn it again. The hand goes straight ahead (blue). Muscles say so, the ridges say something else (green), and the " +
         "brain mixes the two (orange).",
-      picture: "The plate with the true motion, the push of its ridges, and the perceived motion",
+      altText: "The plate with the true motion, the push of its ridges, and the perceived motion",
       range: [-60, 60, 40],
       value: (at) => bearing_deg(start, at),
       draw: (plate_deg) => plate(plate_deg) + arrows(start, plate_deg, 0, felt(plate_deg, 0), 0.08),
@@ -118,7 +116,7 @@ export function showFigures(library: Library): void {
     },
     {
       caption: "Now drag the hand. Find the direction that feels straight ahead.",
-      picture: "The plate stays turned, and the hand goes another way",
+      altText: "The plate stays turned, and the hand goes another way",
       range: [-40, 40, 0],
       value: (at) => bearing_deg(start, at),
       draw: (hand_deg) =>
@@ -131,7 +129,7 @@ export function showFigures(library: Library): void {
       caption:
         "Drag the hand to the glass. A person who slides there corrects the hand without thinking, until it feels right. Here " +
         "a computer plays the person.",
-      picture: "A person slides to the glass over turned ridges",
+      altText: "A person slides to the glass over turned ridges",
       range: [0, 100, 100],
       value: ({ away_m }) => (100 * (away_m - start.away_m)) / distance_m,
       draw: (percent) => {
@@ -151,7 +149,7 @@ export function showFigures(library: Library): void {
       caption:
         "Drag the cylinder. The computer turns the plate so that the hand ends there, while the person feels it go to the " +
         "glass. In three slides, it learns how much this person relies on touch.",
-      picture: "The plate turns, and the hand ends at the cylinder while the glass is felt",
+      altText: "The plate turns, and the hand ends at the cylinder while the glass is felt",
       range: [0, 30, 16],
       value: (at) => -2 * bearing_deg(start, at),
       draw: (gap_deg) => guided(Math.abs(gap_deg)) + word("real", { right_m: 0.045, away_m: 0.068 }, "drag it"),
@@ -164,14 +162,14 @@ export function showFigures(library: Library): void {
 }
 
 function show(
-  { caption, picture, height = 160, range: [min, max, first], value, draw, text }: Figure,
+  { caption, altText, height = 160, range: [min, max, first], value, draw, text }: Figure,
   i: number,
 ): void {
   element("figures-end", HTMLParagraphElement).insertAdjacentHTML(
     "beforebegin",
     `<figure>
       <figcaption><label for="see-${i}">${i}. ${caption}</label></figcaption>
-      <svg id="figure-${i}" viewBox="-80 ${-height / 2} 160 ${height}" role="img" aria-label="${picture}"></svg>
+      <svg id="figure-${i}" viewBox="-80 ${-height / 2} 160 ${height}" role="img" aria-label="${altText}"></svg>
       <p id="words-${i}" role="status"></p>
       <input type="range" id="see-${i}" min="${min}" max="${max}" value="${first}">
     </figure>`,

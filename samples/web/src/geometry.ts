@@ -24,15 +24,13 @@ export interface Course {
   readonly virtual_m: number;
 }
 
-/** Returns the page's targets: half of the gap to the right of the mid-line the cylinder, half to the left the
- *  glass. */
+/** Returns the page's targets, each half of the gap from the mid-line: the cylinder right, the glass left. */
 export function pageCourse(gap_deg: number): Course {
   return { start, real_deg: -gap_deg / 2, real_m: distance_m, virtual_deg: gap_deg / 2, virtual_m: distance_m };
 }
 
 export const degree = Math.PI / 180;
 
-/** Returns the position at this distance and direction from `from`. */
 export function ahead(from: Readonly<Place>, direction_deg: number, length_m: number): Place {
   return {
     right_m: from.right_m - length_m * Math.sin(direction_deg * degree),

@@ -21,8 +21,7 @@ export const plateLatency_ms = 30;
 /** Maximum number of steps in a trace: 41 s of a slide by the pointer, whose steps last 10 ms. */
 export const maxTrace = 4096;
 
-/** True and perceived state of a hand. Directions are NaN at rest, `weight` if the controller is off, `felt` in a
- *  recording. */
+/** State of a hand. Directions are NaN at rest, `weight` if the controller is off, `felt` in a recording. */
 export interface Step {
   readonly time_ms: number;
   readonly plate_deg: number;
@@ -37,7 +36,7 @@ export interface Step {
 export type Trace = Step[];
 
 export abstract class GuidedReach {
-  /** Trace of the current reach: a new array for each reach. */
+  /** A new array for each reach. */
   trace: Trace = [];
   /** Orientation of a connected plate, which replaces the simulated one. NaN: no plate is connected. */
   plateConnected_deg = NaN;
@@ -89,8 +88,7 @@ export abstract class GuidedReach {
     this.session.setTarget(this.virtual, { direction_deg: virtual_deg, distance_m: virtual_m });
   }
 
-  /** Cancels a running reach, whose samples the controller discards. Stops the recording and returns it; "" if there is
-   *  none. */
+  /** Cancels a running reach. Stops the recording and returns it; "" without a recording. */
   protected cancel(): string {
     if (this.session.state & hrt.HRT_STATE_REACHING) this.session.cancelReach();
     return this.session.state & hrt.HRT_STATE_RECORDING ? this.session.stopRecording() : "";
@@ -103,7 +101,6 @@ export abstract class GuidedReach {
     this.session.beginReach(this.real, this.virtual, plate_deg);
   }
 
-  /** Appends a step to the trace, unless the trace is full. */
   protected record(step: Omit<Step, "weight" | "weight_sd">): void {
     if (this.trace.length === maxTrace) return;
     const { tactile_weight, tactile_weight_sd } = this.command,

@@ -18,7 +18,6 @@ export function check(name: string, value: string): void {
   for (const radio of radios(name)) radio.checked = radio.value === value;
 }
 
-/** Inserts a row into a table; `index` -1: at its end. */
 export function addRow(body: HTMLTableSectionElement, texts: readonly string[], index = -1): HTMLTableRowElement {
   const row = body.insertRow(index);
   for (const text of texts) row.insertCell().textContent = text;

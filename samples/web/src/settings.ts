@@ -3,8 +3,7 @@ import { element, say } from "./page";
 
 export type ControllerName = "off" | "paper" | "ours";
 
-/** Modes of the page: "Try it", "Watch", "Wear it" and "Your scene". The last one needs a file: links cannot choose
- *  it. */
+/** Modes "Try it", "Watch", "Wear it" and "Your scene". A link cannot choose the last one, which needs a file. */
 export const modes = ["hand", "watch", "wear", "scene"] as const;
 export type Mode = (typeof modes)[number];
 const linkedModes = modes.slice(0, 3);
@@ -91,8 +90,7 @@ export class SettingsForm {
     return { mode, problems };
   }
 
-  /** Returns "" if the value is allowed. Otherwise sets the default and returns the allowed values; null: no such
-   *  setting. */
+  /** Returns "". If the value is not allowed, sets the default and returns the allowed ones; null: no such setting. */
   #set(name: string, text: string): string | null {
     const control = this.#form.elements.namedItem(name);
     if (control instanceof RadioNodeList) {

@@ -1,5 +1,4 @@
-// Reaches of the plugin's simulated person (hrt_person), controlled by the plugin. The person also simulates the
-// tracker and the servo of the plate.
+// Reaches of the plugin's simulated person, who also simulates the tracker and the servo, controlled by the plugin.
 import type { Library, Person } from "haptic-retargeting";
 import { bearing_deg, type Course, length_m, type Place, pageCourse, type SlideEnd, slideEnd } from "./geometry";
 import { GuidedReach, plateLatency_ms, type Step, type Trace } from "./guided_reach";
@@ -33,8 +32,7 @@ export class SimulatedReach extends GuidedReach {
   number = 1;
   #person: Person | null = null;
   #personConfig = "";
-  /** Number of samples of the tracker in this reach. */
-  #samples = 0;
+  #sampleCount = 0;
   /** Time until which the reach is shown. */
   #shown_ms = 0;
   #stoppedAt_ms = NaN;
@@ -60,8 +58,7 @@ export class SimulatedReach extends GuidedReach {
     return this.session.profile;
   }
 
-  /** Begins a reach under these settings. If the person, their tactile weight or pace, or the controller has changed,
-   *  discards the estimates of the person and returns true. */
+  /** Begins a reach. If the person or the controller has changed, discards the estimates and returns true. */
   apply(settings: Readonly<Settings>): boolean {
     const before = this.settings,
       unknown = (["person", "tactile_weight", "pace_s", "controller"] as const).some(
@@ -82,15 +79,14 @@ export class SimulatedReach extends GuidedReach {
     return unknown;
   }
 
-  /** Cancels a running reach, and begins the next one over a plate at `plate_deg`. A reach that is cancelled before its
-   *  hand moves does not count in `number`. */
+  /** Begins the next reach over a plate at `plate_deg`. A reach without a motion is not counted in `number`. */
   begin(plate_deg = 0): void {
     if (this.phase !== "waiting") ++this.number;
     this.beginReach(plate_deg);
     this.#choosePerson().begin(this.session, this.virtual);
     this.phase = "waiting";
     this.result = null;
-    this.#samples = this.#shown_ms = this.#peakFeltError_deg = 0;
+    this.#sampleCount = this.#shown_ms = this.#peakFeltError_deg = 0;
     this.#stoppedAt_ms = NaN;
     this.#still_deg = plate_deg;
     this.#sample();
@@ -117,7 +113,7 @@ export class SimulatedReach extends GuidedReach {
 
   advance(milliseconds: number): void {
     this.#shown_ms += milliseconds;
-    while (this.phase !== "arrived" && this.#time_ms < this.#shown_ms) this.#sample();
+    while (this.phase !== "arrived" && this.#sampleTime_ms < this.#shown_ms) this.#sample();
   }
 
   finish(): void {
@@ -129,7 +125,7 @@ export class SimulatedReach extends GuidedReach {
     const { trace } = this,
       after = trace.at(-1)!,
       before = trace.at(-2) ?? after,
-      part = Math.min(1, 1 - (this.#time_ms - this.#shown_ms) / period_ms);
+      part = Math.min(1, 1 - (this.#sampleTime_ms - this.#shown_ms) / period_ms);
     const mix = (from: Readonly<Place>, to: Readonly<Place>) => ({
       right_m: from.right_m + part * (to.right_m - from.right_m),
       away_m: from.away_m + part * (to.away_m - from.away_m),
@@ -138,19 +134,18 @@ export class SimulatedReach extends GuidedReach {
     return { ...after, plate_deg, finger: mix(before.finger, after.finger), felt: mix(before.felt, after.felt), trace };
   }
 
-  /** Time of the last sample. */
-  get #time_ms(): number {
-    return (this.#samples - 1) * period_ms;
+  get #sampleTime_ms(): number {
+    return (this.#sampleCount - 1) * period_ms;
   }
 
   /** Advances the person over the commanded or connected plate, and passes a sample of the tracker to the plugin. */
   #sample(): void {
-    const still = this.#samples === 0 || this.controller === "off",
+    const still = this.#sampleCount === 0 || this.controller === "off",
       command_deg = still ? this.#still_deg : this.command.plate_orientation_deg;
     const plate_deg = Number.isNaN(this.plateConnected_deg) ? command_deg : this.plateConnected_deg;
-    ++this.#samples;
+    ++this.#sampleCount;
     const person = this.#person!,
-      time_ms = this.#time_ms,
+      time_ms = this.#sampleTime_ms,
       before = this.trace.at(-1)?.finger;
     person.move(this.session.sample, 1e6 * time_ms, plate_deg);
     this.session.update();

@@ -1,6 +1,5 @@
-// Sounds and, on devices that can, vibration for what a fingertip would feel: a burst of noise at each ridge, louder
-// for a faster finger, and a contact at the end. For visitors who steer by keys, tones indicate on which side of the
-// dot the glass lies.
+// Sounds and vibration for what a fingertip would feel: a burst of noise at each ridge, louder for a faster finger, and
+// a contact at the end. For visitors who steer by keys, tones indicate on which side of the dot the glass lies.
 import { element, say } from "./page";
 
 const loud_m_s = 0.2,
@@ -14,7 +13,6 @@ export class Sounds {
   #noise: AudioBuffer | null = null;
   #guided_s = -Infinity;
 
-  /** `still`: sound is off until the visitor turns it on. */
   constructor(still: boolean) {
     this.#on = !still;
     this.#show();
@@ -42,8 +40,7 @@ export class Sounds {
     this.#burst(180, 0.12, 0.8);
   }
 
-  /** Plays a tone, at most once in guidePeriod_s. `side`: where the glass lies, from -1 (left) to 1 (right). `way`:
-   *  fraction of the path that remains; the pitch rises as it decreases. */
+  /** Plays a tone. `side`: where the glass lies, -1 (left) to 1. `way`: fraction of the path that remains. */
   guide(side: number, way: number): void {
     const audio = this.#ready();
     if (!audio || audio.currentTime - this.#guided_s < guidePeriod_s) return;

@@ -1,5 +1,5 @@
-// From a server, page.js is loaded, and the parts that its first picture needs are preloaded. At a file: address
-// browsers load no parts, so offline.js contains the whole page. build.mjs inserts the names of the parts.
+// Loads the page and preloads the parts of its first picture, which build.mjs inserts. At a file: address, where
+// browsers load no parts, offline.js contains the whole page.
 const served = location.protocol !== "file:";
 for (const href of served ? [/* parts */] : []) {
   const link = document.createElement("link"), script = href.endsWith(".js");

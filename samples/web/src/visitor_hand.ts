@@ -1,5 +1,5 @@
-// Base class of the reaches of the visitor's own hand. It simulates the servo of the plate, and the perceived position
-// of the fingertip: the illusion of the ridges rotates each step of the motion, and the rotated steps are added.
+// Base class of the reaches of the visitor's own hand. It simulates the servo, and the perceived fingertip: the
+// illusion rotates each step of the motion, and the rotated steps are added.
 import type { Library } from "haptic-retargeting";
 import { ahead, direction_deg, feltDirection_deg, type Place, pageCourse, start } from "./geometry";
 import { GuidedReach, plateLatency_ms } from "./guided_reach";
@@ -25,11 +25,10 @@ class Servo {
     this.#pending.push({ due_ms: now_ms + plateLatency_ms, orientation_deg });
   }
 
-  /** `most_deg`: largest motion since the last call. */
-  advance(now_ms: number, most_deg: number): void {
+  advance(now_ms: number, maxMotion_deg: number): void {
     while (this.#pending[0] && this.#pending[0].due_ms <= now_ms)
       this.#target_deg = this.#pending.shift()!.orientation_deg;
-    this.orientation_deg += Math.max(-most_deg, Math.min(most_deg, this.#target_deg - this.orientation_deg));
+    this.orientation_deg += Math.max(-maxMotion_deg, Math.min(maxMotion_deg, this.#target_deg - this.orientation_deg));
   }
 }
 
@@ -68,7 +67,6 @@ export abstract class VisitorHand extends GuidedReach {
     this.finger_deg = this.felt_deg = NaN;
   }
 
-  /** Sends the plugin's last command to the simulated servo. */
   protected turnPlate(): void {
     this.#servo.command(this.command.plate_orientation_deg, this.time_ms);
   }

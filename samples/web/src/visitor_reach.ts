@@ -23,8 +23,7 @@ export const minReach_m = 0.03;
 /** Distance below which the perceived fingertip has reached the glass. */
 const near_m = 0.002;
 const step_ms = 10;
-/** Time of rest after which the reach is neither computed nor recorded until the fingertip moves: before the slide, in
- *  which the plate turns to its first orientation, and within the slide. */
+/** Rest, before and within the slide, after which the reach is not computed until the fingertip moves. */
 const settle_ms = 700,
   maxRest_ms = 1000;
 
@@ -67,20 +66,19 @@ export class VisitorReach extends VisitorHand {
     this.setTargets(this.course);
     this.beginReach(0);
     Object.assign(this.wanted, start);
-    this.#ridge = this.#ridgeUnder();
+    this.#ridge = this.#nearestRidge();
     this.#rested_ms = 0;
     this.phase = "waiting";
     this.result = null;
   }
 
-  /** Sets `wanted`. After the arrival, or with a value that is not finite, the call is ignored. */
+  /** Sets `wanted`. The call is ignored after the arrival, and for a value that is not finite. */
   moveTo(right_m: number, away_m: number): void {
     if (!Number.isFinite(right_m) || !Number.isFinite(away_m) || this.phase === "arrived") return;
     Object.assign(this.wanted, { right_m, away_m });
   }
 
-  /** Advances by whole milliseconds, with a sample of the fingertip for each step. The slide ends when the perceived
-   *  fingertip is at the glass, or as far from the start as the glass. */
+  /** Advances by whole milliseconds. The slide ends when the dot is at the glass, or as far from the start. */
   advance(milliseconds: number): void {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;
@@ -105,7 +103,7 @@ export class VisitorReach extends VisitorHand {
     );
     if (length_m(start, finger) > 0.002) this.phase = "sliding";
     if (this.phase === "sliding") this.recordHand();
-    const ridge = this.#ridgeUnder();
+    const ridge = this.#nearestRidge();
     this.ridges += Math.abs(ridge - this.#ridge);
     this.#ridge = ridge;
     sample.flags = HRT_SAMPLE_PLATE_POSITION;
@@ -118,15 +116,13 @@ export class VisitorReach extends VisitorHand {
     else if (this.time_ms > maxTrace * step_ms) this.end();
   }
 
-  /** Number of the ridge nearest to the fingertip. */
-  #ridgeUnder(): number {
+  #nearestRidge(): number {
     const angle = this.plate_deg * degree,
       { right_m, away_m } = this.finger;
     return Math.round((away_m * Math.cos(angle) - right_m * Math.sin(angle)) / ridgeSpacing_m);
   }
 
-  /** Lifts the fingertip. After a path below minReach_m the slide begins again; otherwise it ends, and the controller
-   *  discards it. */
+  /** Lifts the fingertip. A slide shorter than minReach_m begins again; the controller discards a longer one. */
   end(): void {
     if (this.phase !== "sliding") return;
     if (length_m(start, this.finger) < minReach_m) return this.begin();

@@ -30,10 +30,9 @@ after(async () => {
 });
 
 /** Opens a page, by default that for researchers in the mode "Watch", and calls `use` once the element `ready` exists.
- *  `before` is called before the page is opened; `script` runs in the page before its own scripts. `motion`: false:
- *  with reduced motion, so that a change shows the end of its reach immediately; true: time passes in calls of frames()
- *  only; "real": time passes as usual. `folder`: files to serve instead of the page. If `strict`, an error of the page
- *  or a request to another machine fails the test. `more`: options of the browser's context. */
+ *  `before` is called before the page is opened; `script` runs in the page. `motion`: false: reduced motion; true: time
+ *  passes in calls of frames() only; "real": as usual. `folder`: files to serve instead of the page. If `strict`, an
+ *  error of the page or a request to another machine fails the test. `more`: options of the browser's context. */
 export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "researchers.html#mode=watch", from = browser,
                             base = address, folder = null, strict = true, script = null, before = () => {}, ready = "html[data-ready=yes]", ...more } = {}) {
   const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce", ...more });

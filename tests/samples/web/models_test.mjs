@@ -206,8 +206,7 @@ test("six answers estimate the threshold with a wide interval, sixty answers pre
   assert.ok(sixty.lower_deg < 9 && 9 < sixty.upper_deg && sixty.upper_deg - sixty.lower_deg < 5, JSON.stringify(sixty));
 });
 
-/** Returns the covariance of the contact correction after a reach to the cylinder, in a headset over a registered
- *  plate. */
+/** Returns the contact covariance after a reach to the cylinder in a headset, over a registered plate. */
 function meet(hasCylinder) {
   const plate = new models.HapticPlate(), tip = { x: 0, y: 0, z: 0.05 };
   const hand = new Map([["index-finger-tip", 1]]), eyes = { transform: { orientation: { x: 0, y: 0, z: 0, w: 1 } } };

@@ -28,7 +28,6 @@ export class FilePanel {
     onFiles(element("open-file", HTMLInputElement), (files) => this.#open(files));
   }
 
-  /** Enables the button that saves a reach if there is a recording, and disables it otherwise. */
   allow(recorded: boolean): void {
     if (this.#saveRecording.disabled === recorded) this.#saveRecording.disabled = !recorded;
   }

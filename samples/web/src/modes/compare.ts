@@ -19,7 +19,6 @@ export class Compare {
     this.#moment.addEventListener("input", () => this.#show());
   }
 
-  /** Shows a slide instead of the previous one of its kind. */
   keep(kind: (typeof kinds)[number], trace: Trace, course: Course, name = `Plate ${kind}`): void {
     this.#slides[kind] = { trace, course, name };
     element("compare", HTMLElement).hidden = false;

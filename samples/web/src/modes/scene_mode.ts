@@ -13,7 +13,6 @@ export class SceneMode {
   readonly #about = element("scene-about", HTMLParagraphElement);
   readonly #pair = element("scene-pair", HTMLSelectElement);
 
-  /** `changed` is called when the visitor chooses another pair. */
   constructor(library: Library, settings: Readonly<Settings>, changed: () => void) {
     this.watch = new SimulatedReach(library, settings, ({ gap_deg }) => this.course ?? pageCourse(gap_deg));
     this.#pair.addEventListener("change", changed);

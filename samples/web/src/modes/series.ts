@@ -1,5 +1,5 @@
-// After a slide that reached the glass over a turning plate, the visitor answers whether they noticed the gap. QUEST+
-// (Watson 2017) chooses the next gap from the answers, and estimates the detection threshold after six of them.
+// The visitor's answers whether they noticed the gap, after slides that reached the glass. QUEST+ (Watson 2017) chooses
+// the next gap from them, and estimates the detection threshold after six answers.
 import { distance_m } from "../geometry";
 import { motionBound_deg } from "../guided_reach";
 import { element, say } from "../page";

@@ -11,8 +11,8 @@ import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
 const reveal_ms = 900;
-/** A mouse pointer that comes within grasp_m of the start moves the fingertip, without a press of its button. The
- *  offset of the pointer from the fingertip then decreases to 0 over the first fade_m of the path. */
+/** A mouse pointer within grasp_m of the start moves the fingertip without a press. Its offset from the fingertip then
+ *  decreases to 0 over the first fade_m of the path. */
 const grasp_m = 0.008,
   fade_m = 0.03;
 /** Smallest distance between dot and glass at the end of a slide that missed the glass. */
@@ -34,8 +34,7 @@ export class SlideMode {
   #shown_ms = 0;
   #pending_ms = 0;
 
-  /** `guided`: over a plate that turns; `unguided`: over one that does not. `still`: the hand appears without an
-   *  animation. */
+  /** `guided`: over a plate that turns; `unguided`: at rest. `still`: the hand appears without an animation. */
   constructor(
     private readonly guided: VisitorReach,
     private readonly unguided: VisitorReach,
@@ -101,7 +100,6 @@ export class SlideMode {
     this.#draw();
   }
 
-  /** Plays tones for a visitor who steers by keys. */
   #guide(): void {
     const { felt, course } = this.hand,
       glass = virtualPlace(course);

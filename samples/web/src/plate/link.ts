@@ -75,8 +75,7 @@ export class PlateLink {
 
   /** Token that identifies the lines of this page. */
   readonly #token = fiveDigits(1 + Math.floor(65535 * Math.random()));
-  /** Received bytes of a line whose end has not been received. */
-  #rest = "";
+  #partialLine = "";
   #began_ms = NaN;
   #received_ms = NaN;
   #reported_ms = NaN;
@@ -102,8 +101,8 @@ export class PlateLink {
   }
 
   receive(bytes: Uint8Array, now_ms: number): void {
-    const lines = (this.#rest + Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")).split("\n");
-    this.#rest = (lines.pop() ?? "").slice(0, max_bytes);
+    const lines = (this.#partialLine + Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")).split("\n");
+    this.#partialLine = (lines.pop() ?? "").slice(0, max_bytes);
     for (const line of lines) {
       const body = line.length < max_bytes ? decodeLine(line.replace(/\r$/, "")) : null;
       if (body !== null && !this.failure) this.#process(body, now_ms);
@@ -210,8 +209,8 @@ function fiveDigits(number: number): string {
   return String(number).padStart(5, "0");
 }
 
-/** Angles that differ by multiples of 180° have the same ridges. Returns the one within the plate's limits that is
- *  nearest to `plate_deg`, or, if none is within the limits, the nearest limit. */
+/** Returns the angle with the ridges of `wanted_deg` (180° periodic) within the limits that is nearest to `plate_deg`;
+ *  if there is none, the nearest limit. */
 function nearest(wanted_deg: number, plate_deg: number, { min_deg, max_deg }: PlateFacts): number {
   const turns = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((halfTurns) => (wanted_deg % 180) + 180 * halfTurns),
     allowed = turns.filter((angle_deg) => angle_deg >= min_deg && angle_deg <= max_deg),

@@ -53,8 +53,7 @@ export class Headset {
     this.#hands.position.set(right_m, 0, -away_m).applyQuaternion(this.stage.mount.quaternion);
   }
 
-  /** Starts to draw in the session, until it ends. `frame` is called before each picture, with the reference space of
-   *  put(). `moved` is called when recentring has moved that space. Rejects if the session cannot be shown. */
+  /** Draws until the session ends. `frame` is called before each picture, `moved` after the space has moved. */
   async present(
     session: XRSession,
     passthrough: boolean,

@@ -7,14 +7,12 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 const maxDrawn = 2_000_000;
 
 export interface SceneMeshes {
-  /** Meshes in plate coordinates, in metres. */
   readonly group: Group;
   /** Names of the targets that have a mesh. */
   readonly targets: ReadonlySet<string>;
 }
 
-/** Reads the meshes of a glTF file, with its plate at the origin and without the plate's mesh. `files`: all files that
- *  were opened together, by name. Rejects if the meshes cannot be read or have too many vertices. */
+/** Reads the meshes of a glTF file in plate coordinates, without the plate's own. `files`: the opened files by name. */
 export async function readMeshes(
   bytes: ArrayBuffer,
   files: ReadonlyMap<string, File>,

@@ -20,7 +20,7 @@ export function colourThings({ real, felt, text }: Colours): void {
   startPaint.color.set(text);
 }
 
-/** Creates a solid cylinder, the real target, whose base is at its origin. */
+/** The origin is at the base. */
 export function realCylinder(): THREE.Group {
   const cylinder = new THREE.Mesh(new THREE.CylinderGeometry(cylinderRadius_m, cylinderRadius_m, 0.03, 32), solid);
   cylinder.position.y = 0.015;

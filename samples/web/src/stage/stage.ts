@@ -31,7 +31,6 @@ export class Stage {
   readonly scene = new THREE.Scene();
   /** Parent of all objects on and above the plate, in plate coordinates. In a headset it has the pose of the plate. */
   readonly mount = new THREE.Group();
-  /** Rotates the view by a drag; disabled in the mode "Try it". */
   readonly orbit: OrbitControls;
   readonly #camera = new THREE.PerspectiveCamera(fieldOfView_deg, 1, 0.01, 5);
   readonly #disc = new THREE.MeshStandardMaterial({ roughness: 0.85 });
@@ -167,7 +166,7 @@ export class Stage {
     return { left, top, width: Math.max(...xs) - left, height: Math.max(...ys) - top };
   }
 
-  /** Shows the true hand with this opacity, and this fraction of its path: 0 to 1. The cylinder is hidden at 0. */
+  /** Shows the true hand, its path and the cylinder by this fraction, from 0 (hidden) to 1. */
   reveal(fraction: number): void {
     this.finger.fade(fraction);
     this.#truePath.shown = fraction;

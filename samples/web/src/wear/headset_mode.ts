@@ -54,7 +54,6 @@ export class HeadsetMode {
     this.wear.apply(settings);
   }
 
-  /** Processes a frame of the page. Call it while no headset is worn. */
   frame(): void {
     this.desk.draw(this.wear);
     this.#show();
@@ -123,7 +122,7 @@ export class HeadsetMode {
     const { stage } = this.desk,
       wear = this.wear;
     if (!stage || !this.#session) return;
-    if (Number.isNaN(this.#before_ms)) this.#standAhead(frame, space);
+    if (Number.isNaN(this.#before_ms)) this.#placeAheadOfEyes(frame, space);
     const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms;
     this.#before_ms = now_ms;
     this.onFrame();
@@ -145,8 +144,7 @@ export class HeadsetMode {
     this.#show();
   }
 
-  /** Shows the plate level and in front of the eyes. */
-  #standAhead(frame: XRFrame, space: XRReferenceSpace): void {
+  #placeAheadOfEyes(frame: XRFrame, space: XRReferenceSpace): void {
     const eyes = frame.getViewerPose(space)?.transform,
       { stage } = this.desk;
     if (!eyes || !stage) return;
@@ -160,8 +158,8 @@ export class HeadsetMode {
     stage.mount.rotation.set(0, yaw, 0);
   }
 
-  /** Returns the hand to be used. During a slide it is the hand that began it, before a slide the hand nearer to the
-   *  ring, and until the plate is placed the hand farther from the eyes. */
+  /** Returns the hand that began the slide; before a slide, the one nearer to the ring; until the plate is placed, the
+   *  one farther from the eyes. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
     const { wear } = this,
       eyes = frame.getViewerPose(space)?.transform.position,
@@ -197,7 +195,6 @@ export class HeadsetMode {
   }
 }
 
-/** Returns advice to the visitor after an error. */
 function advice(error: unknown): string {
   const name = error instanceof Error ? error.name : "";
   if (name === "NotSupportedError")

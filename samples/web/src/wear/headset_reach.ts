@@ -55,8 +55,7 @@ export class HeadsetReach extends VisitorHand {
     this.begin(false);
   }
 
-  /** Begins the placement of the plate by touches of its marks, or else by a pinch. `why`: text before the
-   *  instruction. */
+  /** Begins the placement of the plate, by touches of its marks or by a pinch. `why`: text before the instruction. */
   begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
     this.#placing = new Placement(byMarks ? this.session : null);
@@ -79,8 +78,7 @@ export class HeadsetReach extends VisitorHand {
     else this.restart();
   }
 
-  /** Processes one frame of the headset, whose callback was called at `now_ms`. `hand`: undefined if it is not
-   *  tracked. */
+  /** `now_ms`: time of the frame's callback. `hand`: undefined if it is not tracked. */
   frame(now_ms: number, frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
     const elapsed_ms = Math.min(maxFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
     this.#time_ms = now_ms;
@@ -159,8 +157,7 @@ export class HeadsetReach extends VisitorHand {
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
-  /** Ends the reach, from which the controller learns. A hand that ends at a real cylinder, over a connected plate that
-   *  was registered, also corrects the registration. */
+  /** Ends the reach. Over a connected, registered plate, a hand at a real cylinder corrects the registration. */
   #arrive(): void {
     this.result = slideEnd(this.finger, this.felt, pageCourse(this.settings.gap_deg));
     this.session.endReach();
@@ -178,7 +175,6 @@ export class HeadsetReach extends VisitorHand {
   }
 }
 
-/** Returns the position of a joint; null if the joint is not tracked. */
 function locate(name: XRHandJoint, frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): Vector3 | null {
   const joint = hand?.get(name),
     { x = NaN, y = NaN, z = NaN } = (joint && frame.getJointPose?.(joint, space)?.transform.position) ?? {};

@@ -21,7 +21,6 @@ const pointRadius_m = 0.012,
 const pinch =
   "Pinch your thumb and index finger where slides should start, and hold. The plate will lie in front of that point.";
 
-/** Detects a fingertip at rest. */
 export class RestDetector {
   /** Position at which the rest began. */
   readonly place = new Vector3();
@@ -62,7 +61,6 @@ export class RestDetector {
 }
 
 export class Placement {
-  /** Instruction to the visitor. */
   text = pinch;
   /** Pose of the plate in the world, once placed. */
   readonly position = new Vector3();
@@ -81,8 +79,7 @@ export class Placement {
     this.text = "Turn the plate to 0°, then touch its marks.";
   }
 
-  /** Processes a frame, and returns true once the plate is placed. `tip`: null if it is not tracked. `forward`
-   *  (direction in which the visitor looks) and `pinches` are used without marks. */
+  /** Returns true once the plate is placed. `tip`: null if not tracked. `forward`: where the visitor looks. */
   update(time_ms: number, tip: Vector3 | null, forward: Vector3, pinches: boolean): boolean {
     if (this.session) return this.#touch(this.session, time_ms, tip);
     const placed = this.#rest.update(time_ms, pinches ? tip : null),
