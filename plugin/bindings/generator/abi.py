@@ -44,7 +44,7 @@ class Value:
     member: str = ""  # path of a field in its struct: plate.max_speed_deg_s
     value: int = 0
     unsigned: bool = False
-    enumeration: str = ""  # enumeration of a constant
+    enumeration: str = ""  # enumeration to which a constant belongs
     values: str = ""  # enumeration whose constants are allowed
     elements: str = ""
     unit: str = ""
