@@ -81,8 +81,7 @@ typedef uint32_t hrt_plate_homing;
 typedef struct hrt_plate_options {
   uint32_t struct_size;
   /** Effect of hrt_plate_set() while the orientation is unknown. A plate without a sensor needs HOMING_SLOW after its
-   *  supply was switched on.
-   *  @default HRT_PLATE_HOMING_REFUSED */
+   *  supply was switched on. @default HRT_PLATE_HOMING_REFUSED */
   hrt_plate_homing homing;
   /** Time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() after which the plate stops at its present
    *  orientation, so that the plate does not keep moving if the application hangs. The next hrt_plate_set() moves the
@@ -165,7 +164,8 @@ typedef struct hrt_plate_report {
   char message[256];
 } hrt_plate_report;
 
-/** Starts to open a plate and returns immediately; hrt_plate_get() reports when the plate is ready, or why it failed.
+/** Starts to open a plate, and returns without waiting for the device; hrt_plate_get() reports when the plate is ready,
+ *  or why it failed.
  *  Opening does not move the plate: until the first hrt_plate_set(), a hobby servo gets no pulse and exerts no force,
  *  and a Dynamixel holds its position.
  *

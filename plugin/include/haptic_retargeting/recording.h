@@ -47,11 +47,10 @@ typedef struct hrt_recording_status {
   uint64_t rows_lost;
 } hrt_recording_status;
 
-/** Starts recording the session into a file, which is created or replaced. In the child of a fork, which has the
- *  parent's sessions but not its recordings, calls of these sessions are not recorded, hrt_recording_get_status() and
- *  hrt_recording_stop() return WRONG_STATE, and this call may start a recording of the child.
+/** Starts recording the session into a file, which is created or replaced. The child of a fork has the sessions, but
+ *  not the recordings: its calls are not recorded until it starts a recording by this call.
  *
- *  @param path  Name of the file, in UTF-8.
+ *  @param path  Name of the file.
  *  @return SYSTEM if the file cannot be created, is not a regular file, or another recording is written to it, in this
  *          process or another; WRONG_STATE during a reach or a set-up, or while recording; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */

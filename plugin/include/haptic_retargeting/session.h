@@ -129,9 +129,9 @@ typedef struct hrt_session_plate {
    *  have after this time. Set the measured time: a value that is too small makes every correction late. At most 8
    *  times paper.step_period_ns. @range 0 to 1 s @default 0 */
   int64_t latency_ns;
-  /** Lower mechanical stop: commands are limited to it. If both stops are 0, the plate turns freely. If a stop limits a
-   *  command, HRT_COMMAND_SATURATED is set, and the plate may not sustain the gap.
-   *  @range -3600 to 3600 @default 0 @ccw */
+  /** Lower mechanical stop, as a plate orientation. If both stops are 0, the plate turns freely. If a stop limits a
+   *  command, HRT_COMMAND_SATURATED is set, and the plate may not sustain the gap. @range -3600 to 3600 @default 0
+   *  @ccw */
   double lower_stop_deg;
   /** Upper mechanical stop, at least 180 degrees above the lower one. @range -3600 to 3600 @default 0 @ccw */
   double upper_stop_deg;
@@ -141,9 +141,9 @@ typedef struct hrt_session_plate {
   /** Centre of the plate in the engine's world. A set-up writes position and rotation; for a fixed plate, the host may
    *  set both. @range -1000 to 1000 @default (0, 0, 0) @profile registration.contact_covariance */
   double position_m[3];
-  /** Rotation of the plate's mount: the unit quaternion x, y, z, w from plate coordinates to the axes of the world. It
-   *  does not turn with the ridges. An error of the rotation about the plate's normal rotates every reach by the same
-   *  angle. @norm 0.999 to 1.001 @unit 1 @default (0, 0, 0, 1) @profile registration.contact_covariance */
+  /** Rotation of the plate's mount, which does not turn with the ridges: the unit quaternion x, y, z, w from plate
+   *  coordinates to the axes of the world. @norm 0.999 to 1.001 @unit 1 @default (0, 0, 0, 1)
+   *  @profile registration.contact_covariance */
   double rotation[4];
   /** Length in the engine's world of 1 m on the plate; differs from 1 if the tracker's unit of length is wrong. World
    *  positions relative to the plate's centre are divided by the scale. @range 0.5 to 2 @unit 1 @default 1
@@ -199,8 +199,7 @@ typedef struct hrt_session_person {
   /** Maximum predicted perceived-direction error (perceived minus intended direction) that the plate may cause under
    *  GUIDANCE_ARRIVAL. Lowering it makes the illusion less noticeable, but fewer reaches end at the target: with
    *  simulated users, 2 in 100 fewer at 3.5 degrees. The actual error may be larger, because of noise and of errors of
-   *  the estimates. @range 0.1 to 45
-   *  @default 5 @flatten max_felt_error_deg */
+   *  the estimates. @range 0.1 to 45 @default 5 @flatten max_felt_error_deg */
   double max_felt_error_deg;
   /** Maximum angle between the plate orientation and the direction of the motion under GUIDANCE_ARRIVAL. Raising it
    *  allows larger gaps for users whose illusion still increases at that angle; published data cover angles up to 60
@@ -208,8 +207,7 @@ typedef struct hrt_session_person {
    *  field. @range 1 to 89 @default 75 @flatten motion_bound_deg */
   double motion_bound_deg;
   /** Mean of the traits HRT_PERSON_*, whose comments have the ranges. Used if person.covariance is not 0.
-   *  @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0
-   *  @profile person.covariance */
+   *  @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0 @profile person.covariance */
   double mean[HRT_PERSON_TRAITS];
   /** Covariance of person.mean: lower triangle, row by row; positive definite. All 0: the user is unknown, and
    *  person.tactile_weight, person.tactile_weight_sd and person.bias_deg are used instead of person.mean. @unit mixed
@@ -220,8 +218,7 @@ typedef struct hrt_session_person {
 /** Part of hrt_session_config: age and accuracy of the registration, and its correction by contacts with real objects
  *  (hrt_reach_touched()). */
 typedef struct hrt_session_registration {
-  /** Time of the registration, on the clock of the samples. Used with max_age_ns. @range any
-   *  @default 0 */
+  /** Time of the registration, on the clock of the samples. Used with max_age_ns. @range any @default 0 */
   int64_t time_ns;
   /** Maximum age of the registration at a sample. HRT_COMMAND_REGISTRATION is set if the registration is older, or if
    *  HRT_SESSION_REGISTERED is not set. A lower value detects a moved plate earlier and requires more set-ups. 0: not
@@ -293,9 +290,9 @@ typedef struct hrt_session_config {
   /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gap of
    *  every pair. The default is on the mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
   double start_position_m[3];
-  /** A finger that is tracked higher than this above the plate is assumed to be lifted. If it is too low, noise of the
-   *  tracker interrupts reaches; if it is too high, a hovering finger is assumed to touch the plate. @range 0.0001 to 1
-   *  @default 0.015 */
+  /** A finger that is tracked higher than this above the plate is assumed to be lifted. If the value is too low, noise
+   *  of the tracker interrupts reaches; if it is too high, a hovering finger is assumed to touch the plate.
+   *  @range 0.0001 to 1 @default 0.015 */
   double lift_height_m;
   /** Vector from the tracked joint to the point of contact on the skin, in the axes of the joint. Applied to samples
    *  with HRT_SAMPLE_JOINT_ROTATION. HRT_SETUP_FINGERTIP measures it; measure it again for another hand. @range -1 to 1
@@ -322,7 +319,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_
 /** @flags HRT_STATE State of a session, from hrt_session_get(). Without READY, REACHING and SETTING_UP: no reach can
  *  begin, because the session has no real or no virtual target. */
 typedef uint32_t hrt_session_state;
-#define HRT_STATE_READY UINT32_C(1)      /**< there is a real and a virtual target; a reach can begin */
+#define HRT_STATE_READY UINT32_C(1)      /**< a reach can begin: there is a real and a virtual target */
 #define HRT_STATE_REACHING UINT32_C(2)   /**< a reach is in progress */
 #define HRT_STATE_SETTING_UP UINT32_C(4) /**< a set-up is in progress: no reach can begin */
 #define HRT_STATE_RECORDING UINT32_C(8)  /**< the calls of the session are recorded */

@@ -116,8 +116,8 @@ typedef struct hrt_setup_config {
   /** Upper end of the plate orientations in slides, at least 40 above the lower end. @range -89 to 89 @default 75
    *  @ccw */
   double upper_plate_deg;
-  /** Width of the 95 % interval of the tactile weight at which a calibration ends. A smaller value takes more slides;
-   *  only studies of people need one below the default. @range 0.001 to 0.5 @unit 1 @default 0.04 */
+  /** Width of the 95 % interval of the tactile weight at which a calibration ends. A smaller value takes more slides.
+   *  @range 0.001 to 0.5 @unit 1 @default 0.04 */
   double enough_weight_width;
 } hrt_setup_config;
 
@@ -235,8 +235,7 @@ typedef struct hrt_setup_result {
   hrt_setup_parts dropped;
   /** Root mean square distance of the touches from their marks. */
   double registration_residual_m;
-  /** SD of the estimated rotation of the plate about its normal. An error of this rotation rotates every reach by the
-   *  same angle. */
+  /** SD of the estimated rotation of the plate about its normal. */
   double registration_turn_sd_deg;
   /** Distance between the touch of a CHECK and the expected position of its mark. */
   double check_distance_m;
