@@ -111,7 +111,7 @@ Error PlateNode::report(hrt_result result) {
   return error();
 }
 
-/** Applies the properties and the node's pose to the session, which it creates if needed; does nothing during a reach or
+/** Applies the properties and the node's pose to the session, created if needed; does nothing during a reach or
  *  set-up. Returns false, and shows the error, if the properties, which a scene sets one at a time, are not valid. */
 bool PlateNode::configure() {
   if (reaching_ || setting_up_) return true;
