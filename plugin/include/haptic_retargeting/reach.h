@@ -111,7 +111,7 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_PREDICTED UINT32_C(2)
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< a bound of the plate orientation or a stop limits the command */
 #define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed limits the command; FIXED_DIRECTION only */
-#define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
+#define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the gap is clearly too large for the plate and the user (hrt_gap) */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the last command is repeated */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 /** Under ARRIVAL: the motion differs from the model by more than noise explains; estimates and UNREACHABLE are
@@ -220,7 +220,8 @@ typedef struct hrt_command {
   /** SD of tactile_weight; 0: assumed to be exact. @unit 1 */
   double tactile_weight_sd;
   /** Normalised innovation squared (NIS), averaged over about the last twenty positions: how much the positions deviate
-   *  from the model. About 2 if the model fits; from 6, MISFIT is set. 0 under FIXED_DIRECTION. @unit 1 */
+   *  from the model. About 2 if the model fits. MISFIT is set from 6 on, and below 6 if successive deviations have the
+   *  same direction. 0 under FIXED_DIRECTION. @unit 1 */
   double misfit;
   hrt_command_paper paper; /**< values of the controller of the paper @flatten paper_* */
 } hrt_command;

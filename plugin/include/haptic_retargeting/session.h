@@ -88,7 +88,8 @@ typedef uint32_t hrt_session_flags;
 
 /* Indices of the user's parameters (traits) in hrt_session_config::person.mean. */
 /** Slope w of the illusion curve: the perceived direction is shifted by w t - b t (t / 75)^2 degrees, where t is the
- *  angle between the normal of the ridges and the motion, in degrees. @range 0.01 to 0.6 @unit 1 */
+ *  angle between the normal of the ridges and the motion, in degrees. HRT_PERSON_FADING reduces the shift.
+ *  @range 0.01 to 0.6 @unit 1 */
 #define HRT_PERSON_WEIGHT 0
 /** Curvature b of the illusion curve, in the formula of HRT_PERSON_WEIGHT; 0: linear. @range -0.1 to 0.5 @unit 1 */
 #define HRT_PERSON_CURVE 1
