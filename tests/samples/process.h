@@ -15,11 +15,10 @@ struct Outcome {
   std::string err;
 };
 
-/// Expects that a run has ended with this code and returns its outcome. A failure shows the caller's line and the
-/// output.
+/// Expects this exit code, and returns the outcome. A failure shows the caller's line and the output.
 Outcome expect_exit(int exit_code, Outcome outcome, const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
-/// An empty folder, removed by the destructor.
+/// Creates an empty folder; the destructor removes the folder and its content.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -32,19 +31,19 @@ class TemporaryFolder {
   std::filesystem::path path;
 };
 
-/// A child process. The caller must wait for its end.
+/// A child process. The caller must call wait().
 class Process {
  public:
-  /// Starts the program words[0] with `environment`, "NAME=value" each. `err`: descriptor for its error output;
-  /// negative: a file that err() reads. `in`: descriptor of its input; negative: no input.
+  /// Starts the program with the path words[0]; `environment` has strings "NAME=value". `err`: descriptor for the error
+  /// output; negative: a file that err() reads. `in`: descriptor of the input; negative: no input.
   Process(std::vector<std::string> words, std::vector<std::string> environment, int err = -1, int in = -1);
 
   void send_signal(int signal) const;
-  /// Output of the process so far.
+  // Output and error output so far.
   std::string out() const;
   std::string err() const;
 
-  /// Waits for the end of the process. Kills it after two minutes.
+  /// Waits for the end of the process, and kills it after two minutes.
   Outcome wait() const;
 
  private:
@@ -52,10 +51,10 @@ class Process {
   int child_ = 0;
 };
 
-/// Content of a file; empty if the file does not exist.
+/// Returns the content of a file; empty if the file cannot be read.
 std::string read_file(const std::string& file);
 
-/// Reports of Khronos' core validation layer, without the messages of newer versions about their start and end.
+/// Returns the findings in a report file of Khronos' core validation layer, without lines of the level VALID_DEBUG.
 std::string validation_findings(const std::string& file);
 
 }  // namespace hrt

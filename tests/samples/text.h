@@ -18,7 +18,6 @@ inline testing::AssertionResult has(const std::string& text, const std::string& 
          << text;
 }
 
-/// True if `text` contains each part.
 inline testing::AssertionResult has(const std::string& text, std::initializer_list<const char*> parts) {
   for (const char* part : parts)
     if (const testing::AssertionResult one = has(text, std::string(part)); !one) return one;

@@ -200,7 +200,8 @@ int status_in_child(Body&& body) {
   return status;
 }
 
-// The writing thread belongs to the parent. Calls in a child succeed, and report that they are not recorded.
+// In the child the session works, but is not recorded: the log says so, and hrt_recording_get_status() and
+// hrt_recording_stop() fail.
 TEST_F(RecordingTest, ForkedChildIsNotRecordedAndReportsIt) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();
