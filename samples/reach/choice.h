@@ -28,9 +28,8 @@ struct ScenePlace {
   std::string words;  ///< description of the position, to be printed and spoken
 };
 
-/// Returns the assumed pose. Heights in the scene are above the floor. If the runtime has no floor space, the origin of
-/// its LOCAL space is at the eyes, whose height is `eye_height_m`, or else the person's answer on the terminal. Throws
-/// Failure (ExitCode::usage) if both are missing.
+/// Returns the assumed pose. Heights in the scene are above the floor. Without a floor space, the origin of LOCAL is at
+/// the eyes, whose height is `eye_height_m` or the person's answer. Throws Failure (ExitCode::usage) without either.
 ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session, std::optional<double> eye_height_m,
                     Prompt& prompt);
 

@@ -125,7 +125,7 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  // Runs to the end. The recording has all finished reaches, also after a failure.
+  // The recording has all finished reaches, also after a failure.
   ExitCode run() {
     ExitCode code = ExitCode::success;
     try {
@@ -171,7 +171,6 @@ class Run {
     }
   }
 
-  // Creates instance and session, then makes the remaining reaches or slides.
   void run_in_one_session() {
     XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, local_floor_extension});
     XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
@@ -332,7 +331,7 @@ class Run {
     return is_enough(*calibrated_) ? ExitCode::success : ExitCode::target_missed;
   }
 
-  // Called during a failure; prints a further failure instead of throwing it.
+  // Prints a failure instead of throwing it.
   void keep_recording_as_it_is() {
     try {
       recording_->finish();
@@ -346,7 +345,6 @@ class Run {
     return "SIMULATION, seed " + std::to_string(options_.seed) + ": no person took part.";
   }
 
-  // Throws if standard output fails, for example because the reader closed the pipe.
   static void check_output() {
     if (!std::cout.flush())
       throw Failure(

@@ -10,7 +10,7 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Text with the SD of the bearings, its 95 % interval, and the fraction of reaches that can end within 1.5 degrees.
+/// Text with the SD of the bearings and the fraction of reaches that can end within 1.5 degrees, with 95 % intervals.
 /// `bearings_deg`: 20 bearings; they may wrap around at 180 degrees.
 std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_distance_m);
 

@@ -12,7 +12,7 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Largest bearing error of a reach that counts as reached if the scene gives no radius, in degrees.
+/// Largest bearing error of a reach that counts as reached, if the scene gives no radius.
 inline constexpr double tolerance_deg = 1.5;
 bool is_within_tolerance(const ReachResult& result);
 
@@ -27,7 +27,6 @@ class StatusLine {
 
   void show(const TargetPair& pair, const Moment& moment);
 
-  /// Clears the line, so that other output can follow.
   void clear();
 
  private:
@@ -37,7 +36,6 @@ class StatusLine {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// The table of results. The names of the targets determine the widths of its columns.
 class Table {
  public:
   explicit Table(const std::vector<TargetPair>& pairs);

@@ -92,7 +92,6 @@ TEST(ReachCalibrate, AProfileThatCannotBeWrittenHasItsExitCode) {
               run_scripted("{" + person_of(0.2) + "}", {desk, "--calibrate", scratch_folder() + "/none/profile.json"}));
 }
 
-// Runs in real time until the first slide is accepted.
 TEST(ReachCalibrate, TurnsASerialPlateToEachAngle) {
   PtyPlate plate;
   const Program program(

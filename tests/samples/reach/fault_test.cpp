@@ -24,7 +24,6 @@ std::string failing_call(const std::string& function, int call, const std::strin
          result + R"("}]})";
 }
 
-// Expects that the run reached all three targets, each once.
 void expect_all_reached(const Outcome& outcome, const std::string& script) {
   EXPECT_EQ(outcome.exit_code, 0) << script << "\n" << outcome.out << outcome.err;
   EXPECT_EQ(rows_of(outcome).size(), 3U) << script << "\n" << outcome.out;
@@ -59,7 +58,6 @@ TEST(ReachFault, TrackingIsLostForGood) {
   EXPECT_GT(rows_of(outcome)[0].lost, 200);
 }
 
-// Trackers sometimes freeze a finger for a moment or make it jump; the program must tolerate this.
 TEST(ReachFault, TheHandFreezesOrJumps) {
   for (const std::string what :
        {R"("do": "freeze", "hand": "right")", R"("do": "jump", "hand": "right", "by_mm": [30, 0, 0])"}) {
@@ -169,7 +167,6 @@ TEST(ReachFault, AFailedCallIsNamed) {
   }
 }
 
-// Expects one sentence, no other output, and this exit code.
 void expect_refused(const Outcome& outcome, int exit_code, const std::string& sentence) {
   EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
   EXPECT_EQ(outcome.out, "");

@@ -74,7 +74,6 @@ class Path {
     return *this;
   }
 
-  /// Slides along the plate from the present position.
   Path& slide(const Place& place, int for_ms) {
     add(time_ms_ += for_ms, place, 0.0);
     last_ = place;
@@ -92,7 +91,6 @@ class Path {
     return "{" + more + R"("hands": {")" + (hand == "right" ? "left" : "right") + R"(": {"tracked": false}, ")" + hand +
            "\": " + tracked() + "}}";
   }
-  /// Settings of a hand on this path, for a script.
   std::string tracked() const { return R"({"tracked": true, "path": [)" + frames_ + "]}"; }
 
  private:

@@ -71,7 +71,6 @@ TEST(ReachVerbose, PrintsALineAFrame) {
   EXPECT_EQ(occurrences(outcome.err, "\n"), static_cast<std::size_t>(rows_of(outcome)[0].frames));
 }
 
-// The target is missed with a plate that hardly turns: the simulated user feels this plate.
 TEST(ReachPlate, SlowPlateMissesTheTarget) {
   const Outcome outcome = expect_exit(1, run_program({desk, "--target", "pawn", "--plate", "servo:1"}));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
@@ -147,7 +146,6 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsFinishedReaches) {
   }
 }
 
-// The second Ctrl-C ends a program whose runtime blocks.
 TEST(ReachInterrupted, ASecondTimeEndsImmediately) {
   Program program({desk},
                   scripted_environment(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 50000}]})"));

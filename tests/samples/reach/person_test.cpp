@@ -148,7 +148,6 @@ TEST(ReachPerson, UnfinishedReachesAreExplained) {
   expect_said(untracked, "The right hand was not tracked. Hold it where the headset's cameras see it.");
 }
 
-// The first reach does not end in time; the second one does.
 TEST(ReachPerson, AnUnfinishedReachDoesNotStopTheRun) {
   const Outcome outcome =
       expect_exit(8, run_scripted(Path(plate_of_desk).hold(start_of_desk, 4500).slide({0.0, -0.05}, 800).script(),
@@ -259,7 +258,6 @@ TEST(ReachKeys, AnswerTheHeightOfTheEyes) {
               {"How high are your eyes above the floor", "Please type a number from 0.3 to 2.5."});
 }
 
-// Registration and reaches, heard and answered by keys alone.
 TEST(ReachKeys, AWholeSessionWithoutSight) {
   const Voice voice;
   const std::string marks = voice.folder + "/marks.csv";

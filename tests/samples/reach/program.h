@@ -58,7 +58,7 @@ struct Row {
 };
 std::vector<Row> rows_of(const Outcome& outcome);
 
-/// Empty folder for this test, removed at the end of the process.
+/// Creates an empty folder, which is removed at the end of the process.
 std::string scratch_folder();
 
 /// A new folder, and arguments of a reach to the bottle that is recorded there.

@@ -92,9 +92,7 @@ export function drop(page, name, content) {
   }, [name, content]);
 }
 
-/** Returns the result of the newest row of the table. */
 export const newest = async (page) => JSON.parse(await page.locator("#results tbody tr").first().getAttribute("data-result"));
-/** Returns the result of a slide, which must have arrived. */
 export async function ended(page) {
   assert.equal(await phase(page), "arrived", await text(page, "#caption"));
   return JSON.parse(await page.locator("#stage").getAttribute("data-result"));

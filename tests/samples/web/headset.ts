@@ -29,7 +29,6 @@ globalThis.headset = {
     globalThis.drawFrame(elapsed_ms);
     for (let i = 0; i < 50; ++i) await null;
   },
-  /** Closes or opens the pinch of thumb and index finger. */
   pinch(touch: boolean) { hand.updatePinchValue(touch ? 1 : 0); hand.poseId = touch ? "pinch" : "point"; hand.updateHandPose(); },
   /** Moves the other hand to a position, where it rests. */
   restOther(x, y, z) {
@@ -37,7 +36,6 @@ globalThis.headset = {
     left.connected = true;
     left.position.set(x, y, z);
   },
-  /** Sets whether the headset tracks the hand. */
   see(seen) { hand.connected = seen; },
   /** Reports that the headset was recentred. The emulated room does not move. */
   recentre() { for (const space of spaces) space.dispatchEvent(new Event("reset")); },

@@ -71,7 +71,6 @@ function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = fa
   }, { from, first_deg, length_m, follows, unseen, until });
 }
 
-/** Returns the recording of the last reach, saved after the headset session. */
 const recorded = async (page) => (await saved(page, "#save-recording")).content;
 
 const leave = async (page) => {

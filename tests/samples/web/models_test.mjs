@@ -12,7 +12,6 @@ const settings = (changes = {}) => ({ controller: "ours", gap_deg: 10, tactile_w
 const near = (value, expected, tolerance, what) =>
   assert.ok(Math.abs(value - expected) <= tolerance, `${what}: ${value}, expected ${expected} within ${tolerance}`);
 
-/** Makes `count` successive reaches, and returns them with their results. */
 function watch(changes, count = 1) {
   const reach = new models.SimulatedReach(library, settings(changes)), results = [];
   while (results.length < count) {
@@ -23,7 +22,6 @@ function watch(changes, count = 1) {
   return { results, reach };
 }
 
-/** Creates a session that is within a reach. */
 function reaching() {
   const { hrt } = models, session = library.createSession();
   session.beginReach(session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 }),
@@ -99,7 +97,6 @@ test("estimates are kept for another gap and plate, and discarded for another pe
   assert.equal(reach.number, 1);
 });
 
-/** Lets a visitor steer the dot to the glass. */
 function steer(hand, how) {
   hand.begin();
   hand.advance(700);

@@ -372,7 +372,6 @@ test("a dropped scene is shown with its feasible gaps", () => visit(async (page)
   assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["cylinder", "glass", "hand", "felt here"]);
 }));
 
-/** Drops a file, which must be refused with this message, and must not be shown. */
 async function refuses(page, name, content, words) {
   await drop(page, name, content);
   await page.locator("#refused:not([hidden])").waitFor();

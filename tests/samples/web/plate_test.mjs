@@ -123,7 +123,6 @@ test("garbage on the line changes nothing", () => {
   assert.equal(link.orientation_deg, 20, "a line in parts is read");
 });
 
-/** Creates a test double of a Web Serial port. */
 function port() {
   const got = [], double = { got, closed: false };
   return Object.assign(double, {
