@@ -18,7 +18,7 @@ double tangent(double angle_deg) {
   return x / (1.0 - xx / (3.0 - xx / (5.0 - xx / (7.0 - xx / 9.0))));
 }
 
-// Fraction of the path at a fractional step.
+// Fraction of the path at an index that may be between two steps.
 double share_at(const SlideTrack& track, double step) {
   const auto last = static_cast<double>(track.steps.size() - 1);
   const double place = std::clamp(step, 0.0, last);

@@ -13,12 +13,11 @@ namespace hrt {
 
 /// Feasible gap for a pair of targets and a person.
 struct GapFeasibility {
-  bool reachable;      ///< true: the gap is feasible
-  double gap_deg;      ///< direction at which the person aims minus real direction
-  double max_gap_deg;  ///< largest feasible gap, >= 0
-  double margin_deg;   ///< max_gap_deg - |gap_deg|; negative if the gap is not feasible
-  /// plate orientation that sustains settling_direction_deg; at the plate's bound if the gap is not feasible
-  double plate_orientation_deg;
+  bool reachable;                 ///< true: the gap is feasible
+  double gap_deg;                 ///< direction at which the person aims minus real direction
+  double max_gap_deg;             ///< largest feasible gap, >= 0
+  double margin_deg;              ///< max_gap_deg - |gap_deg|; negative if the gap is not feasible
+  double plate_orientation_deg;   ///< plate orientation that sustains settling_direction_deg
   double settling_direction_deg;  ///< direction in which the finger settles: the real direction if reachable
 };
 
@@ -73,7 +72,7 @@ struct PlateCommand {
   /// estimate; under the controller for people, the shift of the perceived direction by ridges at 60 degrees to the
   /// motion, divided by 60 degrees
   double tactile_weight = 0.0;
-  double tactile_weight_sd = 0.0;  ///< SD of the tactile weight; 0 without adaptation
+  double tactile_weight_sd = 0.0;  ///< SD of the tactile weight; under the paper's controller, 0 without adaptation
   double distance_to_go_mm = 0.0;  ///< distance to the real target from the finger or, before a position, the start
   /// time until arrival; 0 after arrival; -1 before the motion, in a pause and under the paper's controller
   double time_to_go_s = -1.0;
@@ -88,7 +87,7 @@ struct PlateCommand {
   bool for_people = false;                 ///< true: controller for people; false: the paper's controller
   bool held = true;                        ///< no orientation was planned since the previous command
   bool predicted = false;                  ///< no recent observation: the model predicts the finger
-  bool unreachable = false;                ///< the gap is not feasible for this person
+  bool unreachable = false;                ///< the gap is probably not feasible for this person
   bool optimal = true;        ///< false: the solver reached its iteration limit; the command is within its bounds
   bool misfit = false;        ///< the model does not describe the motion: the estimates are not reliable
   bool off_target = false;    ///< the reach will probably end, or has ended, over `near_deg` off the target

@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Allocates at construction and in trials() only. Stores at most 250 positions per second.
+/// Allocates at construction and in trials() only. Stores positions that are at least 3.9 ms apart.
 class SlideStore {
  public:
   SlideStore(int max_slides, std::size_t max_samples);

@@ -79,7 +79,7 @@ void by_headset(PersonCondition& condition, Draws& draws) {
   tracker.latency_s = tracker.declared_latency_s = 0.048;
   tracker.bearing_sd_deg = atan2_deg(5.0, condition.distance_mm);
   tracker.turned_deg = 1.7 * draws.normal();
-  tracker.declared_bearing_sd_deg = 3.6;  // SD of the bearing from all these errors
+  tracker.declared_bearing_sd_deg = 3.6;  // SD of the bearing from all errors of this headset
   tracker.creep_mm = 6.0;
   tracker.end_loss_share = 0.14;
   tracker.excursions_hz = 1.0 / 12.0;
