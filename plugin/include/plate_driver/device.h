@@ -23,8 +23,8 @@ struct DeviceLimits {
   std::chrono::nanoseconds latency;  ///< time from a command to the start of the motion
 };
 
-/// Behaviour of an opened device. `hold`: the device holds its position and accepts commands. `passive`: the device
-/// exerts no force and only answers queries.
+/// Purpose of opening a device. `hold`: to move it; the device holds its position. `passive`: for queries and settings;
+/// the device exerts no force.
 enum class Start { hold, passive };
 
 /// Settings that a board with the line protocol stores (samples/plate/firmware/README.md). All functions throw
@@ -53,7 +53,7 @@ class Device {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /// Returns type or protocol, firmware and number of the device in one line.
+  /// Returns one line, such as "protocol 2, firmware 1.1.0, serial number 000042".
   virtual std::string description() const = 0;
   virtual DeviceLimits limits() const = 0;
   /// True if a sensor measures the orientation; false if it is assumed from the commands.
