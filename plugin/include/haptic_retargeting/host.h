@@ -52,8 +52,8 @@ typedef struct hrt_host {
   void (*log)(void* context, hrt_log_level level, const char* text);
 } hrt_host;
 
-/** Sets allocator and log. The log receives the lines of all sessions without a log of their own (hrt_host_set_log()).
- *  Waits while a log is being called; after this call returns, the former log is not called.
+/** Sets allocator and log. The log receives all lines, except those of sessions with a log of their own
+ *  (hrt_host_set_log()). Waits while a log is being called; after this call returns, the former log is not called.
  *
  *  @param host  Functions, copied. Null: the defaults.
  *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of

@@ -29,9 +29,9 @@
  *   "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
  * Fields and ranges are those of hrt_session_config with the tag @profile. If the session has contacts
- * (hrt_reach_touched()), they are stored with the pose of the plate. hrt_profile_load() ignores the contacts of a
- * profile with another pose than the session's. Otherwise, it adds 0.002 squared to the variance of each element of
- * registration.contact_correction, because trackers drift.
+ * (hrt_reach_touched()), they are stored with the pose of the plate. hrt_profile_load() replaces the session's contacts
+ * by those of the profile, if there are any. It discards them if the profile has another pose than the session;
+ * otherwise, it adds 0.002 squared to the variances of registration.contact_correction, because trackers drift.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
