@@ -138,7 +138,7 @@ std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_vi
     samples.push_back(sample);
   }
   if (!samples.empty()) reaches.push_back(checked_reach(name, number, samples));
-  if (reaches.empty()) throw UsageError(name + " has no reach: there is no row under the header");
+  if (reaches.empty()) throw UsageError(name + " has no reach: there is no row under the header; add one per position");
   return reaches;
 }
 

@@ -41,7 +41,7 @@ class SlidesReader {
 
   std::vector<CalibrationTrial> read() {
     while (csv_.next()) read_row();
-    if (trials_.empty()) throw UsageError(name_ + ": there is no row under the header");
+    if (trials_.empty()) throw UsageError(name_ + ": there is no row under the header; add one per tracked position");
     end_trial();
     return std::move(trials_);
   }

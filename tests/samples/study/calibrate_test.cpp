@@ -82,7 +82,7 @@ TEST(StudyCalibrate, SlidesOverARotatingPlateAreExcluded) {
 TEST(StudyCalibrate, ErrorsNameLineAndColumn) {
   EXPECT_EQ(refused(""),
             "data.csv: there is no header; it must name trial,time_s,right_m,away_m,plate_orientation_deg");
-  EXPECT_EQ(refused(slides_header), "data.csv: there is no row under the header");
+  EXPECT_EQ(refused(slides_header), "data.csv: there is no row under the header; add one per tracked position");
   EXPECT_TRUE(
       has(refused("trial,time_s,right_m,away_m\n"), "line 1, column plate_orientation_deg: the column is missing"));
   EXPECT_TRUE(has(refused("trial," + slides_header), "line 1, column trial: the column occurs more than once"));

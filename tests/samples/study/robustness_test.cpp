@@ -28,7 +28,7 @@ std::string field(const std::string& header, const std::string& line, const std:
   return at < static_cast<std::ptrdiff_t>(names.size()) ? values[static_cast<std::size_t>(at)] : "no column " + name;
 }
 
-// Feasible: errors of 1.5 and -1.4 degrees are near; 1.6 is a miss without a flag. Misses of 2, 4 and 9 mm.
+// With a feasible gap, errors of 1.5 and -1.4 degrees are near, and 1.6 is a miss without a flag.
 const ReachResult results_by_hand[] = {
     {.is_feasible = true,
      .bearing_error_deg = 1.5,
@@ -108,8 +108,8 @@ TEST(StudyRobustness, MeansAndPooledPercentagesByHand) {
   EXPECT_EQ(all_near().of, 4U);
   // Weights 2 and 1: 2 of 2 and 0 of 6; effective number of cases (2 + 6)^2 / (4 + 6).
   near(1) = {.hits = 0, .of = 6};
-  EXPECT_EQ(all_near().hits, 2U);  // 1.6
-  EXPECT_EQ(all_near().of, 6U);    // 6.4
+  EXPECT_EQ(all_near().hits, 2U);  // 1.6, rounded
+  EXPECT_EQ(all_near().of, 6U);    // 6.4, rounded
 }
 
 // The interval of 0 of 100 (no controller) is narrow enough to stop; that of a third of 200 (the paper's) is not.

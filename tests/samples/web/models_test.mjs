@@ -129,7 +129,7 @@ test("a hand that is not steered ends at the glass, and the dot misses it", () =
   assert.ok(toGlass_mm < 1 && feltToGlass_mm > 12 && gap_deg > 7, `${toGlass_mm} ${feltToGlass_mm} ${gap_deg}`);
 });
 
-// Derived by hand: perceived = true + w (plate - true), so that 0 over a plate at 50 degrees is perceived as 50 w.
+// By hand: perceived = true + w (plate - true), so a motion at 0 over a plate at 50 degrees is perceived at 50 w.
 test("the dot moves in the weighted mean of true direction and plate orientation", () => {
   const hand = new models.VisitorReach(library, settings({ controller: "off", tactile_weight: 0.2, gap_deg: 0 }));
   hand.plateConnected_deg = 50;

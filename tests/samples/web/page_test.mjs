@@ -122,7 +122,7 @@ test("a reach plays, pauses and steps", () => visit(async (page) => {
 const hidden = (page) => page.locator("#label-finger").isHidden();
 const own = { motion: true, link: "", viewport: { width: 390, height: 560 } };  // small, because Chromium renders in software
 
-// Without a click: a mouse that reaches the ring takes the finger along.
+// The mouse moves the finger from the ring without a click.
 test("the hand is hidden during the slide, then shown at the cylinder under the cursor", () => visit(async (page) => {
   await frames(page, 100, 12);
   assert.equal(await text(page, "#caption"), "Slide the dot from the ring to the glass.");

@@ -63,7 +63,7 @@ test("a plate is greeted without motion, follows commands, and receives heartbea
   assert.match(sent.at(-1), /^STOP \d{5} \d{5}$/, "nothing is sent after it");
 });
 
-// Rule 4: orientations that differ by 180 degrees are equivalent.
+// Rule 4 of the protocol: orientations that differ by 180 degrees are equivalent.
 test("an angle beyond the limits is replaced by the equivalent one", () => {
   for (const [wanted_deg, angle] of [[100, "-080.00"], [-170, "+010.00"], [361, "+001.00"], [-90, "-090.00"]]) {
     const { link, sent, run } = plate();

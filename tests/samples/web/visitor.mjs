@@ -33,7 +33,7 @@ export async function place(page, name) {
  *  remains. Calls `drawn` with the duration of each frame. Returns the position of the mouse in the window. */
 export async function steer(page, { delay_ms = 100, grip = null, until = 0, drawn = () => {} } = {}) {
   const step_ms = 40, frame = (elapsed_ms) => page.evaluate((ms) => globalThis.drawFrame(ms), elapsed_ms);
-  for (let i = 0; i < 9; ++i) await frame(100);  // so slow that the picture is simplified, which is faster here
+  for (let i = 0; i < 9; ++i) await frame(100);  // slow frames, after which the picture is simplified and drawn faster
   const ring = await place(page, "start"), glass = await place(page, "glass"), from = ring.map((x, i) => x + (grip?.[i] ?? 0));
   const px = Math.hypot(glass[0] - ring[0], glass[1] - ring[1]) / 0.1, onPlate = ([x, y]) => ({ right_m: x / px, away_m: -y / px });
   const go = visitor({ start: onPlate(ring), glass: onPlate(glass), delay_ms, step_ms });

@@ -95,7 +95,8 @@ export class HeadsetMode {
         },
       );
     } catch (error) {
-      this.#message = `The headset cannot show the plate: ${messageOf(error)}${advice(error)}`;
+      const why = messageOf(error).replace(/\.$/, "");
+      this.#message = `The headset cannot show the plate: ${why}. ${advice(error)}`;
       if (session && this.#session) await session.end().catch(() => this.#left());
       else this.#left();
     }
@@ -198,8 +199,8 @@ export class HeadsetMode {
 function advice(error: unknown): string {
   const name = error instanceof Error ? error.name : "";
   if (name === "NotSupportedError")
-    return ". Switch hand tracking on in the headset's settings, put the controllers down, and enter again.";
+    return "Switch hand tracking on in the headset's settings, put the controllers down, and enter again.";
   if (name === "SecurityError" || name === "NotAllowedError")
-    return ". Allow this page to use the headset and to see your hands, when the browser asks or in its site settings.";
-  return "";
+    return "Allow this page to use the headset and to see your hands, when the browser asks or in its site settings.";
+  return "Enter again; if that fails too, restart the headset's browser.";
 }
