@@ -17,7 +17,7 @@ namespace {
 constexpr double max_shear = 1e-4;
 constexpr double max_plate_coordinate_m = 1000.0;  // range of hrt_session_plate::position_m
 
-// Returns true if the transform maps space onto a plane, a line or a point.
+// Returns true if the transform maps space onto a plane, a line or a point, or nearly so.
 bool is_degenerate(const Transform& t) {
   constexpr double min_length = 1e-9;
   constexpr double min_volume = 1e-9;

@@ -13,7 +13,7 @@ namespace hrt::plugin {
 
 enum class TargetRole : std::uint8_t { any, real, virtual_target };
 
-/// Position of a target, in one of three forms. Lengths are in metres, as in scenes.
+/// Position of a target, in one of three forms.
 struct TargetPlace {
   enum class Kind : std::uint8_t { none, direction, plate_position, world_position };
   Kind kind = Kind::direction;
@@ -32,7 +32,7 @@ struct Target {
 
 /// A target seen from the start of a reach, in the plane of the plate.
 struct TargetView {
-  double direction_deg;  ///< in (-180, 180]; 0 at the start itself
+  double direction_deg;  ///< in [-180, 180]
   double distance_mm;    ///< >= 0
   PlatePoint point;
   bool at_start;  ///< true if the distance is less than min_distance_m, so that the direction is undetermined
@@ -61,7 +61,8 @@ class Targets {
   hrt_result remove(std::uint64_t id);
 
   const Target* find(std::uint64_t id) const;
-  /// Finds a target of a role, or fails naming `argument`.
+  /// Finds a target. Fails if it does not exist or has another role than `role`, unless that is TargetRole::any.
+  /// `argument`: name of the id in error texts.
   hrt_result find(const char* argument, std::uint64_t id, TargetRole role, const Target** out) const;
   /// Returns the id of the target with this name, or 0.
   std::uint64_t find(std::string_view name) const;
@@ -73,8 +74,8 @@ class Targets {
   /// these were degrees, targets at 100 mm from the start would be within 6 mm of each other.
   bool may_be_in_radians() const;
 
-  /// Returns the number of a target in recordings: 1 for the first target of the process after the creation of this
-  /// object, and so on; 0 if this object does not have the target.
+  /// Returns the number of a target in recordings: the difference between its id and the last id before this object was
+  /// created; 0 if this object does not have the target.
   std::uint64_t number(std::uint64_t id) const { return by_id_.contains(id) ? id - before_first_ : 0; }
 
  private:
