@@ -39,7 +39,7 @@ JsonExtent find_json(std::string_view header, std::uint64_t file_bytes, const st
 
 /// Parses the sections asset, scene, scenes, nodes and extensionsRequired. Other sections are skipped, so that no
 /// buffer or image is opened or decoded. Throws SceneError if the text is not glTF 2.0, requires an extension that may
-/// move nodes, has a repeated key outside the skipped sections, or exceeds gltf_limits.
+/// move nodes, has a repeated key outside the skipped sections, or exceeds json_values, json_depth or nodes.
 ///
 /// The model is not validated further: indices may be out of range and nodes may form cycles. tinygltf ignores values
 /// of a wrong type, and truncates integers to 32 bits.

@@ -13,7 +13,7 @@
 namespace hrt {
 namespace {
 
-// Largest cosine of the angle between a plate's +Y and -Z. It allows the rounding errors of single-precision files.
+// Largest absolute cosine of the angle between a plate's +Y and -Z, for rounding errors of single-precision files.
 constexpr double max_shear = 1e-4;
 constexpr double max_plate_coordinate_m = 1000.0;  // range of hrt_session_plate::position_m
 
@@ -268,7 +268,7 @@ class SceneReader {
 
   const tinygltf::Model& model_;
   const std::string& file_;
-  std::vector<bool> is_visited_;  // for each node: true if it was visited
+  std::vector<bool> is_visited_;  // by index of the node
   std::vector<int> path_;         // indices of the present node's ancestors, the root first, and of the node itself
   std::size_t haptic_nodes_ = 0;
   Scene scene_{};

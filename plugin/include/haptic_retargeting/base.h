@@ -150,7 +150,7 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_LIMIT_REACHED (-9)
 /** The caller's buffer is too small for the output. */
 #define HRT_ERROR_BUFFER_TOO_SMALL (-11)
-/** Another target of this session has this name. */
+/** The name is already taken by another target of the session. */
 #define HRT_ERROR_NAME_TAKEN (-12)
 /** A file could not be opened, read or written, or a thread could not be started. */
 #define HRT_ERROR_SYSTEM (-13)

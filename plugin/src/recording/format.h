@@ -128,7 +128,7 @@ hrt_result check_column_names(std::string_view line);
 /// Reads the input columns and the result of a row, not the output columns.
 hrt_result read_row(std::string_view line, Record* out);
 
-/// True if all cells of two rows are equal; numbers are compared bit by bit.
+/// True if all cells of two rows are equal; doubles are compared bit by bit.
 bool is_same_row(std::string_view row, std::string_view other);
 
 /// The next three functions read a comment after its prefix. They do not check the ranges of JSON fields.
