@@ -149,7 +149,8 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   double bias_deg = person.bias_deg - person.own_bias_deg;
   double habit_deg = person.habit_deg;
   if (person.steering == Steering::place) {
-    // At the fraction s of the path, the goal of people who steer to the target's position is bias (1 + log(1 - s)).
+    // The goal of people who steer to the target's position is bias (1 + log(1 - s)) at the fraction s of the path. The
+    // true bias is its value at s = 0.5, the true habit half of its decrease from s = 0 to s = 0.85.
     habit_deg = -0.5 * bias_deg * logarithm(0.15);
     bias_deg *= 1.0 + logarithm(0.5);
   }
