@@ -24,7 +24,7 @@ inline constexpr std::size_t name_bytes = 255;
 inline constexpr std::size_t haptic_nodes = 1000;
 }  // namespace gltf_limits
 
-/// The position of the JSON in a file, in bytes.
+/// Position and size of the JSON in a file, in bytes.
 struct JsonExtent {
   std::size_t offset;
   std::size_t size;

@@ -1,4 +1,3 @@
-// Checks of arguments: struct sizes, ranges of numbers, texts.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,3 @@
-// Handles: numbers that identify objects, and are checked at every use.
 #pragma once
 
 #include <array>
@@ -11,9 +10,9 @@
 
 namespace hrt::plugin {
 
-/// A table of up to `capacity` objects. A handle contains the index of a slot and the slot's generation, which
-/// increases with every object in the slot, so that a stale handle is invalid. Handles of tables with different `kind`
-/// differ. All functions may be called on any thread; only one call at a time can use an object.
+/// A table of up to `capacity` objects, which handles identify. A handle contains the index of a slot and the slot's
+/// generation, which increases with every object in the slot, so that a stale handle is invalid. Handles of tables with
+/// different `kind` differ. All functions may be called on any thread; only one call at a time can use an object.
 template <class Object, std::size_t capacity, std::uint8_t kind>
 class HandleTable {
   // A handle, from its highest bit: the kind, the slot's generation, the slot's index.

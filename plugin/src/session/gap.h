@@ -1,4 +1,3 @@
-// Gaps between real and virtual targets, and the assignment of real targets to virtual ones.
 #pragma once
 
 #include <span>

@@ -27,7 +27,6 @@ struct Implausible {
   double first = 0.0, second = 0.0;
 };
 
-/// Writes a sentence with the values and the likely mistake, for the log.
 void write_implausible(const Implausible& found, Text<320>& text);
 
 class Plausibility {

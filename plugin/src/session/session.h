@@ -117,7 +117,7 @@ class Session {
     std::optional<std::int64_t> last_time_ns;
     std::optional<Contact> contact;
     bool registration_doubtful = false;  // true if the registration was missing, poor or too old at any sample
-    bool faulty = false;                 // see mark_faulty()
+    bool faulty = false;
   };
   using SettingUp = std::unique_ptr<SessionSetup>;
 

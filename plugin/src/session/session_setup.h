@@ -17,7 +17,6 @@ namespace hrt::plugin {
 /// Value of HRT_SETUP_ALL_MISSING.
 inline constexpr std::uint32_t setup_all_missing = 64;
 
-/// Results of a set-up since it began.
 struct SetupReport {
   std::uint32_t done = 0;     ///< flags of the parts whose results were applied
   std::uint32_t left = 0;     ///< flags of the pending parts

@@ -68,7 +68,6 @@ class Targets {
   std::uint64_t find(std::string_view name) const;
 
   const std::map<std::uint64_t, Target>& all() const { return by_id_; }
-  /// True if there is a real and a virtual target, as a reach requires.
   bool has_both_roles() const { return real_count_ > 0 && by_id_.size() > real_count_; }
   /// True if there are both roles, all targets are given by directions of at most 1.6, and at least two are not 0. If
   /// these were degrees, targets at 100 mm from the start would be within 6 mm of each other.
