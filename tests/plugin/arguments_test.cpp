@@ -1,4 +1,4 @@
-// Every call rejects null pointers, wrong struct sizes and invalid handles, names the argument, and changes no output.
+// Calls reject null pointers, wrong struct sizes and invalid handles, name the argument, and change no output.
 #include <array>
 #include <set>
 #include <tuple>

@@ -10,10 +10,11 @@ namespace {
 using ReachTest = PaperTest;
 
 // In degrees from the virtual target: p is the direction of the finger, p_R that of the real target, t the plate
-// orientation, and e_0 the perceived-direction error. With horizon 3 and no active bound, the optimal error is
-// e_0 = 3/5 (p - p_R). The first Kalman gain is K_0 = 5/6:
-//   K_0 = sigma_u2/(sigma_u2 + sigma_h2),  e_0 = K_0 (w_T t + (1 - w_T) p),  t = (0.6 (p - p_R)/K_0 - (1 - w_T) p)/w_T.
-// With p_R = -1 (a gap of 1) and the finger on the goal, p = 0: t = 0.6/(5/6)/0.15 = 4.8.
+// orientation, and e_0 the perceived-direction error. core/paper/README.md defines the other symbols. With horizon 3
+// and no active bound, the optimal error is e_0 = 3/5 (p - p_R). The first Kalman gain is K_0 = 5/6:
+//   K_0 = sigma_u^2/(sigma_u^2 + sigma_h^2),  e_0 = K_0 (w_T t + (1 - w_T) p),
+//   t = (0.6 (p - p_R)/K_0 - (1 - w_T) p)/w_T.
+// With p_R = -1 (a gap of 1), p = 0 and w_T = 0.15: t = 0.6/(5/6)/0.15 = 4.8.
 TEST_F(ReachTest, FirstCommandIsAsDerivedByHand) {
   ASSERT_OK(begin(add(HRT_TARGET_REAL, -1.0), add(HRT_TARGET_VIRTUAL, 0.0)));
   const hrt_command command = update(direction_sample(0, 0.0));

@@ -161,9 +161,9 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
 }
 
 // The participant guesses with the probability lapse_share of the design. Otherwise, the probability of noticing the
-// bend is a Weibull function of the perceived-direction error. After two reaches, a participant who notices the bend
-// names the reach with the larger error, otherwise guesses. After one reach, the answer is the first one, otherwise the
-// last.
+// bend is a Weibull function of the largest perceived-direction error. A participant who notices it names the reach
+// with this error: after one reach, the first answer. Otherwise the participant gives the last answer after one reach,
+// and guesses after two.
 unsigned SimulatedSubject::answer(const std::string&, const std::vector<std::string>& answers,
                                   const std::vector<double>& felt_deg, unsigned number) {
   Stream draw(Use::answers, place(number));

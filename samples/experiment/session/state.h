@@ -15,7 +15,7 @@ namespace hrt::experiment {
 struct TrialRecord {
   enum class End { open, counted, missing } end = End::open;
   unsigned attempts = 0;   ///< attempts that were started
-  unsigned refused = 0;    ///< attempts that ended and were invalid, without interrupted ones
+  unsigned refused = 0;    ///< attempts whose reach was invalid
   unsigned presented = 0;  ///< rank of this trial by the time at which it ended, from 1; 0: not ended
   std::int64_t began_utc_ms = 0;
   nlohmann::json attempt;          ///< data of the last event "attempt"

@@ -15,7 +15,7 @@ namespace hrt::mock {
 /// Id of the only system, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
 
-/// Results of the functions of XR_KHR_vulkan_enable2, which xrCreateSession needs.
+/// State of XR_KHR_vulkan_enable2 that xrCreateSession needs.
 struct GraphicsSetup {
   bool requirements_requested = false;
   PFN_vkGetInstanceProcAddr get_proc_addr = nullptr;  ///< vkGetInstanceProcAddr of the application

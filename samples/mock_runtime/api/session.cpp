@@ -151,7 +151,7 @@ void xrCreateSession(Instance& instance, const XrSessionCreateInfo* info, XrSess
 
 void xrDestroySession(XrSession handle) {
   auto& session = runtime().registry.get_even_lost<Session>(handle);
-  // Drops the queued events of the session, all of which have its handle at the same offset, after `next`.
+  // Drops the queued events of the session. All have its handle where XrEventDataSessionStateChanged has it.
   std::erase_if(session.instance().events, [&](const XrEventDataBuffer& event) {
     return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
            reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == handle;

@@ -49,9 +49,8 @@ class Session : public Object {
   XrSessionState state() const { return state_; }
   /// Queues an event with the present state.
   void report_state();
-  /// Enters LOSS_PENDING directly. From SYNCHRONIZED, VISIBLE or FOCUSED, also enters one of these or STOPPING, by way
-  /// of the states in between; from READY, STOPPING if the session is running. Otherwise, and after LOSS_PENDING, no
-  /// effect.
+  /// Enters LOSS_PENDING from any state; SYNCHRONIZED, VISIBLE, FOCUSED and STOPPING from the first three of these, by
+  /// way of the states in between; STOPPING also from READY if the session is running. Otherwise no effect.
   void go_to(XrSessionState state);
   /// Executes the event session_state of the script. EXITING leads to STOPPING, and after xrEndSession to EXITING.
   void change_state(XrSessionState state);

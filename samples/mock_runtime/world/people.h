@@ -50,7 +50,6 @@ struct DrawnPerson {
 /// Draws participant `number` of a seed. Fixing one field in the script does not change the draws of the others.
 DrawnPerson draw(const PersonSettings& settings, std::uint64_t seed, std::uint32_t number);
 
-/// Returns the random numbers for the noise of reach `number`.
 Draws noise_of_reach(std::uint64_t seed, std::uint32_t number);
 
 }  // namespace hrt::mock
