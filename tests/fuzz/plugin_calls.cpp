@@ -40,7 +40,7 @@ void require_finite(const Struct& value, size_t offset) {
 
 void require_command(hrt_command command) {
   require((command.flags & HRT_COMMAND_FAULT) == 0);
-  command.paper.step = 0;  // the only field that is not a double
+  command.paper.step = 0;  // the only field from plate_orientation_deg on that is not a double
   require_finite(command, offsetof(hrt_command, plate_orientation_deg));
 }
 

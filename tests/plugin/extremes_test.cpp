@@ -165,7 +165,7 @@ class Extremes : public SessionTest {
     check_what_is_kept();
   }
 
-  /// Follows a set-up with slides whose directions are `weight` times the plate orientation. Returns true if it ends.
+  /// Follows a set-up by slides in about `weight` times the plate orientation. Returns true if the set-up ends.
   bool set_up(double weight, double noise_m) {
     auto step = output<hrt_setup_step>();
     double side = 0.0;

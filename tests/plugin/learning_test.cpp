@@ -76,7 +76,7 @@ TEST_F(LearningTest, OneReachChangesTheMotorVarianceByAFactorOfTwoAtMost) {
   EXPECT_EQ(config().paper.motor_variance_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 
-  // Carried estimates are between 0.05 and 5 deg^2, for any configured value.
+  // Carried estimates of the motor variance are between 0.05 and 5 deg^2, for any configured value.
   assumed.paper.motor_variance_deg2 = 1e-9;
   set(assumed);
   reach_of(4.0, 0);

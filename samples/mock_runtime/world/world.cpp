@@ -93,12 +93,12 @@ void World::advance(XrTime now) {
   now_ = now;
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
     if (std::optional<Reach>& reach = at(side).reach; reach && !reach->done()) reach->advance(now, servo_);
-    start_next_slide(side);
+    start_slide_if_due(side);
   }
   servo_.advance(now);
 }
 
-void World::start_next_slide(XrHandEXT side) {
+void World::start_slide_if_due(XrHandEXT side) {
   const std::optional<SlideSettings>& slides = settings_of(side).slides;
   const Reach* latest = reach(side);
   if (!slides || !plate_is_placed()) return;

@@ -102,8 +102,7 @@ class World {
   Hand& at(XrHandEXT hand) { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
   const Hand& at(XrHandEXT hand) const { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
   const HandSettings& settings_of(XrHandEXT side) const { return settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1]; }
-  /// Starts the next of the repeated slides of a hand if it is due.
-  void start_next_slide(XrHandEXT side);
+  void start_slide_if_due(XrHandEXT side);
   HandState hand_on_path(XrHandEXT side, XrTime time) const;
   HandState sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const;
   Eigen::Vector3d tracker_noise_m(XrHandEXT side, XrTime time) const;

@@ -161,7 +161,8 @@ TEST_F(RecordingTest, SlowDiskLosesRowsAndDelaysNoCall) {
   slow.join();
   close(ends[0]);
   EXPECT_EQ(status.system_error, 0);
-  // After a loss, no row is accepted until half of the ring is free, so there are few gaps and few lines in the log.
+  // After a loss, no row is accepted until half of the recording's buffer is free, so there are few gaps and few lines
+  // in the log.
   std::size_t gaps = 0;
   for (std::size_t at = 0; (at = text.find("\n# lost ", at + 1)) != text.npos;) ++gaps;
   EXPECT_GE(gaps, 1u);

@@ -82,7 +82,7 @@ class MockErrors : public MockNegotiation {
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }
-  // Calls a function with invalid handles, then with a valid handle; all other arguments are zero.
+  // Calls a function with invalid handles, and with a valid one unless it destroys objects; other arguments are zero.
   template <typename First, typename... Rest>
   void call_zeros(const std::string& name, XrResult (*function)(First, Rest...)) {
     if constexpr (is_handle<First>) {
