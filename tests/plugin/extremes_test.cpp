@@ -116,7 +116,6 @@ class Extremes : public SessionTest {
     return hrt_reach_begin(session, &reach);
   }
 
-  /// Moves the finger: it rests, slides, jumps or is not tracked.
   void move(hrt_sample* sample) {
     sample->flags = one_of<std::uint32_t>({HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_DIRECTION,
                                            HRT_SAMPLE_WORLD_POSITION, HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE,

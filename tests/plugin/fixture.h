@@ -25,7 +25,6 @@ namespace hrt::test {
 
 inline constexpr std::int64_t step_ns = 100 * ms;  ///< step of the paper's model
 
-/// Fails the test with the text of hrt_last_error() unless the call succeeds.
 #define ASSERT_OK(call) ASSERT_EQ((call), HRT_OK) << hrt_last_error()
 #define EXPECT_OK(call) EXPECT_EQ((call), HRT_OK) << hrt_last_error()
 

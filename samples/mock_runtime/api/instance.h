@@ -12,7 +12,6 @@
 
 namespace hrt::mock {
 
-/// Id of the only system, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
 
 /// State of XR_KHR_vulkan_enable2 that xrCreateSession needs.

@@ -1,4 +1,3 @@
-// Swapchain images on the application's Vulkan device.
 #include <array>
 #include <cstring>
 

@@ -7,10 +7,10 @@
 
 namespace hrt::mock {
 
-Eigen::Quaterniond rotation(double angle_deg, const Eigen::Vector3d& axis) {
+Eigen::Quaterniond rotation(double angle_deg, const Eigen::Vector3d& unit_axis) {
   Eigen::Quaterniond result;
   result.w() = cos_deg(angle_deg / 2.0);
-  result.vec() = sin_deg(angle_deg / 2.0) * axis;
+  result.vec() = sin_deg(angle_deg / 2.0) * unit_axis;
   return result;
 }
 

@@ -28,8 +28,7 @@ inline Pose inverse(const Pose& pose) {
   return {back, -(back * pose.position_m)};
 }
 
-/// Returns the rotation by an angle about a unit axis.
-Eigen::Quaterniond rotation(double angle_deg, const Eigen::Vector3d& axis);
+Eigen::Quaterniond rotation(double angle_deg, const Eigen::Vector3d& unit_axis);
 
 /// Throws XR_ERROR_POSE_INVALID unless all numbers are finite and the quaternion has unit length within 1 %.
 Pose checked_pose(const XrPosef& pose);

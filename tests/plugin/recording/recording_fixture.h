@@ -26,7 +26,6 @@ inline hrt_replay_report replay(const std::string& text) {
   return report;
 }
 
-/// Expects that the recording is complete, and that its replay gave the same bits.
 inline void expect_same(const hrt_replay_report& report) {
   EXPECT_EQ(report.complete, 1u);
   EXPECT_EQ(report.first_different_line, 0u);
@@ -39,7 +38,6 @@ inline void expect_golden_bits() {
   EXPECT_EQ(report.hash, HRT_GOLDEN_HASH) << "which is 0x" << std::hex << report.hash;
 }
 
-/// Replays a recording and returns HRT_ENDING_*.
 inline std::uint32_t ending(const std::string& text) {
   const hrt_replay_report report = replay(text);
   EXPECT_EQ(report.complete, report.ending == HRT_ENDING_COMPLETE ? 1u : 0u);
