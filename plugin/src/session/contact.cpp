@@ -10,7 +10,7 @@ namespace hrt::plugin {
 namespace {
 
 constexpr double unknown_radius_mm = 10.0;
-// Nearer to the start, a contact depends on the error of the start more than on the rotation of the tracker's frame.
+// A contact nearer to the start hardly shows a rotation of the tracker's frame.
 constexpr double min_contact_mm = 10.0;
 // Largest plausible distance between contact and tracked finger: max_share of the contact's distance from the start,
 // plus max_sds SDs of the difference between the two positions.

@@ -9,7 +9,7 @@ namespace hrt::plugin {
 
 struct Gap {
   GapFeasibility feasibility;
-  double paper_max_gap_deg;  ///< largest gap in the paper's model
+  double paper_max_gap_deg;  ///< largest feasible gap in the paper's model
   double bearing_sd_deg;     ///< SD of the bearing at which reaches end, due to registration and tracker alone
 };
 
@@ -34,7 +34,7 @@ class Gaps {
 
 struct Assigned {
   std::size_t real;  ///< index of the assigned real target or, if none is assigned, of that with the smallest gap
-  bool is_feasible;  ///< true if a real target is assigned, whose gap is then feasible
+  bool is_feasible;  ///< true if a real target is assigned; its gap is feasible
   Gap gap;
 };
 

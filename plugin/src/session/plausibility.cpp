@@ -21,9 +21,9 @@ constexpr double max_target_radii = 2.0;
 constexpr double min_checked_fraction = 0.5;  // fraction of the path from which on the bearing is checked
 constexpr double max_off_course_deg = 90.0;
 constexpr double ended_fraction = 0.85;
-// Without steering, the finger ends near the virtual target. An end further beyond the virtual target than
-// min_turned_deg and min_turned_fraction of the gap is too large for a bias of the user: the plate turns in the wrong
-// direction. Gaps below min_gap_deg are not checked.
+// Without steering, the finger ends near the virtual target. If it ends more than min_turned_deg and
+// min_turned_fraction of the gap beyond the virtual target, the plate probably turns in the wrong direction. Gaps below
+// min_gap_deg are not checked.
 constexpr double min_gap_deg = 5.0, min_turned_deg = 4.0, min_turned_fraction = 0.75;
 
 double from_centre_mm(const PlatePoint& place) { return distance_mm({}, place); }

@@ -15,7 +15,7 @@ namespace hrt::plugin {
 struct Implausible {
   enum class Kind : std::uint8_t {
     none,
-    radians,           ///< the directions of all targets are below 1.6, and therefore probably in radians
+    radians,           ///< the directions of all targets are at most 1.6, and therefore probably in radians
     target_off_plate,  ///< first: distance of the start or real target from the plate's centre; second: the radius, mm
     time_too_slow,     ///< first: number of samples; second: nanoseconds between two of them
     too_fast,          ///< first: speed in m/s; second: nanoseconds between two samples
@@ -38,7 +38,7 @@ class Plausibility {
   void skip_directions() { skips_directions_ = true; }
   /// Checks a sample. Pass every sample of the reach in order, before outliers are removed.
   void observe(const FingerSample& sample);
-  /// Returns the first finding. far_away is only returned while all positions so far are far away.
+  /// Returns the first finding other than far_away. Without one, returns far_away while all positions are far away.
   const Implausible& found() const { return found_.kind != Implausible::Kind::none || !is_far() ? found_ : far_; }
 
  private:

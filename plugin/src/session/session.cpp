@@ -54,7 +54,7 @@ hrt_result Session::find_pair(std::uint64_t real_target, std::uint64_t virtual_t
   return HRT_OK;
 }
 
-// Computes directions and distance of the targets, seen from `start`. Fails if a reach from there is not possible.
+// Sets the start of `reach`, and the directions and distance seen from it. Fails if a reach from there is not possible.
 hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach) const {
   const TargetView real = view_from(start, model_.mount, pair.real);
   const TargetView seen = view_from(start, model_.mount, pair.virtual_target);
@@ -63,7 +63,7 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach)
   Reach aimed = *reach;
   aimed.start = start;
   aimed.virtual_direction_deg = seen.direction_deg;
-  // The equivalent angle that is nearest to the virtual direction.
+  // Of the equivalent angles, the nearest to the virtual direction.
   aimed.real_direction_deg = seen.direction_deg - wrap_deg(seen.direction_deg - real.direction_deg, 360.0);
   aimed.real_distance_mm = real.distance_mm;
   const double goal_deg = goal_direction_deg(model_.control.participant, aimed.virtual_direction_deg);

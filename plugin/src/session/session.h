@@ -1,4 +1,4 @@
-// The state of one user at one plate, in core types. If a call fails, the session is unchanged.
+// The state of the plugin for one user at one plate. If a call fails, the session is unchanged.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace hrt::plugin {
 struct ReachRequest {
   std::uint64_t real_target = 0;
   std::uint64_t virtual_target = 0;
-  std::optional<double> plate_orientation_deg;  ///< unset: the plate is at the last command
+  std::optional<double> plate_orientation_deg;  ///< unset: Session::plate_orientation_deg()
   double duration_s = 0.0;                      ///< expected duration of the motion; 0: unknown
   bool starts_at_finger = false;
 };
@@ -48,7 +48,8 @@ class Session {
   /// Requires that check_reaching() succeeds.
   hrt_result update(const FingerSample& sample, PlateCommand* out);
   hrt_result retarget(std::uint64_t real_target, std::uint64_t virtual_target);
-  /// Fails unless a contact can be reported: during a reach or after its end, once, and if the plate is registered.
+  /// Fails if no reach is in progress or has just ended, if this reach already has a contact, or if the plate is not
+  /// registered.
   hrt_result check_contact_due() const;
   /// Requires that check_contact_due() succeeds.
   hrt_result touched(const ContactReport& report);
@@ -62,7 +63,7 @@ class Session {
 
   /// Geometry of the reach in progress, after the last retarget.
   const Reach& reach() const { return std::get<Reaching>(state_).reach; }
-  /// True if the reach starts at the first position of the finger, and no sample has had one yet.
+  /// True while a reach waits for the position of the finger at which it will start.
   bool awaits_finger() const { return is_reaching() && std::get<Reaching>(state_).awaits_finger; }
 
   /// Requires that check_idle() succeeds.
@@ -76,7 +77,7 @@ class Session {
   SetupPart setup_part() const { return std::get<SettingUp>(state_)->part(); }
   SetupStep setup_step() const { return std::get<SettingUp>(state_)->step(); }
   const SetupReport& setup_report() const { return *report_; }
-  /// Slides of the last calibration; empty before the first one.
+  /// Slides of the last calibration or retest; empty before the first one.
   const std::vector<CalibratedSlide>& slides() const {
     return report_ && report_->calibration ? report_->calibration->slides : former_slides_;
   }
@@ -92,7 +93,7 @@ class Session {
     bool is_poor = false;  // missing although required, or less accurate than required
     bool contacts_disagree = false;
   };
-  /// A reach that has ended, and whose contact may still be reported.
+  /// Data of an ended reach, for a contact that is reported after its end.
   struct EndedReach {
     PlatePoint start;
     TargetPlace real;
@@ -116,7 +117,7 @@ class Session {
     RegistrationAssessment assessment;
     std::optional<std::int64_t> last_time_ns;
     std::optional<Contact> contact;
-    bool registration_doubtful = false;  // true if the registration was missing, poor or too old at any sample
+    bool registration_doubtful = false;  // true if any command of the reach had this flag
     bool faulty = false;
   };
   using SettingUp = std::unique_ptr<SessionSetup>;
@@ -134,7 +135,7 @@ class Session {
   double plate_orientation_deg_ = 0.0;
   Implausible implausible_;
   std::unique_ptr<SetupReport> report_;         // report of the latest set-up; null before the first one
-  std::vector<CalibratedSlide> former_slides_;  // slides of the last calibration in an earlier set-up
+  std::vector<CalibratedSlide> former_slides_;  // slides of the last calibration or retest before that set-up
 };
 
 }  // namespace hrt::plugin

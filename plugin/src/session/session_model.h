@@ -1,4 +1,4 @@
-// Assumptions of a session about the plate, the tracker and the user, in core types.
+// Assumptions of a session about the plate, the tracker and the user.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct PlateSurface {
   double lift_height_m = 0.015;  ///< positive; a finger that is tracked higher than this above the plate is lifted
 };
 
-/// Pose of the plate, and the values that convert tracked positions to plate coordinates. Lengths are in metres.
+/// Pose and surface of the plate, and position of the skin on the tracked finger. Lengths are in metres.
 struct PlateMount {
   Pose pose;           ///< pose of the plate in the engine's world; does not turn with the ridges
   double scale = 1.0;  ///< length in the world of 1 m on the plate, 0.5 to 2
@@ -44,11 +44,11 @@ struct PlateRegistration {
   bool made = false;  ///< true if the pose is from a registration that was made or checked at `time_ns`
   std::int64_t time_ns = 0;
   std::int64_t max_age_ns = 0;  ///< 0: not checked
-  double max_sd_deg = 0.0;      ///< largest SD of the bearing of a real target; 0: not checked
+  double max_sd_deg = 0.0;      ///< largest allowed SD of the bearing of a real target; 0: not checked
 };
 
 struct SessionModel {
-  RetargeterConfig control;       ///< control.touched.home is the start of reaches
+  RetargeterConfig control;       ///< control.touched.home: start_m in the plane of the plate
   bool guides_to_arrival = true;  ///< true: HRT_GUIDANCE_ARRIVAL; false: HRT_GUIDANCE_FIXED_DIRECTION
   Adaptation adaptation = Adaptation::carried;
   bool knows_person = false;  ///< true: control.person was estimated; false: forget_person() has set it

@@ -18,7 +18,7 @@ namespace hrt::plugin {
 inline constexpr std::uint32_t setup_all_missing = 64;
 
 struct SetupReport {
-  std::uint32_t done = 0;     ///< flags of the parts whose results were applied
+  std::uint32_t done = 0;     ///< flags of the parts that ended with a result
   std::uint32_t left = 0;     ///< flags of the pending parts
   std::uint32_t dropped = 0;  ///< flags of the parts that ended without a result
   SetupDrop drop;             ///< the last dropped part; drop.reason is valid while the set-up exists
@@ -38,7 +38,7 @@ class SessionSetup {
   static hrt_result check(const SessionModel& model, const Targets& targets, std::uint32_t parts,
                           const SetupConfig& asked);
 
-  /// `asked` has the caller's marks, touches, slides and plate range. If it has no marks, the default marks are used.
+  /// Of `asked`, only the fields of hrt_setup_config are used. If it has no marks, the default marks are used.
   SessionSetup(const SessionModel& model, const Targets& targets, std::uint32_t parts, const SetupConfig& asked,
                double plate_orientation_deg);
 

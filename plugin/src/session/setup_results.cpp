@@ -45,8 +45,8 @@ void apply_registration(const Registration& found, std::int64_t time_ns, Session
 }
 
 // Writes the determined parameters of the user and of the tracker's noise into the model. A determined weight or bias
-// replaces the estimates from reaches by a prior with this value; if curve and habit are determined too, the
-// calibration replaces all estimates.
+// replaces the estimates from reaches by a prior with this value; if slope, curve, bias and
+// habit are determined, the calibration replaces all estimates.
 void apply_calibration(const Calibration& calibration, SessionModel* model) {
   const Interval& weight = calibration.tactile_weight;
   Participant& participant = model->control.participant;
@@ -75,7 +75,7 @@ void apply_calibration(const Calibration& calibration, SessionModel* model) {
 }
 
 // Writes the correction of the registration. Changes the estimated bias by the mean angle by which the correction
-// rotates bearings, because reaches had estimated this angle as a bias of the user.
+// rotates the bearings of the guides, because reaches had estimated this angle as a bias of the user.
 void apply_guides(const TouchedFrame& found, const SetupConfig& config, SessionModel* model) {
   TouchedFrame& touched = model->control.touched;
   double turned = 0.0;

@@ -18,7 +18,8 @@ struct RetestDifference {
 };
 RetestDifference difference(const SessionModel& model, const Calibration& calibration);
 
-/// Writes the result of one part into the model. Returns false if the part has no result.
+/// Writes what the fit of a part has determined into the model. Returns false if the part has failed; a failed
+/// check or calibration may change the model, too.
 bool apply(const SetupFit& fit, const SetupConfig& config, SessionModel* model);
 
 }  // namespace hrt::plugin

@@ -56,7 +56,7 @@ class Targets {
   hrt_result add(const Target& target, std::uint64_t* out_id);
   /// Replaces a target. Allocates nothing if the name is unchanged.
   hrt_result set(std::uint64_t id, const Target& target);
-  /// Sets Target::served_by. Requires that both ids exist.
+  /// Sets Target::served_by. Requires that `id` exists.
   void set_served_by(std::uint64_t id, std::uint64_t real_target) { by_id_.at(id).served_by = real_target; }
   hrt_result remove(std::uint64_t id);
 
@@ -69,8 +69,8 @@ class Targets {
 
   const std::map<std::uint64_t, Target>& all() const { return by_id_; }
   bool has_both_roles() const { return real_count_ > 0 && by_id_.size() > real_count_; }
-  /// True if there are both roles, all targets are given by directions of at most 1.6, and at least two are not 0. If
-  /// these were degrees, targets at 100 mm from the start would be within 6 mm of each other.
+  /// True if there are both roles, and all targets are given by directions of at most 1.6, at least two of them not 0.
+  /// If these were degrees, targets at 100 mm from the start would be within 6 mm of each other.
   bool may_be_in_radians() const;
 
   /// Returns the number of a target in recordings: the difference between its id and the last id before this object was
