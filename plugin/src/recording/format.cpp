@@ -103,7 +103,7 @@ void write_value(Number number, SetupCell& cell) {
 void write_value(const double (&place_m)[3], SetupCell& cell) {
   cell << place_m[0] << ":" << place_m[1] << ":" << place_m[2];
 }
-void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // texts follow from the numbers, and are not written
+void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // texts are not written
 
 // Writes a struct as one cell of name=value pairs.
 template <class Struct>

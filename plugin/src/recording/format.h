@@ -15,7 +15,7 @@
 
 namespace hrt::plugin {
 
-/// Geometry of a reach, seen from its start or, after a retarget, from the position of the finger at that time.
+/// Geometry of a reach, seen from its start or, after a retarget, as Retargeter::retarget() returns it.
 struct ReachGeometry {
   double real_direction_deg;
   double virtual_direction_deg;
@@ -88,7 +88,7 @@ struct SetupFinished {
 
 struct SetupCancelled {};
 
-/// A call of the C interface with its result, or the initial plate orientation.
+/// A call of the C interface with its result, or a part of the state at the beginning of the recording.
 struct Record {
   hrt_result result = HRT_OK;
   std::variant<ConfigSet, TargetChanged, InitialPlateOrientation, ReachBegun, Updated, Retargeted, Touched,

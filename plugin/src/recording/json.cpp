@@ -50,7 +50,7 @@ class ObjectWriter {
     separator_ = ",";
     put(value);
   }
-  /// Writes a target as its number in the recording. Writes nothing if the target is null.
+  /// Writes a target as its number in the recording. Writes nothing if it is 0.
   void operator()(std::string_view key, hrt_target target) {
     if (target.value != 0) (*this)(key, target.value);
   }

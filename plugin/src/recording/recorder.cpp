@@ -14,7 +14,7 @@ static_assert(std::is_trivially_copyable_v<Record>, "push() must not allocate");
 namespace {
 
 #if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-constexpr bool has_threads = false;  // push() writes the file if the ring is full, stop() the rest
+constexpr bool has_threads = false;  // push() writes the records if the ring is full, flush() and stop() the rest
 #else
 constexpr bool has_threads = true;
 #endif
@@ -30,7 +30,7 @@ Recorder::Recorder(File file, std::string_view name, const SessionLog& log, cons
   watch_forks();
   forks_ = forks();
   const std::string header = recording_header();
-  system_error_.store(file_.clear());  // after all allocations: if one fails, the file is unchanged
+  system_error_.store(file_.clear());  // after these allocations: if one fails, the file is unchanged
   write(header);
   write_record_of({.call = ConfigSet{config}});
   write_record_of({.call = InitialPlateOrientation{plate_orientation_deg}});
@@ -84,7 +84,7 @@ hrt_recording_status Recorder::flush() {
   return status();
 }
 
-// Overwrites the handle of the thread, which exists in the parent only and cannot be joined here.
+// In a forked child: overwrites the handle of the thread, which exists in the parent only, and logs lost calls.
 void Recorder::abandon() {
   std::construct_at(&writer_);
   const std::uint64_t lost = lost_.load();

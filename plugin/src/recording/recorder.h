@@ -16,15 +16,15 @@
 
 namespace hrt::plugin {
 
-/// Writes records to a file without delaying the caller: push() adds them to a ring buffer, from which a thread takes
-/// them. Calls must not be concurrent.
+/// Writes records to a file. push() does not wait for the file: it adds a record to a ring buffer, from which a thread
+/// takes it. Calls must not be concurrent.
 class Recorder {
  public:
   /// Starts a recording by writing the state of the session. `name` identifies session and file in `log`, which must
   /// outlive this object. Throws std::system_error, std::bad_alloc.
   Recorder(File file, std::string_view name, const SessionLog& log, const hrt_session_config& config,
            std::span<const TargetChanged> targets, double plate_orientation_deg);
-  ~Recorder();  ///< writes the remaining records and closes the file; in a forked child, only closes it
+  ~Recorder();  ///< writes the remaining records and closes the file; in a forked child, writes nothing
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
@@ -67,7 +67,7 @@ class Recorder {
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint64_t> lost_unnoted_{0};  // dropped records that no entry counts in lost_before yet
   std::atomic<bool> overrun_{false};            // true: no record is accepted until half of the ring is free
-  std::uint64_t lost_unreported_ = 0;           // lost calls that are not in the log yet
+  std::uint64_t lost_unreported_ = 0;           // lost records that are not in the log yet
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;

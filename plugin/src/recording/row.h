@@ -80,7 +80,7 @@ hrt_result take_number(const What& what, std::string_view text, Number* out) {
   return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", Shown{text}, "\", which is not a number; record again");
 }
 
-/// Reads a cell. If it is empty, `*out` is unchanged.
+/// Reads a number from its cell, or an array from successive cells. Empty cells change nothing.
 template <class Value>
 hrt_result read_cell(const Cells& cells, std::size_t at, Value* out) {
   if constexpr (std::is_array_v<Value>) {
@@ -91,7 +91,7 @@ hrt_result read_cell(const Cells& cells, std::size_t at, Value* out) {
   }
 }
 
-/// Sets the cells of those fields of a sample that its flags name.
+/// Sets the cells of a sample. The cell of a field that requires a flag is empty without this flag.
 inline void put_sample(const hrt_sample& sample, Row& row) {
   row.put_fields(sample, [&](std::string_view name) {
     const auto has = [&](std::uint32_t flags) { return (sample.flags & flags) != 0; };
