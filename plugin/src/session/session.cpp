@@ -63,7 +63,7 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach)
   Reach aimed = *reach;
   aimed.start = start;
   aimed.virtual_direction_deg = seen.direction_deg;
-  // Of the equivalent angles, the nearest to the virtual direction.
+  // The equivalent angle that is nearest to the virtual direction.
   aimed.real_direction_deg = seen.direction_deg - wrap_deg(seen.direction_deg - real.direction_deg, 360.0);
   aimed.real_distance_mm = real.distance_mm;
   const double goal_deg = goal_direction_deg(model_.control.participant, aimed.virtual_direction_deg);

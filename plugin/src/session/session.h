@@ -19,7 +19,7 @@ namespace hrt::plugin {
 struct ReachRequest {
   std::uint64_t real_target = 0;
   std::uint64_t virtual_target = 0;
-  std::optional<double> plate_orientation_deg;  ///< unset: Session::plate_orientation_deg()
+  std::optional<double> plate_orientation_deg;  ///< unset: that of the session
   double duration_s = 0.0;                      ///< expected duration of the motion; 0: unknown
   bool starts_at_finger = false;
 };
