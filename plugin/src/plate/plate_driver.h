@@ -18,7 +18,7 @@
 namespace hrt::plate {
 
 /// Driver of one plate, with a thread that communicates with the device. set(), stop() and report() may be called on
-/// any thread, take no lock and allocate nothing. Only report() may make a system call, to read the monotonic clock.
+/// any thread, take no lock and allocate nothing; report() may make a system call, to read the monotonic clock.
 class PlateDriver {
  public:
   /// Starts to open the device. Failures name `path`. `file`: nullopt if the plate was not opened by a plate file.

@@ -54,7 +54,7 @@ std::optional<PlateMessage> parse_plate_message(std::string_view body);
 
 /// Returns the body of the command `word`, SET or HOME. `orientation_deg` is from -360 to 360.
 std::string motion_body(double orientation_deg, std::uint16_t sequence, std::string_view word = "SET");
-/// Appends a number of five digits: the sequence number of BEAT or STOP, or the token of the host.
+/// Appends a number as five digits: a sequence number, or the token of the host.
 std::string with_number(std::string_view body, std::uint16_t number);
 
 }  // namespace hrt::plate

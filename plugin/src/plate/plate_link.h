@@ -14,7 +14,7 @@ namespace hrt::plate {
 
 /// Plate with the line protocol (plugin/src/plate/protocol.md). limits() has the speed that the plate reports, or the
 /// observed speed if that is lower, and the reported latency plus half of the measured round trip. The destructor waits
-/// up to 0.1 s. Functions throw PlateFailure if the plate fails. All calls are made on one thread.
+/// up to 0.1 s to send a stop. Functions throw PlateFailure if the plate fails. All calls are made on one thread.
 class PlateLink : public Device, public BoardSettings {
  public:
   /// Greets the plate and measures the round trip; does not move the plate. Waits up to five seconds for the answer,

@@ -71,7 +71,7 @@ bool line_parse_hundredths(const char* word, int32_t* out) {
   if (!is_digit(*word)) return false;
   int32_t value = 0;
   for (; is_digit(*word); ++word) {
-    if (value > 999999) return false; /* this digit and two decimals would overflow */
+    if (value > 999999) return false; /* with this digit and two decimals, it could overflow */
     value = value * 10 + (*word - '0');
   }
   uint8_t decimals = 0;

@@ -20,12 +20,12 @@ class PlateWatch {
   /// Starts to expect that the plate turns to this orientation; note_stop() ends the expectation.
   void note_command(double orientation_deg);
   void note_stop();
-  /// nullopt: the orientation is unknown. Throws PlateFailure if the plate is stuck or beyond its limits.
+  /// `orientation_deg`: nullopt if it is unknown. Throws PlateFailure if the plate is stuck or beyond its limits.
   void note_report(Time time, std::optional<double> orientation_deg);
   /// Throws PlateFailure if no report has arrived for half a second. Call it regularly.
   void check(Time now) const;
 
-  /// Highest speed over 20 degrees or one second of a motion; nullopt if no such motion was observed.
+  /// Highest speed over at least 20 degrees or one second of a motion; nullopt if no such motion was observed.
   std::optional<double> speed_deg_s() const { return speed_deg_s_; }
 
  private:

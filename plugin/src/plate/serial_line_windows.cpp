@@ -54,7 +54,7 @@ class Transfer {
     running_ = false;
     throw PlateFailure(Fault::unplugged, "is unplugged; connect and open the plate again");
   }
-  /// Ends the transfer, so that the buffer may be reused.
+  /// Ends the transfer, so that the buffer may be destroyed.
   void cancel(HANDLE line) {
     if (!running_) return;
     CancelIoEx(line, &state_);

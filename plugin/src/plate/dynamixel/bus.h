@@ -70,7 +70,8 @@ class Bus {
 
   /// Sends a request once. Returns nullopt if no answer arrives. The caller handles an error in the answer.
   std::optional<Packet> try_once(const Packet& request);
-  /// Sends a request up to ten times. Throws PlateFailure if no undamaged answer arrives, or the answer has an error.
+  /// Sends a request, up to ten times if it or its answer is lost or damaged. Throws PlateFailure after the tenth time,
+  /// or if the servo refuses the request.
   Packet transact(const Packet& request);
   std::int64_t read(Entry entry);
   void write(Entry entry, std::int64_t value) { transact(write_request(entry, value)); }

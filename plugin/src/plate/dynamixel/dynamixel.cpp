@@ -127,7 +127,7 @@ class Servo : public Device {
             value("hardware error ", hardware_error, "")};
   }
 
-  // The servo reports the position of its shaft plus the homing offset, so the shaft is at -offset at orientation 0.
+  // The servo reports the position of its shaft plus homing_offset: at orientation 0, the shaft is at 2048 - offset.
   double zero_deg() override {
     finish_exchange();
     return static_cast<double>(-bus_.read(homing_offset)) * deg_per_step;

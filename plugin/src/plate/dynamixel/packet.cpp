@@ -27,7 +27,7 @@ std::string stuffed(std::string_view plain) {
   return bytes;
 }
 
-// Removes the byte stuffing. Returns nullopt if the bytes contain a header without stuffing.
+// Removes the byte stuffing. Returns nullopt if `pattern` occurs without the inserted FD.
 std::optional<std::string> unstuffed(std::string_view bytes) {
   std::string plain;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
