@@ -1,4 +1,4 @@
-"""Registered tests of a study, for `analyse` and `power`. Needs python3-statsmodels and, for mixed models, r-cran-lmertest."""
+"""Readers of a study's files, and its registered tests. Needs python3-statsmodels and, for mixed models, r-cran-lmertest."""
 import io
 import json
 import math
@@ -161,8 +161,8 @@ def contrasts(means, plan):
 
 
 def by_level(trials, plan):
-    """Returns the mean at each level of the between-participants factor, and p of equal means (Welch's test), for each contrast and for the mean of
-    all conditions."""
+    """Returns the mean at each level of the between-participants factor, and p of equal means (Welch's test), without and with Holm's correction, for
+    each contrast and for the mean of all conditions."""
     means, levels = outcomes(trials, plan), trials.groupby("participant")["level"].first()
     rows = {}
     for name, values in {"mean of all": means.mean(axis=1, skipna=False).dropna(), **contrasts(means, plan)}.items():
@@ -185,9 +185,9 @@ def excluded(study, trials):
 
 
 def psychometric(trials):
-    """Fits a Weibull function of the delivered bend to the correct answers of all participants, by maximum likelihood. Returns threshold (scale) and
-    slope (nan at a limit: the delivered bends, slopes from 0.5 to 10), p of Pearson's chi-squared test of the fit, the at most six bins of the bend
-    on which the test is based, and the fitted function."""
+    """Fits the probability of a correct answer, a Weibull function of the delivered bend, to the answers of all participants, by maximum likelihood.
+    Returns threshold (scale) and slope, p of Pearson's chi-squared test of the fit, the at most six bins of the bend on which the test is based, and the
+    fitted function. Threshold and slope are nan if one is at its limit: the least or largest bend, or a slope of 0.5 or 10."""
     asked = trials[trials.is_right.notna() & (trials.bend_deg > 0)]
     share = lambda x, bend: 0.5 + (0.5 - LAPSES) * (1 - numpy.exp(-((bend / numpy.exp(x[0])) ** numpy.exp(x[1]))))
     loss = lambda x: -scipy.stats.bernoulli.logpmf(asked.is_right, share(x, asked.bend_deg)).sum()

@@ -31,7 +31,7 @@ struct Options {
   bool simulated = false;
   std::string live, power;
   std::string plate = "runtime";
-  app::Options reach;  // options for the plate and OpenXR
+  app::Options reach;  // options that hrt-reach has, too
 };
 
 void put(const std::filesystem::path& file, const std::string& content) {
@@ -95,12 +95,12 @@ void simulate(const Options& options) {
       for (unsigned participant = first; participant <= design.participants; participant += options.threads)
         run_simulated(design, options, participant);
     } catch (const std::exception&) {
-      // The parent process repeats the session and reports the error.
+      // The parent process runs the remaining sessions, and reports the error if it occurs again.
     }
     _exit(0);
   }
   while (wait(nullptr) > 0) continue;
-  // Runs again the sessions that failed; a finished session is not changed.
+  // Runs or resumes the sessions that the processes have not finished; a finished session is not changed.
   for (unsigned participant = 1; participant <= design.participants; ++participant)
     std::cout << "sub-" << participant << ": " << run_simulated(design, options, participant) << "\n";
   std::cout << "SIMULATED: no person took part\n";

@@ -1,16 +1,17 @@
 # Fits mixed models to studies by lmerTest (lme4 with Satterthwaite's degrees of freedom).
 #
-# Reads CSV from standard input: study, participant, condition (0: the reference), pair, value. Prints CSV with a row for each study and condition.
-# Fixed effects: condition and pair, with the effect of a condition averaged over pairs. Random effects of participants: intercept,
-# condition, and each contrast between pairs, with its own variance in each condition, since a participant's bias raises the misses on one
-# side and lowers those on the other side. The residual has a variance in each condition, by weights from repeated trials.
+# Reads CSV from standard input: study, participant, condition (0: the reference), pair, value. Prints CSV with a row for each study and
+# condition except the reference. Fixed effects: condition, pair and their interaction; contrasts of pairs sum to 0, so the effect of a
+# condition is the mean over pairs. Random effects of participants: intercept, condition, and each contrast between pairs, with its own
+# variance in each condition, since a participant's bias raises the misses on one side and lowers those on the other side. The residual
+# has a variance in each condition, by weights from repeated trials, if each condition has some.
 # If no optimiser converges, the model is reduced in the order of `models`. The column `model` names the model that was fitted.
 suppressMessages(library(lmerTest))
 trials <- read.csv(file("stdin"))
 
 fit_of <- function(formula, data) {
   for (optimizer in c("nloptwrap", "bobyqa", "Nelder_Mead")) {
-    # A singular fit (a variance of zero) is accepted; a fit that has not converged is not.
+    # A singular fit (such as a variance of zero) is accepted; a fit that has not converged is not.
     control <- lmerControl(optimizer, check.conv.singular = "ignore")
     found <- tryCatch(lmer(formula, data, weights = weight, control = control), error = function(e) NULL)
     if (!is.null(found) && length(found@optinfo$conv$lme4) == 0 && found@optinfo$conv$opt == 0) return(found)

@@ -1,4 +1,4 @@
-// Files that are never overwritten, with hooks at each step where a crash can occur.
+// Files that are never overwritten, with a function that is called at each step where a crash can occur.
 #pragma once
 
 #include <filesystem>

@@ -35,14 +35,14 @@ std::uint32_t crc32(std::string_view text);
 /// Returns the time as text, "2026-11-24T17:10:53.123Z".
 std::string utc_text(std::int64_t utc_ms);
 
-/// Parses a journal. Throws Refusal naming a damaged line. An incomplete line is allowed at the end, and before an
-/// event "opened" or "closed", where a write was interrupted.
+/// Parses a journal. Skips damaged lines at the end, and before an event "opened" or "closed", where a write was
+/// interrupted. Throws Refusal naming any other damaged line, or a line with a wrong number.
 std::vector<Event> read_journal(const std::string& text, const std::string& name);
 
 /// Writes a journal. The file is locked, so that only one process can write it.
 class Journal {
  public:
-  /// Creates the file or appends to it. Throws Refusal if it is damaged, is locked by a process or cannot be written.
+  /// Reads or creates the file. Throws Refusal if it is damaged, is locked, or cannot be opened for writing.
   Journal(std::filesystem::path file, const Disk& disk, std::function<Now()> clock);
   ~Journal();
   Journal(const Journal&) = delete;

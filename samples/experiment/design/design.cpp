@@ -63,7 +63,7 @@ void read_pairs(const Json& file, const std::string& name, Design& design) {
     const std::string where = name + format(".pairs[%zu]", design.pairs.size());
     const Pair pair{p["name"], p["virtual_deg"], p["real_deg"], 1e-3 * p["distance_mm"].get<double>(),
                     1e-3 * p["radius_mm"].get<double>()};
-    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // the plugin's limit is 90, of which 15 are for the bias
+    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // the plugin's limit is 90; 15 remain for the bias
       refuse(where + ".real_deg", "must be at most 75 degrees from virtual_deg");
     for (const Pair& other : design.pairs)
       if (other.name == pair.name)

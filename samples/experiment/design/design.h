@@ -104,17 +104,19 @@ struct Design {
   std::string direction;
   unsigned reference;  ///< index of the condition with which the others are compared
   double alpha;
-  double margin;  ///< equivalence margin, in the measure's unit
+  double margin;  ///< of the hypotheses equivalence and below_margin, in the measure's unit
   SimulatedTraits simulated;
   std::string text;  ///< content of study.json
   std::string sha256;
 };
 
-/// Parses and checks a design. Throws Refusal naming the field and what is allowed. `name`: file name for messages.
+/// Parses and checks a design. Throws Refusal, which names an invalid field and what is allowed. `name`: file name for
+/// messages.
 Design parse_design(const std::string& text, const std::string& name);
 Design read_design(const std::filesystem::path& file);
 
-/// Returns the plugin's session configuration of a condition. Throws Refusal if `config` names an unknown field.
+/// Returns the plugin's session configuration of a condition. Throws Refusal if `condition.config` names a field that
+/// is not a double of hrt_session_config.
 hrt_session_config config_of(const Condition& condition);
 
 const Json& design_schema();

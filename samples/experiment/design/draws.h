@@ -1,4 +1,4 @@
-// Random draws, each a pure function of its purpose and its place in the study.
+// Sequences of random draws, each a pure function of its purpose and its place in the study.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace hrt::experiment {
 
 enum class Use : std::uint32_t { letters, orders, trials, returns, intervals, person, noise, answers };
 
-/// Numbers on which a draw depends; 0 for those on which it does not depend.
+/// Numbers that distinguish the sequences of one purpose.
 struct Place {
   std::uint64_t seed;
   std::uint32_t participant = 0;
@@ -20,7 +20,6 @@ struct Place {
   std::uint32_t attempt = 0;
 };
 
-/// Sequence of draws for one purpose and place.
 class Stream {
  public:
   Stream(Use use, const Place& place)

@@ -18,7 +18,7 @@ std::string in_words(const json& value) {
   return text;
 }
 
-// Returns one line per field; the fields of an object follow the object's line, indented.
+// Returns one line per field, followed by the indented fields of an object or of each object in a list.
 std::string fields_text(const json& schema, const json& given, const std::string& indent) {
   std::string text;
   for (const auto& [name, field] : schema["properties"].items()) {

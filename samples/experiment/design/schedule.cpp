@@ -14,8 +14,8 @@ namespace {
 
 constexpr unsigned max_tries = 10'000;
 
-// True if no catch trial is first or follows another catch trial, and, with `has_pairs`, no pair comes more than
-// max_run times in a row.
+// True if no catch trial is first or follows another catch trial, and no pair comes more than max_run times in a row.
+// The second condition applies only with `has_pairs`.
 bool is_legal(const std::vector<PlannedTrial>& trials, unsigned max_run, bool has_pairs) {
   unsigned run = 0;
   for (std::size_t i = 0; i < trials.size(); ++i) {

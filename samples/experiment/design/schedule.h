@@ -1,4 +1,4 @@
-// The order of conditions and trials: a pure function of the design and the participant's number.
+// The planned order of conditions and trials: a pure function of the design and the participant's number.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ namespace hrt::experiment {
 
 struct PlannedTrial {
   unsigned number;     ///< position in the block, from 1
-  unsigned condition;  ///< index of the condition; catch trials have one too, for balance
+  unsigned condition;  ///< index of the condition; catch trials have one too, for the analysis of their answers
   unsigned pair;       ///< index of the pair; noticeability: index of the QUEST+ run
-  bool is_catch;
+  bool is_catch;       ///< also true in practice
 };
 
 enum class BlockKind { practice, reaches, noticeability };

@@ -21,7 +21,7 @@ hrt_sample sample_of(const nlohmann::json& row);
 
 class LibrarySession {
  public:
-  /// `profile`: JSON of the prior about the participant; empty: the default prior.
+  /// `profile`: the participant's profile; empty: the parameters in the configuration of the condition.
   LibrarySession(const Condition& condition, const std::string& profile, const Subject& subject);
   ~LibrarySession();
   LibrarySession(const LibrarySession&) = delete;

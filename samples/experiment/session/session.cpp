@@ -80,8 +80,8 @@ class SessionRun {
                  [&subject] { return subject.now(); }),
         state_(state_of(design, schedule_, place.participant, journal_.events())) {}
 
-  // Runs the session and returns how it ended. The journal of an opened session then has the event "closed" or "end"
-  // with a reason, also after an exception, if the journal can be written.
+  // Runs the session and returns how it ended. If the experimenter quits, or an exception ends an opened session, the
+  // journal gets the event "closed" with the reason.
   std::string run() {
     try {
       const std::string how = run_tasks();
@@ -98,7 +98,7 @@ class SessionRun {
     try {
       if (is_open_) log("closed", {{"reason", reason}});
     } catch (const std::exception&) {
-      // The journal cannot be written either; report the first error.
+      // The journal cannot be written; run() reports the first error.
     }
   }
 
@@ -115,7 +115,7 @@ class SessionRun {
         subject_.show(status_of(task));
         if (state_.end.empty()) perform(task);
       } catch (const Ended&) {
-        // Interrupted: the loop processes the experimenter's key and starts the task again.
+        // The experimenter has interrupted the task; the next iteration handles the key.
       }
     subject_.say(state_.end == "done" ? "The session is complete. Thank you." : "The session was stopped.");
     return state_.end;
@@ -127,7 +127,8 @@ class SessionRun {
     disk_.step("after state");
   }
 
-  // Starts or resumes the session. Restarts the block after an interruption that was long, or of unknown length.
+  // Starts or resumes the session. A block in which a trial has ended restarts if the interruption was long, or of
+  // unknown length.
   void open() {
     const std::vector<Event>& events = journal_.events();
     bool is_long = false;
@@ -279,12 +280,12 @@ class SessionRun {
                          samples.push_back(row_of(sample));
                          use(sample);
                          const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
-                         before = std::min(before, step.done);  // a rejected fit restarts the procedure
+                         before = std::min(before, step.done);  // a rejected fit of touches restarts them
                          return ends ? std::nullopt : std::optional(step);
                        });
         log(event, {{"number", done}, {"samples", std::move(samples)}});
       }
-      // Each call of hrt_setup_finish() continues the fit.
+      // Each call of hrt_setup_finish() continues the fit by a few milliseconds at most.
       for (; step.instruction == HRT_STEP_FINISH; use(last)) {
         check(hrt_setup_finish(session.handle(), &result));
         if (result.left == 0) return result;
@@ -315,7 +316,7 @@ class SessionRun {
   }
 
   // Returns the reaches of a trial. For noticeability, draws which of two reaches is bent, and selects the gap: 0 in a
-  // catch trial, otherwise at most the largest feasible gap, if the set-up has determined it.
+  // catch trial, otherwise by QUEST+, at most the largest feasible gap (or min_gap_deg, if that is larger).
   std::vector<Part> parts_of(const Task& task, json& about) const {
     const Block& block = schedule_.blocks[task.block];
     const PlannedTrial& planned = block.trials[task.trial];
@@ -346,7 +347,7 @@ class SessionRun {
     return parts;
   }
 
-  // Describes the task of the session for the live page, with letters for conditions.
+  // Describes the task for the live page, with the blinded name of the condition.
   json status_of(const Task& task) const {
     constexpr const char* tasks[] = {"consent", "registration", "check",  "set-up", "questionnaire",
                                      "break",   "reach",        "answer", "end"};

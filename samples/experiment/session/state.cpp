@@ -41,8 +41,8 @@ void State::end_trial(TrialRecord::End of_trial) {
   rest_due = block < schedule.blocks.size();
 }
 
-// Records a reach. An invalid one moves its trial to a random later position, or makes it missing after the last
-// attempt.
+// Records a reach. A trial whose reach was invalid moves to a random later position, if there is one; after the last
+// attempt it is missing.
 void State::apply_reach(const Event& event) {
   TrialRecord& record = trials[block][pending.front()];
   record.reach = event.data;

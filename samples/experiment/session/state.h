@@ -14,13 +14,13 @@ namespace hrt::experiment {
 
 struct TrialRecord {
   enum class End { open, counted, missing } end = End::open;
-  unsigned attempts = 0;   ///< attempts that were started
-  unsigned refused = 0;    ///< attempts whose reach was invalid
-  unsigned presented = 0;  ///< rank of this trial by the time at which it ended, from 1; 0: not ended
+  unsigned attempts = 0;   ///< attempts that were started, in all passes of the block
+  unsigned refused = 0;    ///< attempts of this pass whose reach was invalid
+  unsigned presented = 0;  ///< number of ended trials of the session when this one ended; 0: not ended
   std::int64_t began_utc_ms = 0;
   nlohmann::json attempt;          ///< data of the last event "attempt"
   nlohmann::json reach;            ///< data of the last event "reach"
-  std::optional<unsigned> answer;  ///< index of the answer
+  std::optional<unsigned> answer;  ///< index of the answer; noticeability: of the reach that seemed bent
 };
 
 struct Task {
@@ -47,7 +47,7 @@ struct State {
 
   bool has_consent = false;
   bool registers = false;
-  bool is_placed = false;                        ///< touches have made or checked the registration since the last start
+  bool is_placed = false;                        ///< touches in this run of the program confirm the registration
   std::string registration;                      ///< current registration; empty: not registered
   std::set<std::string> registrations;           ///< all registrations of the session
   std::vector<nlohmann::json> touches;           ///< touches of an unfinished registration
@@ -65,11 +65,11 @@ struct State {
   unsigned presented = 0;
   unsigned refused_in_a_row = 0;
   std::vector<std::string> profiles;  ///< by condition: profile after the last valid reach; empty: that of the set-up
-  app::QuestPlus quest;               ///< posterior of all answers, for the threshold
+  app::QuestPlus quest;               ///< posterior of the answers of all runs, for the threshold
   std::vector<app::QuestPlus> quest_runs;  ///< interleaved runs, which select the gaps
   std::string end;                         ///< "done" or "stopped"; empty: the session has not ended
   std::int64_t passed_ns = 0;  ///< time from consent to the last event, including time while the computer was off
-  std::string boot;            ///< identifier of the computer's boot at the last start
+  std::string boot;            ///< identifier of the computer's boot at the program's last start
   std::optional<Now> last;     ///< time of the last event
 
  private:

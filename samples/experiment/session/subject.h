@@ -27,12 +27,12 @@ struct ReachOrder {
   double virtual_deg;
   double distance_m;
   double radius_m;  ///< radius of the real object; 0: unknown
-  unsigned number;  ///< number of the reach, for random draws; differs between the reaches of a session
+  unsigned number;  ///< number of the reach, for random draws; differs between the ended reaches of a session
 };
 
 struct ReachOutcome {
   bool has_ended = false;
-  std::string problem;      ///< why the reach is invalid, apart from the rules of validity; empty: valid
+  std::string problem;      ///< why the reach is invalid, apart from the rules of validity; empty: none
   double end_m[3]{};        ///< final position of the fingertip, in plate coordinates
   double duration_s = 0.0;  ///< duration of the motion
   double peak_felt_error_deg = 0.0;
@@ -43,8 +43,8 @@ struct ReachOutcome {
 /// Keys of the experimenter, returned by Subject::key().
 enum class Key { none, refuse, note, rest, stop_plate, unblind, leave };
 
-/// Thrown by calls that wait, if the experimenter interrupts the task. Subject::key() then returns the key, unless the
-/// key only marks a reach as invalid.
+/// Thrown by calls that wait, if the experimenter interrupts the task; reach() returns a problem instead.
+/// Subject::key() then returns the key, unless the key only marks a reach or slide as invalid.
 struct Ended : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -64,8 +64,8 @@ class Subject {
   virtual std::string description() const = 0;
   /// Returns a description of the plate; may be empty.
   virtual std::string plate() const { return {}; }
-  /// Returns the key that was pressed since the last call. After Key::stop_plate, the next call waits until the
-  /// experimenter resumes.
+  /// Returns the last key that was pressed since the previous call. After Key::stop_plate, calls wait until the
+  /// experimenter resumes or quits.
   virtual Key key() { return Key::none; }
   virtual void say(const std::string& text) = 0;
   /// Displays the state of the session on the live page.
@@ -77,8 +77,8 @@ class Subject {
   virtual std::optional<hrt_setup_config> marks() const { return std::nullopt; }
   /// Applies the pose that was found by touches. Returns the registration as a text, which verify() reads.
   virtual std::string registered(const hrt_session_config&) { return {}; }
-  /// Checks the registration by one touch. Returns its distance from the mark in metres; nullopt if the plate has
-  /// moved.
+  /// Uses a registration, and checks it by one touch. Returns the distance of the touch from the mark in metres;
+  /// nullopt if the plate must be registered again.
   virtual std::optional<double> verify(const std::string&) { return 0.0; }
 
   virtual bool consents() = 0;
@@ -87,7 +87,7 @@ class Subject {
   /// the previous sample; all samples must be later.
   virtual void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
                      const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) = 0;
-  /// Asks a questionnaire. Returns whole numbers or texts.
+  /// Asks a questionnaire. Returns an answer to each item: whole numbers or texts.
   virtual std::vector<nlohmann::json> fill_in(const Questionnaire& paper) = 0;
   virtual void rest(double minutes) = 0;
   /// Turns the plate to 0 degrees, waits for the finger at the start, and runs one reach.
