@@ -8,7 +8,8 @@
 namespace hrt {
 namespace {
 
-// SD of the wander of people without an own path: motor noise of 8 deg^2/s with a time constant of 0.3 s.
+// SD of the wander of people without an own path, and lower limit for others: motor noise of 8 deg^2/s, filtered with
+// the time constant of the wander (0.3 s).
 constexpr double steady_wander_deg = 1.1;
 
 }  // namespace

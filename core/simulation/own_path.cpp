@@ -15,7 +15,7 @@ namespace {
 // degrees. Data: 1683 reaches of 4 people, 72 pairs of person and target (README.md).
 constexpr PathShape cell_sd_deg{8.1, 2.6, 7.3, 10.4};     // SD of the means of the 72 pairs
 constexpr PathShape within_sd_deg{9.3, 5.9, 10.1, 18.2};  // SD of the reaches about the mean of their pair
-// SD of the log of the wander's size between pairs. The size has the median 7.4 and the RMS 9.1 degrees.
+// SD of the log of the wander's size between pairs: sqrt(ln(9.1 / 7.4)), from the RMS and the median of the recordings.
 constexpr double log_size_sd = 0.455;
 
 constexpr double peak_mean = 0.36, peak_sd = 0.09;
@@ -51,8 +51,8 @@ OwnPath draw_own_path(double size, Draws& draws) {
   return path;
 }
 
-// The habit is the projection of the mean direction on 1 - 2 s, whose mean square is 1/3. sd_deg[0] is set so that
-// wander_sd_deg() returns the SD of the recordings about their mean.
+// The habit is the projection of the mean direction on 1 - 2 s. sd_deg[0] is set so that wander_sd_deg(), which counts
+// a third of its square, returns the SD of the recordings about their mean.
 OwnPath own_path_of(std::vector<RecordedReach> reaches) {
   constexpr std::size_t nodes = std::tuple_size_v<decltype(RecordedReach::direction_deg)>;
   const auto count = static_cast<double>(reaches.size());

@@ -3,7 +3,7 @@
 //
 //   o(s) = a0 (1 - 2 s) + a1 (6 s^2 - 6 s + 1) + a2 ((1 - s)^8 - 1/9) + a3 (s^8 - 1/9)
 //
-// The mean of each term over the path is 0, so the path returns to the line to the target. Sources: README.md.
+// The mean of each term over the path is 0, so that the path ends on the line to the target. Sources: README.md.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,8 @@ struct OwnPath {
   bool returns = true;   ///< false: o(s) fades to 0 between 0.4 and 0.5 of the path, so that the path does not return
   bool lags = false;     ///< false: the hand follows o(s) without delay; true: o(s) is added to the goal of steering
   double log_duration_sd = 0.0;  ///< SD of the log of the duration from reach to reach
-  /// Recordings; each reach uses path and pace of one of them, and an informed controller is given mean_deg and sd_deg,
-  /// which describe them. Null: no recordings.
+  /// Recordings; each reach uses path and pace of one of them. Null: no recordings, and o(s) is drawn. For informed
+  /// controllers, mean_deg and sd_deg describe the recordings.
   std::shared_ptr<const std::vector<RecordedReach>> recorded;
 
   bool any() const { return recorded || mean_deg != PathShape{} || sd_deg != PathShape{}; }
@@ -39,10 +39,10 @@ struct OwnPath {
 /// Draws an own path from the statistics of the recorded people; all angles are multiplied by `size`.
 OwnPath draw_own_path(double size, Draws& draws);
 
-/// Returns an own path that replays these recordings, at least one, of one person and target.
+/// Returns an own path that replays recordings of one person and target. Requires at least one.
 OwnPath own_path_of(std::vector<RecordedReach> reaches);
 
-/// Interpolates linearly at `fraction`, clamped to [0, 1], between values at equal steps.
+/// Interpolates linearly between values at equal steps. `fraction` is clamped to [0, 1].
 template <std::size_t size>
 double interpolated(const std::array<double, size>& values, double fraction) {
   const double at = std::clamp(fraction, 0.0, 1.0) * (size - 1);
@@ -54,7 +54,7 @@ double interpolated(const std::array<double, size>& values, double fraction) {
 /// Returns the habit of the mean path: its component along 1 - 2 s, by least squares over the path.
 double mean_habit_deg(const OwnPath& path);
 
-/// Returns the SD of o(s) from reach to reach, as root mean square over the path.
+/// Returns the SD of o(s) from reach to reach, as root mean square over the path, for a path that returns.
 double wander_sd_deg(const OwnPath& path);
 
 PathShape draw_shape(const OwnPath& path, Draws& draws);
@@ -62,22 +62,22 @@ PathShape draw_shape(const OwnPath& path, Draws& draws);
 /// Returns o(s), for s clamped to [0, 1].
 double own_direction_deg(const OwnPath& path, const PathShape& shape, double path_fraction);
 
-/// Pace of one reach with the statistics of recorded reaches. The speed is proportional to u^2 (1 - u)^b over the
-/// fraction u of the time, with its maximum at 2 / (2 + b). Some reaches have a second submovement, or a stop.
+/// Pace of one reach with the statistics of recorded reaches. Without a second submovement or a stop, the speed is
+/// proportional to u^2 (1 - u)^b over the fraction u of the time, with its maximum at 2 / (2 + b).
 struct RecordedPace {
   double late_power = 3.6;  ///< b
-  double first_part = 1.0;  ///< fraction of the path in the first submovement
+  double first_part = 1.0;  ///< fraction of the path in the first submovement; 1: there is no second
   /// fraction of the time in motion after which the finger stops once; 1 or more: it does not stop
   double stop_at = 2.0;
-  double time_scale = 1.0;  ///< duration of this reach divided by the person's mean duration
+  double time_scale = 1.0;  ///< factor of Person::duration_s in this reach
 
   /// Returns the fraction of the path after `fraction` of the duration.
   double path_fraction(double fraction) const;
 };
 RecordedPace draw_pace(double log_duration_sd, Draws& draws);
 
-/// Factor of the duration of a recorded pace, so that the time between the points of 5 % of the peak speed equals that
-/// of a minimum-jerk motion: recorded motions end more slowly.
+/// Additional factor of the duration of a pace from draw_pace(), so that the time between the points of 5 % of the peak
+/// speed is about that of a minimum-jerk motion: recorded motions end more slowly.
 inline constexpr double recorded_tail_scale = 1.13;
 
 }  // namespace hrt

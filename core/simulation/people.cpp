@@ -27,7 +27,7 @@ void headset(PersonCondition& condition, Draws& draws) {
   TrackerModel& tracker = condition.tracker;
   tracker.rate_hz = 72.0;
   tracker.latency_s = 0.045;
-  // The error of the target's position has any direction with equal probability.
+  // The tracked position of the target is off by 11 mm in a random direction.
   const double towards_deg = 360.0 * draws.uniform();
   const double along = 1.0 + 11.0 / condition.distance_mm * cos_deg(towards_deg);
   const double across = 11.0 / condition.distance_mm * sin_deg(towards_deg);

@@ -14,7 +14,7 @@ namespace hrt {
 
 /// A move of both targets during a reach.
 struct TargetMove {
-  /// the targets move when the finger has covered this fraction of the distance to the real target
+  /// the targets move when the finger is at this fraction of PersonCondition::distance_mm from the start
   double at_share = 1.0;
   PlatePoint by;
 };
@@ -31,13 +31,13 @@ struct PersonCondition {
   /// SD of the error of the position at which an object is touched after each reach; 0: no contacts.
   double contact_sd_mm = 0.0;
   bool random_side = false;  ///< the real target of each reach is on a random side of the virtual one
-  bool faulty = false;       ///< each reach has a random fault of tracker or plate: draw_fault()
+  bool faulty = false;       ///< each reach has a random fault of tracker or plate, or none: draw_fault()
 };
 
 enum class FamilyKind {
   invented,   ///< traits are guesses
   recorded,   ///< path and pace have the statistics of recorded reaches; the response to touch is a guess
-  misplaced,  ///< the tracker's frame or the plate's zero is wrong, which a reach cannot reveal
+  misplaced,  ///< error of the tracker's frame or plate's zero, which no reach reveals; placed-touch3 is without error
 };
 
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): in the order in which the table reads best
@@ -62,10 +62,11 @@ const PeopleFamily* people_family(const char* name);
 /// to either side. The family then changes some of these.
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index);
 
-/// Sets the own path, the pace of recorded reaches, and a marker-based tracker of 100 Hz with a noise of 0.2 mm.
+/// Sets the own path, the pace and the scatter of recorded reaches, an initial direction towards the virtual target,
+/// and a marker-based tracker of 100 Hz with a noise of 0.2 mm.
 void move_as_recorded(PersonCondition& condition, OwnPath path);
 
-/// Applies one of the families of faults, or no fault, with equal probabilities.
+/// Applies one of 11 families of faults, or none, each with a probability of 1/12.
 void draw_fault(PersonCondition& condition, Draws& draws);
 
 /// Random streams of a person: argument `stream` of Draws.

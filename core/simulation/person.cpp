@@ -15,7 +15,7 @@ constexpr double tick_s = 0.001;
 constexpr double min_felt_speed_mm_s = 0.5;
 constexpr int correction_ms = 250;
 
-// Movement time at `time_s` for a movement that pauses at `at_s` for `rest_s`.
+// Time in motion at `time_s`, for a motion that pauses at `at_s` for `rest_s`.
 double time_without_rest(double time_s, double at_s, double rest_s) {
   return time_s <= at_s ? time_s : std::max(at_s, time_s - rest_s);
 }

@@ -34,7 +34,8 @@ struct SimulatedIllusion {
 /// Returns the shift for a ridge normal at `offset_deg` (finite) from the motion; period 180.
 double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg);
 
-/// Returns the largest shift to the left (`sign` > 0) or right with the ridge normal within `bound_deg` of the motion.
+/// Returns the size of the largest shift to the left (`sign` > 0) or right with the ridge normal within `bound_deg` of
+/// the motion.
 double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign);
 
 enum class Steering {
@@ -43,11 +44,12 @@ enum class Steering {
   predictive,   ///< as continuous, but the own direction is known without delay
   place,        ///< as continuous, towards the position of the virtual target as seen from the perceived position
   heavy_arm,    ///< a mass driven by muscles with a time constant; delayed feedback
-  crossings,    ///< as continuous; touch acts only when the finger crosses a ridge, every 10 mm
+  crossings,    ///< as continuous; each ridge that the finger crosses, every 10 mm, renews the cue, which then decays
   placing_arm,  ///< as heavy_arm, towards the position of the virtual target
   corrections,  ///< as continuous, with one correction every 250 ms
 };
 
+/// Fraction of the path over the fraction u of the duration.
 enum class Pace {
   minimum_jerk,  ///< 10 u^3 - 15 u^4 + 6 u^5
   even,
@@ -64,7 +66,7 @@ struct Person {
   SimulatedIllusion illusion;
   Steering steering = Steering::continuous;
   double gain_per_s = 9.0;        ///< k
-  double delay_s = 0.06;          ///< sensory delay
+  double delay_s = 0.06;          ///< sensory delay; clamped to 255 ms
   double noise_deg2_per_s = 8.0;  ///< density of the random walk of the direction of motion
   double start_direction_deg = 0.0;
   double bias_deg = 0.0;      ///< goal minus virtual direction
@@ -76,7 +78,7 @@ struct Person {
   double muscle_s = 0.04;     ///< time constant of a heavy arm's force
   double weight_drift = 0.0;  ///< change of w from the start of a reach to its end
   Pace pace = Pace::minimum_jerk;
-  double duration_s = 1.5;  ///< duration of the motion without pauses, > 0
+  double duration_s = 1.5;  ///< duration of the motion without pauses and return, > 0; scaled by a recorded pace
   double path_scale = 1.0;  ///< length of the path divided by the distance to the target
   OwnPath own_path;
 };
@@ -85,7 +87,8 @@ struct Person {
 inline constexpr double ridge_spacing_mm = 10.0;
 inline constexpr double touch_memory_s = 0.3;
 
-/// Returns the mean shift during a motion. The speed has an effect only with Steering::crossings.
+/// Returns the mean shift during a motion at constant speed, which has an effect only with Steering::crossings. Ignores
+/// touch_s and weight_drift.
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg);
 double max_shift_deg(const Person& person, double speed_mm_s, double bound_deg, double sign);
 
@@ -96,7 +99,7 @@ inline constexpr double reaction_s = 0.2;
 class SlidingPerson {
  public:
   /// Begins at rest at `start`, before a motion over `distance_mm` towards `virtual_direction_deg`. `feels_place`:
-  /// computes felt_position(), which retarget() and steering to a position require.
+  /// computes felt_position(), which retarget() requires; steering to a position computes it in any case.
   SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg, double distance_mm,
                 Draws draws, bool feels_place = true);
 
@@ -143,10 +146,13 @@ class SlidingPerson {
   int delay_ms_;
   double noise_sd_deg_;  // SD of the noise that each step of 1 ms adds to the direction
   double direction_deg_;
-  double velocity_right_mm_s_ = 0.0, velocity_away_mm_s_ = 0.0;  // state of an arm
+  // State of an arm.
+  double velocity_right_mm_s_ = 0.0, velocity_away_mm_s_ = 0.0;
   double force_right_mn_ = 0.0, force_away_mn_ = 0.0;
+
   double speed_mm_s_ = 0.0;
-  double time_s_ = 0.0, path_fraction_ = 0.0;  // fraction of the path, progress(time_s_)
+  double time_s_ = 0.0;
+  double path_fraction_ = 0.0;  // progress(time_s_)
   double felt_deg_;
   double goal_deg_;
   double crossed_shift_deg_ = 0.0, touched_shift_deg_ = 0.0;
@@ -163,7 +169,7 @@ class SlidingPerson {
   double own_deg_ = 0.0;                   // direction of the own path
   int millisecond_ = 0;
   bool done_ = false;
-  // Perceived directions of the last milliseconds, for the delay.
+  // Perceived directions of the last milliseconds, for the delay; for Steering::predictive, minus that of the motion.
   static constexpr int history_size = 256;
   std::array<double, history_size> felt_history_{};
   int rested_ms_ = 0;

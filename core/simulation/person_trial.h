@@ -17,9 +17,9 @@ struct PersonOutcome {
   double bearing_error_deg;    ///< bearing of the end minus that of the real target
   double miss_mm;              ///< distance of the end from the line to the real target, signed as bearing_error_deg
   PlatePoint finger;           ///< final position
-  double peak_felt_error_deg;  ///< largest size of SlidingPerson::felt_error_deg() while the finger moves
+  double peak_felt_error_deg;  ///< largest size of SlidingPerson::felt_error_deg() at more than 10 mm/s
   ReachSummary summary;        ///< summary of the controller; without a controller, the defaults
-  std::optional<PersonBelief> learnt;  ///< prior of the next reach; nullopt if this reach changes nothing
+  std::optional<PersonBelief> learnt;  ///< prior of the next reach, before a contact; nullopt if not changed
 };
 
 /// A sample of a reach, with the ground truth.
@@ -33,9 +33,9 @@ struct PersonMoment {
 };
 using PersonWatch = std::function<void(int, const PersonMoment&)>;
 
-/// Simulates `reaches` successive reaches of one person. `controller` controls each reach with the estimates of the
-/// reaches before it; if `controller` is null, the plate stays at 0. `watch` is called with the number of the reach,
-/// from 0, for each processed sample. Any thread.
+/// Simulates `reaches` successive reaches of one person. A controller for people begins each reach with the estimates
+/// from the reaches before it; the paper's controller begins each with `controller`. If `controller` is null, the plate
+/// stays at 0. `watch` is called with the number of the reach, from 0, for each processed sample. Any thread.
 std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, const RetargeterConfig* controller,
                                            int reaches, std::uint64_t seed, std::uint32_t index,
                                            const PersonWatch& watch = {});

@@ -9,8 +9,8 @@ namespace {
 
 using Series = std::array<double, 8>;
 
-// sin(pi/2 x) = x (c_0 + c_1 x^2 + ...) and cos(pi/2 x) = c_0 + c_1 x^2 + ...: the Taylor series, whose
-// remainder is below 1e-15 for |x| <= 1/2. `power` of the first term: 1 for the sine, 0 for the cosine.
+// Taylor series sin(pi/2 x) = x (c_0 + c_1 x^2 + ...) and cos(pi/2 x) = c_0 + c_1 x^2 + ..., with a remainder below
+// 1e-15 for |x| <= 1/2. `power`: power of x in the first term, 1 for the sine and 0 for the cosine.
 constexpr Series circular_series(int power) {
   constexpr double half_pi = std::numbers::pi / 2.0;
   Series series{};
@@ -44,7 +44,7 @@ double polynomial(double x, const Series& coefficients) {
   return value;
 }
 
-// -2 ln(x) for x in (0, 1] that is not subnormal.
+// -2 ln(x) for x in (0, 1].
 double minus_two_logarithm(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);  // x = 2^exponent m
@@ -63,7 +63,7 @@ std::uint64_t half_of(const PhiloxBlock& block, std::size_t half) {
 }  // namespace
 
 std::array<double, 2> normal_pair(std::uint64_t bits) {
-  // The middle of one of 2^40 equal cells of (0, 1).
+  // The argument of the logarithm is the middle of one of 2^40 equal cells of (0, 1).
   const double radius = std::sqrt(minus_two_logarithm((static_cast<double>(bits >> 24U) + 0.5) * 0x1p-40));
   // The angle: 22 bits within +-1/2 of a quarter turn. Two bits negate the cosine and swap sine and cosine.
   const double quarters = (static_cast<double>(bits & 0x3fffffU) + 0.5) * 0x1p-22 - 0.5;

@@ -1,5 +1,5 @@
-// Random numbers of simulations. Each number is a function of a counter, so that results do not depend on threads,
-// order or the split of a batch.
+// Random numbers of simulations. Each number is a function of a seed and a counter, so that results do not depend on
+// threads, order or the split of a batch.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 namespace hrt {
 
 /// Returns two independent draws from N(0, 1) from 64 random bits, by the Box-Muller transform: 40 bits for the radius
-/// (exact tails to 7.5 SDs) and 24 for the angle. Uses only the four operations, the square root and frexp, so that all
-/// IEEE compilers compute the same bits.
+/// (exact tails to 7.5 SDs) and 24 for the angle. Uses only the four operations, the square root and frexp, so that
+/// IEEE compilers compute the same bits without fused operations (-ffp-contract=off).
 std::array<double, 2> normal_pair(std::uint64_t bits);
 
 /// Draws from N(0, 1) for the steps of one trial. The counter {step / 4, trial, condition, 0} gives the numbers of four
@@ -42,8 +42,8 @@ inline double standard_normal(const RandomCounter& counter) {
   return NormalDraws(counter.seed, counter.condition, counter.trial)(counter.step);
 }
 
-/// Sequence of normal and uniform draws for one reach of a simulated person. Word 3 of the counter is `stream` + 1, so
-/// that no counter equals one of NormalDraws. One thread at a time.
+/// Sequence of normal and uniform draws for one purpose (`stream`), such as the tracking, in one reach of one simulated
+/// person. Word 3 of the counter is `stream` + 1, so that no counter equals one of NormalDraws. One thread at a time.
 class Draws {
  public:
   Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach)

@@ -14,7 +14,7 @@ class SimulatedHand {
   /// Draws a person of the first family for a motion of `duration_s`.
   SimulatedHand(double duration_s, std::uint64_t seed);
 
-  /// Person, tracker and plate as drawn; may be changed before begin().
+  /// Person, tracker and plate as drawn; may be changed before a begin. Of the tracker, only white_mm is used.
   PersonCondition& condition() { return condition_; }
 
   /// Begins a reach at rest at `start`, over `distance_mm` towards the virtual target.
@@ -56,7 +56,7 @@ class SimulatedHand {
   double commanded_deg_ = 0.0;  // continuous: of the orientations with the same ridges, the nearest to the last one
   std::int64_t began_ns_ = 0;
   std::int64_t now_ns_ = 0;
-  std::int64_t ticks_ = 0;  // milliseconds since the first move() or follow() of the reach or set-up
+  std::int64_t ticks_ = 0;  // milliseconds simulated since the first move() or follow() of the reach or set-up
   bool moved_ = false;
 };
 

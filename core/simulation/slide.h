@@ -7,7 +7,8 @@
 namespace hrt {
 
 /// Simulates slide number `slide` of a session, straight ahead with the plate at rest at `plate_orientation_deg`.
-/// Ignores the targets. The initial direction varies by 2 degrees (SD) about that of the person. Any thread.
+/// Ignores the directions of the targets. The initial direction varies by 2 degrees (SD) about that of the person. Any
+/// thread.
 CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_orientation_deg, std::uint64_t seed,
                                 std::uint32_t person, std::uint32_t slide);
 

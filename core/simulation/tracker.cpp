@@ -15,7 +15,7 @@ constexpr double creep_begins_mm_s = 30.0, creep_decay_s = 0.2, stopped_mm_s = 1
 
 PlatePoint ahead(double mm, double direction_deg) { return mm * point_ahead({}, direction_deg, 1.0); }
 
-// Draws the rotation of the frame and the size of the noise for one reach.
+// Draws the rotation of the frame and the size of the correlated noise for one reach.
 TrackerModel drawn_for_reach(TrackerModel model, Draws& draws) {
   if (model.bearing_sd_deg > 0.0) model.turned_deg += model.bearing_sd_deg * draws.normal();
   if (model.correlated_log_sd > 0.0) model.correlated_mm *= exponential(model.correlated_log_sd * draws.normal());

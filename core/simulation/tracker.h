@@ -19,7 +19,7 @@ struct TrackerModel {
   double smoothing_s = 0.0;         ///< time constant of a low-pass filter of the correlated noise; 0: none
   double correlated_log_sd = 0.0;   ///< SD of the log of the correlated noise's size from reach to reach
   double latency_s = 0.0;           ///< time from a motion to its sample
-  double declared_latency_s = 0.0;  ///< part of the latency that the controller knows
+  double declared_latency_s = 0.0;  ///< the latency that an uninformed controller is given
   double late_s = 0.0;  ///< additional latency of a sample: uniform from 0 to this value, which is below the period
   double outlier_share = 0.0;  ///< fraction of samples with an error of 30 mm (SD)
   double burst_mm = 0.0;       ///< displacement of a burst of outliers: burst_samples samples from burst_at_s on
@@ -34,10 +34,10 @@ struct TrackerModel {
   double declared_bearing_sd_deg = 0.0;  ///< SD of the bearing error that the controller is given
   double creep_mm = 0.0;        ///< error while the finger moves; decays after the stop with a time constant of 0.2 s
   double end_loss_share = 0.0;  ///< fraction of reaches with an error of 150 to 900 mm as the finger brakes
-  double excursions_hz = 0.0;   ///< rate of excursions at rest: 10 to 16 mm for 50 to 100 ms
+  double excursions_hz = 0.0;   ///< rate of excursions at rest before the motion: 10 to 16 mm for 50 to 100 ms
 };
 
-/// Errors that depend on the motion: creep, and excursions while the finger brakes or rests.
+/// Errors that depend on the motion: creep, and excursions before the motion and while the finger brakes.
 class MotionErrors {
  public:
   MotionErrors(const TrackerModel& model, Draws& draws);
@@ -63,7 +63,7 @@ class MotionErrors {
 
 class Tracker {
  public:
-  /// `about`: centre of rotation and scale of the frame.
+  /// `about`: point that rotation, scale and shear of the frame keep.
   Tracker(const TrackerModel& model, const PlatePoint& about, Draws draws);
 
   void sample_if_due(double time_s, const PlatePoint& finger) {
