@@ -28,7 +28,7 @@ struct CurvePoint {
 };
 
 /// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not determine the
-/// estimate. An offset is the angle from the motion to the ridge normal.
+/// estimate; in `band`, it is always true. An offset is the angle from the motion to the ridge normal.
 struct Calibration {
   /// shift of the perceived direction divided by the offset, at offsets of 60 degrees, mean of both sides
   Interval tactile_weight;
@@ -44,7 +44,7 @@ struct Calibration {
   std::vector<CurvePoint> band;  ///< illusion curve from -75 to 75 degrees
   LackOfFit lack_of_fit;
   std::vector<CalibratedSlide> slides;  ///< all slides over a plate at rest
-  std::size_t slides_turned = 0;        ///< excluded slides, in which the plate turned
+  std::size_t slides_turned = 0;        ///< number of excluded slides, in which the plate turned
   double max_plate_deg = 0.0;           ///< largest absolute plate angle of the fitted slides
 
   /// True if no test for lack of fit is significant.
@@ -58,7 +58,7 @@ struct Calibration {
 struct CalibrationSlides {
   std::vector<SlideTrack> resting;
   std::vector<double> order;
-  std::size_t turned = 0;  ///< slides that are excluded because the plate turned
+  std::size_t turned = 0;  ///< number of slides that are excluded because the plate turned
 };
 CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg);
 

@@ -9,7 +9,6 @@
 namespace hrt {
 namespace {
 
-// The priors are wide; they bound parameters that the slides hardly determine.
 struct Prior {
   double mean;
   double deviation;
@@ -26,13 +25,14 @@ constexpr double min_log_gain = 0.5;
 constexpr double max_log_gain = 3.6;
 constexpr double max_delay_s = 0.2;
 constexpr double max_goal_delay_s = 0.15;
-// Limits of the slope of the curve and of its change at a knot: wider than the ranges in people.
+// Limits of the slope of the curve, of its change at a knot, of eta and of lambda: wider than the ranges in people.
 constexpr double min_slope = -0.2;
 constexpr double max_slope = 0.8;
 constexpr double max_bend_deg = 20.0;
 constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
+// Slope of the straight curve from which the descent begins.
 constexpr double first_slope = 0.18;
 // The prior SD of the change of slope at a knot is the larger of slope and weight of the curve, and at least this.
 constexpr double min_steepness = 0.02;
@@ -59,7 +59,9 @@ FitVector clamped(FitVector parameters) {
   return parameters;
 }
 
+// The priors bound parameters that the slides hardly determine.
 void set_prior(LeastSquares* problem) {
+  // In the order of Parameter.
   constexpr std::array<Prior, bends> priors{{{0.0, 100.0},
                                              {0.0, 20.0},
                                              {0.0, 10.0},

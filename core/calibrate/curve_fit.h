@@ -1,5 +1,5 @@
 // Fits the model of a person to slides by generalised least squares of the directions of their parts. Slides are
-// independent; the covariance between the parts of one slide is estimated.
+// independent; the parts of one slide are correlated (slide_scatter.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ struct CurveFit {
   double effective = 0.0;  ///< effective number of parameters that the slides, not the prior, determine
   FitVector prior_deviation;
   FitVector prior_off;    ///< prior mean minus parameter, in SDs
-  FitMatrix information;  ///< information matrix of the parameters under the given covariance of a slide
+  FitMatrix information;  ///< information matrix of slides and prior, under the given covariance of a slide
   FitMatrix covariance;  ///< covariance of the parameters by the jackknife over slides, plus errors of the steering law
   std::vector<SlideDirections> residuals;  ///< residuals of each slide, deg
   std::vector<SlideJacobian> jacobians;

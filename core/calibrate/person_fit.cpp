@@ -30,7 +30,7 @@ CurvePeak weaker_peak(const IllusionCurve& curve) {
 std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides) {
   std::vector<double> offsets;
   for (const SlideTrack& slide : slides) {
-    // Uses the median over the slides at similar plate angles, which a single outlier does not change.
+    // Uses the median over the slides at similar plate angles, for robustness against outliers.
     std::vector<double> directions;
     for (const SlideTrack& other : slides)
       if (std::abs(other.plate_deg - slide.plate_deg) <= near_angle_deg)

@@ -53,9 +53,10 @@ class PersonFitting {
   PersonFitting(const PersonFitting&) = delete;
   PersonFitting& operator=(const PersonFitting&) = delete;
   ~PersonFitting() = default;
-  /// Requires min_fitted_slides usable slides. Returns true when finished; do not call step() after that.
+  /// Requires at least min_fitted_slides slides in result().used. Returns true when finished; do not call step() after
+  /// that.
   bool step();
-  /// Before the end, only `verdicts`, `used` and `scatter` are valid.
+  /// Before the end, `fit` and `lack_of_fit` are not valid.
   const PersonFit& result() const { return person_; }
 
  private:

@@ -108,7 +108,7 @@ std::optional<TimedPoint> find_onset(const std::vector<TimedPoint>& samples) {
   return std::nullopt;
 }
 
-// Samples from the onset to the first pause between samples that is longer than max_gap_s.
+// Samples from the onset until a time without samples that is longer than max_gap_s.
 std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const TimedPoint& onset,
                              double goal_direction_deg) {
   const double sine = sin_deg(goal_direction_deg);
@@ -145,7 +145,7 @@ double set_pace(const std::vector<Place>& places, SlideTrack* track) {
   return length_mm;
 }
 
-// Computes the directions of the parts. Returns false if a window has no samples or a part goes backwards.
+// Computes the directions of the parts. Returns false if a window has no samples or a part is too short.
 bool set_directions(const std::vector<Place>& places, double length_mm, SlideTrack* track) {
   SlideDirections left_mm = SlideDirections::Zero();
   SlideDirections mean_along_mm = SlideDirections::Zero();

@@ -50,7 +50,7 @@ std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples);
 inline constexpr double min_slide_mm = 30.0;
 
 /// Reduces a slide; `goal_direction_deg`: direction of the target. Returns nullopt without a motion of `min_slide_mm`
-/// towards the target, or if a window has no samples or a part goes backwards.
+/// towards the target, or if a window has no samples or a part is shorter than 2 % of the path.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
 
 /// Returns true if the plate turned by more than `max_turn_deg` during the motion.

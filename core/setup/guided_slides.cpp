@@ -10,7 +10,8 @@ namespace {
 
 constexpr double guide_rest_s = 1.4;
 constexpr double guide_stop_s = 2.0;
-// Largest distance of a rest from the end of its guide, as a fraction of the guide's length, and in mm.
+// Largest distance of a rest from the end of its guide, as a fraction of the guide's length and in mm: the smaller one
+// applies.
 constexpr double near_share = 0.3;
 constexpr double max_near_mm = 30.0;
 constexpr double max_unseen_s = 0.5;

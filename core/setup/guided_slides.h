@@ -44,7 +44,7 @@ class GuidedSlides {
   using Rests = std::array<PlatePoint, rests_an_object>;
   struct MeasuredObject {
     Eigen::Vector2d from_start_mm;
-    double square_mm2;  // sum of squared deviations of the slides from their mean
+    double square_mm2;  // sum of the squared distances of the three measured vectors from their mean
   };
   std::optional<MeasuredObject> measured(const Rests& rests) const;
   void again(SetupProblem problem);

@@ -10,7 +10,8 @@ constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | set
 constexpr std::uint32_t need_plate = setup_guides | slide_parts_of_setup;
 // Capacity per slide: 4 s at 250 Hz on average.
 constexpr std::size_t samples_a_slide = 1000;
-// Plate angles of slides (planned_share()). Beyond 0.8, a person with a usual tactile weight slides along the ridges.
+// Plate angles of slides (planned_share()). Beyond 0.8 of the default range, a person with a usual tactile weight would
+// slide along the ridges.
 constexpr std::array<double, first_slides> fractions{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
                                                      0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
 
@@ -42,7 +43,7 @@ void Setup::begin_part() {
   if (has_part(slide_parts_of_setup)) {
     if (slides_->count() < wanted_slides_) next_slide();
   } else if (has_part(touch_parts | setup_guides)) {
-    plate_orientation_deg_ = 0.0;  // marks are defined at this plate orientation
+    plate_orientation_deg_ = 0.0;  // marks and guides are defined at this plate orientation
   }
 }
 

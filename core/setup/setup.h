@@ -41,8 +41,8 @@ struct SetupConfig {
 inline constexpr int first_slides = 16;
 inline constexpr int more_slides = 8;
 
-/// A part is dropped after max_rejected_fits rejected fits (a calibration requests more slides instead), or after
-/// max_failed_slides successive rejected slides.
+/// Fingertip, registration and guides are dropped after max_rejected_fits rejected fits; guides, calibration and retest
+/// after max_failed_slides successive rejected slides.
 inline constexpr int max_rejected_fits = 3;
 inline constexpr int max_failed_slides = 6;
 
@@ -59,7 +59,7 @@ class Setup {
   /// SetupPart flags of the pending parts; the lowest one is in progress.
   std::uint32_t left() const { return left_; }
   SetupPart part() const;
-  /// True if the current part has all its data, or no part is pending.
+  /// True if the current part has all its data or no room for more, or if no part is pending.
   bool finish_is_due() const;
   /// True if the sample has the fields that the current part requires.
   bool can_show(const SetupSample& sample) const;
@@ -125,7 +125,7 @@ class Setup {
 };
 
 /// Returns the plate angle of slide `i`, measured from the middle of the configured range, as a fraction of half of the
-/// range. Sides alternate; no angle repeats within `first_slides` slides.
+/// range. Sides alternate; no angle repeats within the first `first_slides` slides.
 double planned_share(int i);
 
 /// Number of touches for the fingertip's offset: of one mark, each with another orientation of the finger.

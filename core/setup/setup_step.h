@@ -22,11 +22,11 @@ enum SetupPart : std::uint32_t {
 
 enum class Instruction : std::uint32_t {
   wait,           ///< the plate rotates: lift the finger
-  touch_mark,     ///< lift, and touch the mark `SetupStep::number`
+  touch_mark,     ///< lift, and touch the mark at `SetupStep::place_mm`
   hold_still,     ///< hold the finger still on the mark
   rest_at_start,  ///< move to the start and rest
   slide,          ///< slide to `SetupStep::place_mm`, and rest there
-  finish,         ///< no instruction: the data are complete, and the fit is due
+  finish,         ///< no instruction: the fit of the part is due, or no part is pending
 };
 
 /// Problem of the last attempt.
@@ -81,7 +81,7 @@ struct SetupStep {
   int of;      ///< requested touches or slides
   Eigen::Vector3d place_mm;  ///< requested position of the finger in plate coordinates
   double plate_orientation_deg;
-  Observed observed;        ///< in the first 20 s only Kind::none, time or wrong_way
+  Observed observed;        ///< only Kind::none, time or wrong_way until 20 s after the last completed touch or slide
   std::string_view reason;  ///< reason of a rejected fit; valid until the set-up changes
 };
 
