@@ -1,4 +1,4 @@
-// The plugin, opened by dlopen(), as an engine opens it. The C headers are used for types only.
+// The plugin, opened by dlopen(), as an engine opens it. The C headers serve for types and constants only.
 #pragma once
 
 #include <haptic_retargeting/gap.h>

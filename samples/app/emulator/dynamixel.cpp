@@ -57,7 +57,7 @@ std::int64_t EmulatedDynamixel::homing() const {
 std::int64_t EmulatedDynamixel::present(double reading_deg) const {
   const double sign = (get(10, 1) & 1) != 0 ? -1.0 : 1.0;
   const auto steps = std::lround(sign * reading_deg * 4096.0 / 360.0) + 2048;
-  // The servo counts turns from power-on: it then reports a position within one turn.
+  // The servo counts turns from power-on.
   return steps - turns_ * 4096 + homing();
 }
 
@@ -139,7 +139,7 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   if (found->size != size) return StatusError::data_length;
   if (address < eeprom_end && get(torque_enable, 1) != 0) return StatusError::access;
   if (value < found->min || value > found->max) return StatusError::data_range;
-  // After the watchdog has expired, the goal values are read-only.
+  // After the watchdog has expired, the goals and the profile are read-only.
   if (get(bus_watchdog, 1) == -1 && address >= goal_current && address <= goal_position) return StatusError::data_range;
   if (address < eeprom_end) ++writes_to_eeprom_;
   set(address, size, value);

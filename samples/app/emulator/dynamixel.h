@@ -27,14 +27,14 @@ class EmulatedDynamixel {
   explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const ServoTraits& traits = xl330_m288);
 
   void receive(std::string_view bytes, Time now);
-  /// Returns the bytes that the servo has sent since the last call.
+  /// Returns the bytes for the host since the last call.
   std::string take_output();
   /// Sends bytes to the host, as another device on the bus would.
   void send(std::string_view bytes) { output_ += bytes; }
-  /// Advances the simulated time. The bus watchdog stops the servo after a silence of the host.
+  /// Advances the simulated time. The bus watchdog, if set, stops the servo when no packets for it arrive.
   void run_until(Time now);
 
-  /// Orientation of the shaft, without the homing offset.
+  /// Plate orientation, without the homing offset.
   double orientation_deg() const { return motor.plate_deg(); }
   std::int64_t get(int address, int size) const;
   void set(int address, int size, std::int64_t value);
@@ -64,7 +64,7 @@ class EmulatedDynamixel {
   std::array<std::uint8_t, 256> table_{};
   std::string output_;
   Time now_{0};
-  Time received_{0};  // time of the last packet
+  Time received_{0};  // time of the last packet for this servo
   std::int64_t turns_ = 0;
   int writes_to_eeprom_ = 0;
   int answers_ = 0;

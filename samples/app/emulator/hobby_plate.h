@@ -39,7 +39,7 @@ class HobbyPlate {
     ServoTraits servo = {};
     double orientation_deg = 0.0;                   ///< initial orientation
     std::string noise;                              ///< bytes that the plate sends before its first line
-    bool answers = true;                            ///< false: the plate sends nothing
+    bool answers = true;                            ///< false: lines of the firmware are not sent
     std::chrono::milliseconds boot_time{0};         ///< time from power-on to the start of the firmware
     std::chrono::nanoseconds byte_time{87'000};     ///< duration of a byte on the serial line
     std::string firmware = PLATE_FIRMWARE_VERSION;  ///< version that INFO reports
@@ -80,7 +80,7 @@ class HobbyPlate {
 
   HobbyServo servo;
   bool has_room = true;    ///< false: the send buffer is full
-  bool has_sensor = true;  ///< false: the sensor's pin is open
+  bool has_sensor = true;  ///< false: the sensor is unplugged, and its pin is at 0 V
   int converter_step = 1;  ///< the analogue-to-digital converter returns multiples of this number only
 
  private:

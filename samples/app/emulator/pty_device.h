@@ -43,7 +43,7 @@ class PtyDevice {
   }
 
  private:
-  // If this machine was busy for longer than max_slice, the simulation skips the time beyond max_slice. Otherwise the
+  // If this thread was delayed by more than max_slice, skips the time beyond max_slice. If it simulated that time, the
   // device's watchdog would stop the device before the device receives the bytes that have arrived meanwhile.
   void simulate() {
     using Clock = std::chrono::steady_clock;

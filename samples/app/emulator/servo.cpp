@@ -42,7 +42,7 @@ void EmulatedServo::step(double seconds) {
         std::min(full_speed_deg_s(), std::sqrt(2.0 * traits_.acceleration_deg_s2 * std::abs(error_deg))), error_deg);
   const double change_deg_s = traits_.acceleration_deg_s2 * seconds;
   speed_deg_s_ += std::clamp(wanted_deg_s - speed_deg_s_, -change_deg_s, change_deg_s);
-  // Within the dead band, friction stops the motor.
+  // Friction stops a motor that has no goal or is within the dead band.
   if (is_jammed || std::abs(error_deg) <= traits_.dead_band_deg) speed_deg_s_ = 0.0;
   double step_deg = speed_deg_s_ * seconds;
   if (step_deg * error_deg > 0.0 && std::abs(step_deg) > std::abs(error_deg)) {

@@ -137,7 +137,7 @@ void TouchFrame::take_report(std::int64_t time_ns) {
   history_.push_back(finger);
 }
 
-// On the touch area, y points towards the user.
+// With turn_deg 0, the y axis of the device points towards the user.
 std::array<double, 3> TouchFrame::place_m(unsigned slot) const {
   const auto from_centre_mm = [&](unsigned code, const char* size) {
     const input_absinfo& info = *libevdev_get_abs_info(device_.get(), code);

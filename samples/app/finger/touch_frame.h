@@ -25,8 +25,8 @@ class TouchFrame {
   /// Sets noise_m, latency_ns and bearing_sd_deg of `tracker` where they are 0.
   void configure(hrt_session_tracker& tracker) const;
   /// Returns the fingertip 12 ms before `now_ns` (CLOCK_MONOTONIC), in plate coordinates, interpolated between two
-  /// reports of the device. Fingertip::lifted is true if nothing was touched then. Throws Failure (ExitCode::tracker)
-  /// if the device was unplugged.
+  /// reports of the device. Fingertip::lifted is true if the finger did not touch the device then. Throws Failure
+  /// (ExitCode::tracker) if the device was unplugged.
   Fingertip locate(std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch() /
                                          std::chrono::nanoseconds(1));
 
@@ -46,7 +46,7 @@ class TouchFrame {
   std::unique_ptr<libevdev, void (*)(libevdev*)> device_;
   std::vector<Contact> contacts_;  // present contacts, by slot
   std::vector<Contact> objects_;   // contacts that existed when the device was opened: objects on the plate
-  std::deque<Contact> history_;    // contacts of the finger, oldest first
+  std::deque<Contact> history_;    // the finger in the latest reports, oldest first
   bool is_in_sync_ = true;         // false: events were dropped, and the device's state is being read
 };
 

@@ -57,8 +57,8 @@ static void keep_within_limits(Plate* plate) {
 
 static bool is_settled(const Plate* plate) { return plate->pulses && plate->settle_ms == 0; }
 
-/* Ends the motion of the pulse. First moves a pulse that is ahead of a servo with a sensor back to the measured
- * position, so that the servo stops there. */
+/* Ends the motion of the pulse. If a pulse that moved within AT_REST_MS is ahead of a servo with a sensor, first moves
+ * it back to the measured position, so that the servo stops there. */
 static void hold(Plate* plate) {
   const bool may_turn = is_settled(plate) && plate->at_rest_ms < AT_REST_MS;
   if (may_turn && is_measured(plate) &&
@@ -74,8 +74,8 @@ static void stop(Plate* plate, PlateStop why) {
   plate->stops_due = (uint16_t)(plate->stops_due | 1U << why);
 }
 
-/* Stops, and ends the pulses until the next HELLO. A hand may then turn the plate: without a sensor, its orientation is
- * unknown. */
+/* Stops, ends the pulses, and refuses motions until the next HELLO. A hand may then turn the plate: without a sensor,
+ * its orientation is unknown. */
 static void latch(Plate* plate, PlateStop why) {
   stop(plate, why);
   plate->state = PLATE_LATCHED;
@@ -110,8 +110,8 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   }
 }
 
-/* Processes a millisecond of the first pulses, which hold a servo with a sensor where it is, or home one without. Stops
- * if the servo turns away from its first pulse: the settings adc_least and adc_most are exchanged. */
+/* Processes a millisecond of the first pulses, which hold a servo with a sensor where it is, or home one without.
+ * Latches if the servo turns away from its first pulse, as with exchanged settings adc_least and adc_most. */
 static void settle(Plate* plate) {
   --plate->settle_ms;
   if (is_measured(plate) && !is_homing(plate)) {
@@ -148,7 +148,8 @@ static void move_pulse(Plate* plate) {
   plate->position_microdeg = bounded;
 }
 
-/* True if the servo has moved away from the pulse since it was last near: adc_least and adc_most are exchanged. */
+/* True if the servo has moved away from the pulse since it was last near it, as with exchanged settings adc_least and
+ * adc_most. */
 static bool moves_against_pulse(const Plate* plate, int32_t measured) {
   const int32_t turned = measured - plate->near_millideg;
   const int32_t wanted = plate->position_microdeg / 1000 - plate->near_pulse_millideg;
@@ -317,7 +318,7 @@ static bool is_service(const char* verb) {
   return equals(verb, "CONF") || equals(verb, "SAVE") || equals(verb, "INFO") || equals(verb, "TEST");
 }
 
-/* Executes HELLO. Another host may start a session once the present host has been silent for HEARTBEAT_MS. */
+/* Executes HELLO. A host with another token may start a session once the present host is silent for HEARTBEAT_MS. */
 static LineError execute_hello(Plate* plate, char* rest) {
   const char* version = next_word(&rest);
   const char* token = *rest != 0 ? next_word(&rest) : NULL;
@@ -329,7 +330,7 @@ static LineError execute_hello(Plate* plate, char* rest) {
   return LINE_OK;
 }
 
-/* Removes the token of the session, if it has one, from the end of a body. Returns false if the token is missing. */
+/* Removes the token from the end of a body, if the session has a token. Returns false if the body has no such token. */
 static bool remove_token(const Plate* plate, char* body) {
   if (plate->session == 0) return true;
   char* end = body;

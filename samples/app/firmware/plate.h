@@ -30,9 +30,9 @@ typedef struct PlateInputs {
 } PlateInputs;
 
 typedef enum PlateState {
-  PLATE_RESTING,   /**< the pulse, if there is one, does not move until SET or HOME */
-  PLATE_FOLLOWING, /**< the plate turns to the target and holds it, while heartbeats arrive */
-  PLATE_LATCHED    /**< the pulses have ended after an emergency, or a fault of servo or supply, until a HELLO */
+  PLATE_RESTING,   /**< the plate holds its orientation, or has no pulses, until SET or HOME */
+  PLATE_FOLLOWING, /**< the plate turns to the target and holds it, while lines of the host arrive */
+  PLATE_LATCHED    /**< no pulses, after an emergency or a fault of servo, sensor or supply, until a HELLO */
 } PlateState;
 
 /** Bits of Plate::due: lines that must be sent to the host. */
@@ -57,13 +57,13 @@ typedef enum PlateStop {
 typedef struct Plate {
   const PlateBoard* board;
   Settings settings;
-  bool settings_preset; /**< EEPROM had no valid settings, so that the defaults apply */
+  bool settings_preset; /**< EEPROM has no valid settings */
   LineBuffer buffer;
   PlateState state;
   PlateStop latched_by;
 
   int32_t position_microdeg;   /**< orientation that the present pulse commands */
-  int32_t target_microdeg;     /**< orientation of the last SET or HOME, to which the pulse moves */
+  int32_t target_microdeg;     /**< orientation to which the pulse moves */
   int32_t step_microdeg;       /**< largest change of the pulse in a millisecond */
   int32_t max_lead_millideg;   /**< largest angle by which the pulse may be ahead of the measured orientation */
   bool pulses;                 /**< the servo gets pulses */
@@ -73,9 +73,9 @@ typedef struct Plate {
   int32_t measured_millideg;   /**< orientation at reading_256ths */
   bool is_held_back;           /**< the pulse waits, because it is ahead of the servo by max_lead_millideg */
   uint16_t blocked_ms;         /**< time for which the pulse has waited without a motion of the servo */
-  int32_t moved_from_millideg; /**< measured orientation at the last detected motion */
+  int32_t moved_from_millideg; /**< earlier measured orientation, from which a motion is detected */
   int32_t near_millideg;       /**< measured orientation when the servo was last near the pulse */
-  int32_t near_pulse_millideg; /**< orientation of the pulse when the servo was last near */
+  int32_t near_pulse_millideg; /**< orientation of the pulse at that time */
   uint16_t at_rest_ms;         /**< time since the pulse last moved, up to a limit */
   uint8_t open_ms;             /**< time since the contact of the emergency stop opened, up to a limit */
   bool emergency_open;         /**< the contact has been open for longer than noise lasts */

@@ -15,8 +15,8 @@ std::atomic<bool> changed = false;
 }  // namespace
 
 Keyboard::Keyboard() {
-  // While this program is in the background, the terminal belongs to another program.
   if (isatty(STDIN_FILENO) != 1) return;
+  // While this program is in the background, the terminal belongs to another program.
   if (const pid_t front = tcgetpgrp(STDIN_FILENO); front >= 0 && front != getpgrp()) return;
   if (tcgetattr(STDIN_FILENO, &before) != 0) return;
   termios keys = before;

@@ -5,7 +5,7 @@
 
 namespace hrt::app {
 
-/// At most one object may exist. Without a terminal, or for a program in the background, key() returns nothing.
+/// At most one object may exist. Without a terminal, or if it is created in the background, key() returns nothing.
 class Keyboard {
  public:
   Keyboard();

@@ -13,12 +13,12 @@
 
 namespace hrt::app {
 
-/// For use by one thread. Only finish() waits for the speech program.
+/// For use by one thread. Only finish() waits until texts are spoken.
 class Prompt {
  public:
-  /// `speak_with`: speech program and its arguments; empty: no speech. `before_print` receives the text before it is
+  /// `speak_with`: speech program and its arguments; empty: no speech. `before_print` is called before a text is
   /// printed, to clear the status line. `texts`: maps texts to those that say() uses instead. Throws Failure
-  /// (ExitCode::usage) if the speech program does not exist.
+  /// (ExitCode::usage) if the speech program is missing or not executable.
   Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
          std::map<std::string, std::string> texts = {});
 
@@ -27,14 +27,14 @@ class Prompt {
   void repeat();
   /// Prints `text`, wrapped at words on a terminal, and speaks it.
   void say(const std::string& text);
-  /// Speaks `text` without printing it.
+  /// Speaks `text`, if speech is enabled, without printing it.
   void speak(const std::string& text);
   /// Speaks and prints unrequested help, only if speech is enabled and idle, and at most every 5 s.
   void hint(const std::string& text);
 
-  /// Starts to read keys, if standard input is a terminal, and prints their meaning.
+  /// Starts to read keys, if standard input is a terminal, and says their meaning.
   void listen();
-  /// Returns the next key, if one was pressed. A key interrupts the text that is being spoken.
+  /// Returns the next key, if one was pressed. A key ends the speech.
   std::optional<char> key();
   /// Asks on the terminal until a number in [low, high] is entered. Returns nothing without a terminal, or before
   /// listen(). Throws Interrupted after a signal.

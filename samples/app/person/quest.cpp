@@ -97,7 +97,7 @@ QuestPlus::Threshold QuestPlus::threshold() const {
       const double here = std::accumulate(first, first + static_cast<std::ptrdiff_t>(each), 0.0);
       below += here;
       if (below < share) continue;
-      // Interpolates: the probability of each value of the grid is spread evenly over its cell.
+      // Interpolates: the probability of each threshold is spread evenly, in its logarithm, over a cell of the grid.
       return people_[p].threshold * std::exp(step * (0.5 - (below - share) / here));
     }
     return people_.back().threshold;

@@ -9,14 +9,15 @@
 
 namespace hrt::app {
 
-/// Probability of a correct answer in a task with two intervals, or (with the probability of a false alarm as `guess`)
-/// of the answer yes: 1 - lapse - (1 - guess - lapse) exp(-(gap / threshold)^slope).
+/// Probability of a correct answer in a task with two intervals:
+/// 1 - lapse - (1 - guess - lapse) exp(-(gap / threshold)^slope). In a task with the answers yes and no, it is the
+/// probability of yes, and `guess` is that of a false alarm.
 double right_share(double gap, double threshold, double slope, double lapse, double guess = 0.5);
 
 class QuestPlus {
  public:
   /// Values of gap, threshold, slope and lapse rate. `prior` has the unnormalised probability of each threshold; slopes
-  /// and lapse rates have uniform priors. Thresholds are spaced equally in their logarithm.
+  /// and lapse rates have uniform priors. Thresholds must rise, and be spaced equally in their logarithm.
   struct Grid {
     std::vector<double> gaps, thresholds, prior, slopes, lapses;
     double guess = 0.5;
@@ -54,7 +55,7 @@ class QuestPlus {
   std::size_t threshold_count_;
   std::vector<Person> people_;       // points of the grid, sorted by threshold
   std::vector<double> posterior_;    // posterior probability of each of people_
-  std::vector<double> right_;        // probability of a correct answer, for each gap and person
+  std::vector<double> right_;        // right_share() for each gap and person
   std::vector<double> uncertainty_;  // entropy of the answer, in nats, for each gap and person
 };
 

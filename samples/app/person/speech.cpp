@@ -42,7 +42,7 @@ bool is_program(const std::string& name) {
   return false;
 }
 
-// Replaces line ends, and characters that speech programs may interpret as markup, by spaces. Cuts a long text.
+// Replaces control characters, and those that speech programs may interpret as markup, by spaces. Cuts a long text.
 std::string one_line(const std::string& text) {
   std::string line = text.substr(0, max_text);
   for (char& c : line)

@@ -10,12 +10,13 @@
 
 namespace hrt::app {
 
-/// Speaks texts in order by a program such as espeak-ng, in its own thread: each text is a line on the standard input
-/// of a new process, which is ended after 30 s. Only finish() waits, and the destructor, which ends the running
-/// process.
+/// Speaks texts in order by a program such as espeak-ng. A thread starts a process for each text, with the text as a
+/// line on its standard input, and ends the process after 30 s. Only finish() and the destructor wait; the destructor
+/// ends the running process.
 class Speech {
  public:
-  /// `command`: program and arguments, separated by spaces. Throws Failure (ExitCode::usage) if the program is missing.
+  /// `command`: program and arguments, separated by spaces. Throws Failure (ExitCode::usage) if the program is missing
+  /// or not executable.
   explicit Speech(const std::string& command);
 
   /// Queues `text`. If more than five texts wait, the oldest are dropped.

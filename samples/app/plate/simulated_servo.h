@@ -7,7 +7,8 @@
 
 namespace hrt::app {
 
-/// Simulated servo without stops. Turns at constant speed to the nearest equivalent (modulo 180 degrees) of a command.
+/// Simulated servo without end stops. Turns at constant speed to the nearest orientation that is equivalent (modulo 180
+/// degrees) to a command.
 class SimulatedServo : public Plate {
  public:
   /// Starts at 0 degrees. Requires speed_deg_per_s > 0. Reports its orientation within +-90 degrees.

@@ -9,8 +9,8 @@
 namespace hrt::app {
 namespace {
 
-constexpr double far_m = 0.3;      // if the finger never comes nearer to the start, the assumed pose is probably wrong
-constexpr double named_m = 0.005;  // smaller distances are not reported
+constexpr double far_m = 0.3;      // if the finger stays farther from the start, the assumed pose is probably wrong
+constexpr double named_m = 0.005;  // smaller components of the position along the plate are not reported
 
 const char* name_of(Hand hand) { return hand == Hand::left ? "left" : "right"; }
 

@@ -22,8 +22,8 @@ struct PlateChoice {
 /// nullopt for any other text.
 std::optional<PlateChoice> parse_plate(const std::string& text);
 
-/// Returns ../lib/libhaptic_retargeting.so in the program's folder if it exists, else the name of the installed
-/// library.
+/// Returns ../lib/libhaptic_retargeting.so, relative to the program's folder, if it exists, else the name of the
+/// installed library.
 std::filesystem::path default_plugin();
 
 struct Options {

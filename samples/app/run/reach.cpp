@@ -73,8 +73,8 @@ bool is_on_plate(const RunContext& context, const Fingertip& tip) {
          distance_along_plate_m(tip.position_m, {}) <= context.targets.plate_radius_m;
 }
 
-// Tracks the finger that slides. If this finger has been off the plate for settle_ns while the finger of the other hand
-// is on the plate, the other finger is used from then on: the user changed hands, or the tracker confused the hands.
+// Tracks the finger that slides. If it has been off the plate for settle_ns, and the finger of another hand that may
+// reach is on the plate, that finger is used from then on: the user changed hands, or the tracker confused the hands.
 class FingerInUse {
  public:
   FingerInUse(RunContext& context, Hand first, XrTime now) : context_(context), hand_(first), on_plate_(now) {}
@@ -132,7 +132,7 @@ bool has_arrived(const RunContext& context, const TargetPair& pair, const Finger
          (last.tracked && distance_along_plate_m(last.position_m, pair.real_position_m) <= pair.real_radius_m);
 }
 
-// Fingertip as the plugin receives it: a lifted finger counts as not tracked.
+// Fingertip as the plugin receives it: a person's finger above the plate counts as not tracked.
 Fingertip sliding(const RunContext& context, const Fingertip& tip) {
   const bool is_lifted = context.simulation == nullptr && tip.position_m[1] > lifted_height_m;
   return is_lifted ? Fingertip{} : tip;

@@ -25,7 +25,7 @@ hrt_setup_result touch(RunContext& context, std::uint32_t what, std::span<const 
 
 using Json = nlohmann::ordered_json;
 
-// Returns text with the largest SD, over all targets, of the bearing at which a reach ends.
+// Returns a text about the target at which errors of registration and tracker have the largest effect.
 std::string accuracy_text(const RunContext& context) {
   hrt_gap worst = hrt_gap_init();
   for (const TargetPair& pair : context.targets.pairs) {

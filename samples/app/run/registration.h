@@ -1,5 +1,5 @@
-// Registration: a person touches marks of the plate, the plugin fits its pose to the touches, and a file stores the
-// pose.
+// Registration: a person touches marks of the plate, the plugin fits the plate's pose to the touches, and a file stores
+// the pose.
 #pragma once
 
 #include <array>
@@ -26,14 +26,15 @@ hrt_setup_config config_of(std::span<const Mark> marks);
 /// Locates fingertips relative to this plate from now on, with the measured offset from joint to skin.
 void place_plate(RunContext& context, const RegisteredPlate& plate);
 
-/// Asks for touches of all marks until they fit, and places the session's plate space at the fitted pose in
-/// steady_space(). With `fingertip`, first asks for touches of the first mark with different attitudes of the finger,
-/// and locates the skin from then on. Throws as SetUp::run().
+/// Asks for touches of all marks, and places the session's plate space at the fitted pose in steady_space(). With
+/// `fingertip`, first asks for touches of the first mark with different attitudes of the finger, and locates the skin
+/// from then on. Throws as SetUp::run().
 RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks, bool fingertip);
 
-/// Places the session's plate space where the plate was registered, with the measured offset from joint to skin, and
-/// asks for a touch that checks the pose. Returns the distance of the touch from the mark, in metres. Throws as
-/// SetUp::run(); Failure (ExitCode::registration) if the plate has moved or the runtime lacks `plate.space`.
+/// Asks for a touch that checks the pose, and places the session's plate space where the plate was registered, with the
+/// measured offset from joint to skin. Returns the distance of the touch from the mark, in metres. Throws as
+/// SetUp::run(); Failure (ExitCode::registration) if the plate has moved, the runtime lacks `plate.space`, or the
+/// offset was measured with another hand.
 double check_plate(RunContext& context, const RegisteredPlate& plate);
 
 /// Writes the registration into a session's configuration, whose numbers the plugin checks.
@@ -45,8 +46,8 @@ std::string registration_text(const RegisteredPlate& plate, const XrHeadlessSess
 /// Replaces the file atomically. Throws Failure (ExitCode::output).
 void write_registration(const std::filesystem::path& file, const std::string& text);
 
-/// Parses the text of the registration file `name`. Throws Failure (ExitCode::registration) that names file and member.
-/// The plugin checks the numbers when they are used.
+/// Parses the text of the registration file `name`. Throws Failure (ExitCode::registration) that names the file. The
+/// plugin checks the numbers when they are used.
 RegisteredPlate parse_registration(const std::string& text, const std::string& name);
 RegisteredPlate read_registration(const std::filesystem::path& file);
 

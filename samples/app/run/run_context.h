@@ -39,19 +39,19 @@ struct RunContext {
   Simulation* simulation;  ///< simulated user, instructed through the runtime; null: a person, instructed by tell_user
   Plate& plate;
   std::vector<Hand> hands;   ///< hands that may reach
-  XrDuration time_limit_ns;  ///< limit of the wait for the start, and of the reach
+  XrDuration time_limit_ns;  ///< limit of each wait for the user, and of the reach
   std::function<void(const TargetPair&, const Moment&)> on_frame;  ///< called in each frame of a reach
   std::function<void(const std::string&)> tell_user;
   /// Called with help for the user during a wait; may ignore the text.
   std::function<void(const std::string&)> hint;
-  /// Called in every frame to handle the user's keys. May throw, which ends the wait.
+  /// Called in every frame to handle the user's keys. May throw, which ends the wait or the reach.
   std::function<void(XrTime)> handle_keys;
   TouchFrame* touch = nullptr;  ///< touch frame that tracks the fingertip; null: the session tracks it
   /// Offset from the joint to the skin that touches, in the joint's axes; 0: unknown.
   Point skin_m{};
 };
 
-constexpr double tip_height_m = 0.008;         ///< height of the joint, which is inside the finger, during a touch
+constexpr double tip_height_m = 0.008;         ///< height of the joint inside the finger during a touch
 constexpr double lifted_height_m = 0.025;      ///< a fingertip higher than this does not touch the plate
 constexpr double start_radius_m = 0.015;       ///< distance within which a finger is at the start
 constexpr XrDuration settle_ns = 300'000'000;  ///< time after which a finger counts as at rest or off the plate
@@ -66,7 +66,8 @@ std::string within_s(XrDuration limit_ns);
 
 hrt_session_config config_of(const RunContext& context);
 
-/// Returns the position of the skin that touches if its offset from the joint is known, else that of the joint.
+/// Returns the contact with the touch frame, if one is used. Otherwise returns the position of the skin that touches if
+/// its offset from the joint is known, else that of the joint.
 Fingertip locate(const RunContext& context, Hand hand, XrTime time);
 
 /// Sample of a frame for the plugin, in plate coordinates.

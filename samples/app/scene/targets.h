@@ -39,7 +39,7 @@ struct TargetSet {
 
 XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]);
 
-/// Loads the scene and creates the session from `config`, in which the scene sets the start and the plate.
+/// Loads the scene, creates a session from `config`, and sets the session's plate, start and targets from the scene.
 /// Throws Failure: ExitCode::scene if the scene cannot be loaded, ExitCode::plugin if another call of the plugin fails.
 TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file, const hrt_session_config& config);
 
@@ -57,7 +57,7 @@ std::vector<std::string> names_of(std::span<const Mark> marks);
 std::vector<Mark> marks_of(const TargetSet& targets);
 
 /// Reads 3 to 8 marks, with coordinates from -1 to 1 m, from a CSV file whose first columns are name, x_m, y_m and z_m,
-/// such as samples/plate/model/marks.csv. Throws Failure (ExitCode::registration) that names the line.
+/// such as samples/plate/model/marks.csv. Throws Failure (ExitCode::registration).
 std::vector<Mark> read_marks(const std::filesystem::path& file);
 
 }  // namespace hrt::app

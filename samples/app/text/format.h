@@ -18,7 +18,7 @@ std::string format(const char* pattern, Values... values) {
   return text;
 }
 
-/// Parses all of `text` as a number, independently of the locale. Returns nothing unless it is in [low, high].
+/// Parses all of `text`, independently of the locale. Returns nothing unless it is a number in [low, high].
 inline std::optional<double> number_in(std::string_view text, double low, double high) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

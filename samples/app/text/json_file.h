@@ -12,7 +12,7 @@ namespace hrt {
 
 using Json = nlohmann::json;
 
-/// Thrown for invalid input. Its text names the mistake, the place and the allowed values.
+/// Thrown for invalid input, and by hrt-experiment for other errors, too. Its text names the mistake and the place.
 struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -24,7 +24,7 @@ Json parse_json(std::string_view text, const std::string& name);
 
 /// Checks `value` against `schema`, or against `definition` of its $defs, and inserts the defaults of missing members.
 /// Throws Refusal with the place, as in "script.events[0].hand", and what is allowed there. A text must be one line of
-/// at most 2000 bytes; an integer must be at least 0. A member that the schema does not describe is refused.
+/// 1 to 2000 bytes; an integer must be at least 0. A member that the schema does not describe is refused.
 ///
 /// Keywords: type, enum, minimum, maximum, minItems, maxItems, items, properties, required, default, $ref to $defs
 /// (other keywords of the same schema take precedence), and

@@ -47,7 +47,7 @@ std::string why_not_writable(const std::filesystem::path& path) {
   const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
   if (error) return error.message();
   if (is_special(target)) return "this is not a regular file";
-  // Missing permissions, read-only or full file systems and too long names show only in an attempt.
+  // Missing permissions, a read-only file system and too long names show only in an attempt.
   const std::filesystem::path temporary = temporary_beside(target);
   const int file = open(temporary.string().c_str(), write_flags, 0666);
   if (file < 0) return std::strerror(errno);

@@ -6,7 +6,8 @@
 
 namespace hrt {
 
-/// Reason why write_whole_file() would fail now, to check before long work; empty if it would succeed.
+/// Reason why write_whole_file() cannot create its file, to check before long work; empty if it can. Does not check
+/// that the content fits on the disk.
 std::string why_not_writable(const std::filesystem::path& path);
 
 /// Replaces the file at `path`, or the target of a link there, in one step: writes `content` to a temporary file in the
@@ -14,7 +15,7 @@ std::string why_not_writable(const std::filesystem::path& path);
 /// anything but a regular file: returns EINVAL.
 int write_whole_file(const std::filesystem::path& path, std::string_view content);
 
-/// Name of the temporary file, in the folder of `path`, that this process writes.
+/// Path of the temporary file that this process writes, in the folder of `path`.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
 /// Writes all of `content` to an open file. Returns 0, or errno.

@@ -1,5 +1,5 @@
 // CHECK_XR and CALL_XR wrap OpenXR calls. If a call fails, CHECK_XR throws an error that names the call. If a call
-// blocks, a watchdog ends the process; a plate on a serial line then stops by its own timeout.
+// blocks, the watchdog of watch_runtime() ends the process; a plate on a serial line then stops by its own timeout.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -45,7 +45,7 @@ class XrFailure : public std::runtime_error {
   XrResult result_;
 };
 
-/// Thrown when the session or the instance is lost: both must be created again.
+/// Thrown when the session and the instance must be created again, mostly because one of them is lost.
 class XrLost : public XrFailure {
  public:
   using XrFailure::XrFailure;

@@ -12,8 +12,8 @@
 **
 ** There is one plate per session. Every function may be called from any thread, in any state of the session.
 ** In addition to the results named below, each returns XR_ERROR_HANDLE_INVALID, XR_ERROR_INSTANCE_LOST and
-** XR_ERROR_SESSION_LOST. XR_ERROR_VALIDATION_FAILURE means a null pointer, a wrong structure type, or a number
-** that is not finite or out of range. On failure outputs are unchanged.
+** XR_ERROR_SESSION_LOST. XR_ERROR_VALIDATION_FAILURE means an invalid argument, such as a null pointer, a wrong
+** structure type, or a number that is not finite or out of range. On failure outputs are unchanged.
 */
 #ifndef OPENXR_HRTX_RIDGED_PLATE_H_
 #define OPENXR_HRTX_RIDGED_PLATE_H_

@@ -22,7 +22,6 @@ constexpr int frames_of_a_second = 90;           // limit of invalid frames in a
 constexpr XrDuration max_step_ns = 5'000'000'000, max_refused_ns = 1'000'000'000;
 constexpr float max_position_m = 100.0f;  // a larger distance of a fingertip from the plate is impossible
 
-// A final failure: the runtime violates the specification, or takes too long.
 [[noreturn]] void fail(const std::string& sentence) { throw Failure(ExitCode::runtime_failed, sentence); }
 
 std::string within(std::chrono::milliseconds limit) {
@@ -59,7 +58,7 @@ XrPosef inverse(const XrPosef& pose) {
   return pose_of(back, -(back * position(pose)));
 }
 
-// Checks a pose of the runtime: finite numbers, and an orientation that can be normalised.
+// True for a valid pose of the runtime: finite numbers, and an orientation of about unit length.
 bool is_pose(const XrPosef& pose) {
   return position(pose).allFinite() && std::abs(orientation(pose).squaredNorm() - 1.0f) < 0.02f;
 }
@@ -211,7 +210,7 @@ XrTime XrHeadlessSession::next_frame() {
   }
 }
 
-// True if the runtime's time advanced by over 5 s more than the real time. Throws XrLost after a second of such frames.
+// True if the runtime's time advanced by over 5 s more than the real time. Throws XrLost after 90 such frames in a row.
 bool XrHeadlessSession::steps(XrTime time) {
   const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - frame_began_).count();
   const bool is_step =
@@ -239,7 +238,8 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (has_loop) CHECK_XR_RESULT("xrWaitFrame", waited);
   const bool has_time = has_loop && frame.predictedDisplayTime > 0;
   untimed_ = has_time ? 0 : untimed_ + 1;
-  // Some runtimes give no frame of a headless session a time. A single frame without a time is skipped.
+  // Some runtimes give no frame of a headless session a time. Otherwise, up to 90 frames in a row without one are
+  // skipped.
   if (!has_loop || (!has_time && (last_frame_ == 0 || untimed_ > frames_of_a_second))) {
     frames_have_times_ = false;
     return time_now();
@@ -296,7 +296,8 @@ void XrHeadlessSession::poll_events() {
   }
 }
 
-// Begins or ends the session when the runtime requests it. A repeated state has no effect.
+// Begins or ends the session when the runtime requests it; a repeated request has no effect. Throws if the session is
+// lost, or has exited without a request of end().
 void XrHeadlessSession::change_state(XrSessionState state) {
   switch (state) {
     case XR_SESSION_STATE_READY:

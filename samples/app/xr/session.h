@@ -13,7 +13,7 @@ namespace hrt::app {
 
 enum class Hand { left = 0, right = 1 };
 
-/// Names and values of XR_EXT_local_floor, as in Khronos' registry. The header of Debian 12 lacks them.
+/// Name and space type of XR_EXT_local_floor, as in Khronos' registry. The header of Debian 12 lacks them.
 inline constexpr const char* local_floor_extension = "XR_EXT_local_floor";
 inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000426000);
 
@@ -25,7 +25,7 @@ struct Fingertip {
   std::array<double, 3> position_m{};  ///< in plate coordinates
   /// Rotation from the joint's axes to the plate's, quaternion x, y, z, w; unset if the runtime does not report it.
   std::optional<std::array<double, 4>> rotation;
-  bool lifted = false;  ///< the touch frame reports no touch; a hand above the plate is `tracked`
+  bool lifted = false;  ///< the finger does not touch the touch frame; a hand above the plate is `tracked`
 };
 
 /// Motion of the runtime's reference spaces when the user recentres the view (XrEventDataReferenceSpaceChangePending):
@@ -57,11 +57,11 @@ class XrHeadlessSession {
   XrHeadlessSession(const XrHeadlessSession&) = delete;
   XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
 
-  /// Waits for the next frame and returns its time, which is later than that of the previous frame. Skips a frame
-  /// without a time, and frames whose time steps by more than 5 s; if no frame has a time, makes frames at 90 Hz.
-  /// Throws XrLost if the session must be created again, also after a second of such steps; Failure
-  /// (ExitCode::runtime_failed) if the runtime ended the session or a wait exceeded its limit; Failure
-  /// (ExitCode::registration) if the runtime moved the plate's space by an unknown amount; Interrupted after a signal.
+  /// Waits for the next frame and returns its time, which is later than that of the previous frame. Skips frames
+  /// without a time, or whose time steps by more than 5 s; if no frame has a time, makes frames at 90 Hz. Throws XrLost
+  /// if the session must be created again, also after 90 such steps in a row; Failure (ExitCode::runtime_failed) if the
+  /// runtime ended the session or a wait exceeded its limit; Failure (ExitCode::registration) if the runtime moved the
+  /// plate's space by an unknown amount; Interrupted after a signal.
   XrTime next_frame();
 
   /// STAGE, whose origin persists from run to run, or LOCAL if the runtime has no STAGE.
@@ -81,8 +81,8 @@ class XrHeadlessSession {
   /// Number of times that the runtime has moved the space of the plate.
   int recentrings() const { return recentrings_; }
 
-  /// Locates a fingertip at a time that next_frame() returned. An impossible pose is not tracked, nor is the finger
-  /// while the runtime refuses the time, for up to a second. Throws XrFailure.
+  /// Locates a fingertip at a time that next_frame() returned. Returns an untracked fingertip for an impossible pose,
+  /// and while the runtime refuses the time, for up to a second. Throws XrFailure.
   Fingertip locate(Hand hand, XrTime time);
 
   /// Asks the runtime to end the session, and waits until the session has ended.
