@@ -1,4 +1,4 @@
-"""Handles of the library that a Python object owns until it is closed or collected."""
+"""Handles of a library that a Python object owns."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _T = TypeVar("_T", bound="Closing")
 
 class Closing:
     def _own(self, handle: Struct, destroy: Any) -> None:
-        """Calls `destroy` with the handle when this object is closed, leaves its context, or is collected."""
+        """Calls `destroy` with the handle once: when this object is closed or collected, or at exit."""
         self._destroy = weakref.finalize(self, destroy, handle)
 
     _check = staticmethod(check)  # check() of the library that owns the handle

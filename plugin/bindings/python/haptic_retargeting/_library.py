@@ -1,4 +1,4 @@
-"""Loads, checks and calls the shared library."""
+"""Loads the shared libraries, and converts their errors to exceptions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _S = TypeVar("_S", bound=Struct)
 
 
 class Error(RuntimeError):
-    """Raised if a call of the library fails. The text names the call, what is wrong and what is allowed."""
+    """Raised if a call of a library fails. The text names the call and what is wrong."""
 
     def __init__(self, code: int, text: str) -> None:
         super().__init__(text)
@@ -72,7 +72,7 @@ def library_version() -> tuple[int, int, int]:
 
 
 def renamed(text: bytes, names: dict[str, str] = _abi.NAMES) -> str:
-    """Returns an error text in which names of this package replace C names."""
+    """Decodes a text of a library, and replaces C names by names of this package."""
     return re.sub(r"\b(?:hrt|HRT)_\w+", lambda found: names.get(found[0], found[0]), text.decode(errors="replace"))
 
 

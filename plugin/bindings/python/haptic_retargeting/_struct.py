@@ -1,4 +1,4 @@
-"""Base classes of the structs and enumerations of the interface. Values are checked when a field is set."""
+"""Base classes of the structs and enumerations of the C interface."""
 
 from __future__ import annotations
 
@@ -56,7 +56,8 @@ else:
 
 
 class Struct(_Base):
-    """A struct of the C interface. Its `struct_size` is set, and in a configuration every field has its default."""
+    """A struct of the C interface. The constructor sets `struct_size`, the defaults of a configuration, and the given
+    fields."""
 
     _fields_: ClassVar[Sequence[tuple[str, Any]]]
     _defaults_: ClassVar[Mapping[str, Any]] = {}
@@ -70,7 +71,7 @@ class Struct(_Base):
             setattr(self, name, value)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Converts `value` for ctypes, which would truncate a number that does not fit."""
+        """Converts `value` for ctypes. Raises an error for a number that does not fit, which ctypes would truncate."""
         kind = _kinds(type(self)).get(name)
         if kind is None:
             raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(self.names())}")
@@ -170,7 +171,7 @@ def _member(kind: type[Choice] | type[Flags], number: int, session: Any) -> Any:
 
 
 def _target(handle: Any, session: Any) -> Any:
-    """Returns the Target with this id, None for the null id, or the id itself if there is no session, as in a recording."""
+    """Returns the Target of a handle; None for the null handle; the handle itself without a session (in a recording)."""
     from .session import Target
 
     own = type(handle)(value=handle.value)
@@ -178,7 +179,7 @@ def _target(handle: Any, session: Any) -> Any:
 
 
 def short(value: Any) -> str:
-    """Formats a value for notebooks: six digits, names of flags, long arrays by their size."""
+    """Formats a value briefly: floats with six significant digits, flags by name, long arrays by their size."""
     if isinstance(value, Flags):
         return "|".join(value.names()) or "0"
     if isinstance(value, Choice):

@@ -1,4 +1,4 @@
-"""Samples and commands as numpy arrays in the memory layout of the C structs, so that a reach does not copy them."""
+"""Samples and commands as numpy arrays in the memory layout of the C structs, which a reach can use without a copy."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, posit
         plate_orientation_deg: orientation of the plate, if it is measured.
         lifted: True for samples in which the finger is above the plate.
 
-    A number that is NaN or masked is unknown. A sample without position and direction is a dropout.
+    A number that is NaN or masked is unknown. A sample with neither position nor direction is a dropout, unless lifted.
     """
     times = np.asarray(time_ns)
     if np.any(getattr(time_ns, "mask", False)):
@@ -77,7 +77,8 @@ def _put(out: Array, field: str, values: ArrayLike | None, flag: SampleFlag) -> 
 
 
 def known(rows: Array) -> Array:
-    """Returns the samples, without the flags of fields that have NaN; NaN in a field of the finger makes a dropout."""
+    """Returns the samples without the flags of fields that have NaN. NaN in any of these fields but
+    plate_orientation_deg also removes the flags of the finger's position and direction."""
     flags = rows["flags"].copy()
     for flag, field in _READ_BY:
         unknown = ((flags & np.uint32(flag)) != 0) & np.isnan(rows[field].T).any(axis=tuple(range(rows[field].ndim - 1)))
@@ -104,7 +105,7 @@ def commands(n: int) -> Array:
 
 
 def expect_rows(array: Array, name: str, dtype: np.dtype[Any]) -> None:
-    """Raises TypeError or ValueError unless the library can use the memory of the array."""
+    """Raises TypeError or ValueError unless the array has the memory layout of C structs with their size set."""
     if not isinstance(array, np.ndarray):
         raise TypeError(f"{name} is a {type(array).__name__}: an array is needed, as samples() makes")
     if array.dtype != dtype or array.ndim != 1 or not array.flags.c_contiguous:

@@ -30,16 +30,17 @@ class Person(PersonKeywords, Closing):
         self._own(self.handle, library().hrt_person_destroy)
 
     def begin(self, session: Session, virtual: Target | None = None) -> None:
-        """Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target. Without a
-        target, the person follows the instructions of the session's set-up."""
+        """Begins a reach: the finger rests at the session's start for 0.6 s, and then slides towards the virtual
+        target. Without a target, the person follows the instructions of the session's set-up."""
         target = _abi.TargetHandle() if virtual is None else virtual.handle
         check(library().hrt_person_begin(self.handle, session.handle, target))
 
     def move(self, time_ns: int, plate_orientation_deg: float) -> Sample:
-        """Commands the plate's servo, advances the simulation to `time_ns`, and returns what tracker and servo report."""
+        """Commands the simulated servo, advances the simulation to `time_ns`, and returns a sample of tracker and
+        servo."""
         return output(Sample, library().hrt_person_move, self.handle, time_ns, plate_orientation_deg)
 
     @property
     def state(self) -> PersonState:
-        """Returns the actual and the perceived position of the finger."""
+        """True state, such as the actual and the perceived position of the finger. Not available in a set-up."""
         return output(PersonState, library().hrt_person_get_state, self.handle)

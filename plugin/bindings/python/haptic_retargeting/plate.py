@@ -47,7 +47,8 @@ class Plate(Closing):
         self._own(self._handle, _library().hrt_plate_close)
 
     def set(self, orientation_deg: float) -> None:
-        """Turns the plate to the nearest orientation with the same ridges as the given one; they repeat every 180 degrees."""
+        """Turns the plate so that its ridges are those of the given orientation; they repeat every 180 degrees. The
+        plate takes the shortest way that its stops allow."""
         _check(_library().hrt_plate_set(self._handle, orientation_deg))
 
     def stop(self) -> None:
@@ -61,8 +62,8 @@ class Plate(Closing):
         return report
 
     def session_fields(self) -> dict[str, Any]:
-        """Returns speed, acceleration, latency and stops of a ready plate, for Session() or configure(), without stops that
-        are less than 180 degrees apart."""
+        """Returns speed, acceleration, latency and stops of a ready plate, for Session() or configure(). Stops less
+        than 180 degrees apart, which a session cannot have, become 0, as for a plate that turns freely."""
         report = self.get()
         has_stops = report.upper_stop_deg - report.lower_stop_deg >= 180.0
         return {"plate_max_speed_deg_s": report.max_speed_deg_s, "plate_latency_ns": report.latency_ns,
@@ -71,7 +72,7 @@ class Plate(Closing):
                 "plate_upper_stop_deg": report.upper_stop_deg if has_stops else 0.0}
 
     def wait_until_ready(self) -> PlateReport:
-        """Waits until the plate is open. Raises RuntimeError with the reason if it cannot be opened."""
+        """Waits until the plate is ready. Raises RuntimeError with the reason if it has failed."""
         while (report := self.get()).state == PlateState.OPENING:
             time.sleep(0.01)
         if report.state == PlateState.FAILED:

@@ -9,7 +9,7 @@ import numpy as np
 from ._abi import CommandFlag, SampleFlag
 from .record import ReachRecord
 
-# Colours that people with any form of colour vision can distinguish (Okabe and Ito).
+# Colours of the palette of Okabe and Ito, for readers with a colour vision deficiency.
 REAL, VIRTUAL, FINGER, PLATE = "#0072B2", "#D55E00", "#000000", "#009E73"
 
 
@@ -52,7 +52,7 @@ def from_above(axes: Any, record: ReachRecord) -> None:
 
 
 def _draw_plate(axes: Any, record: ReachRecord, spacing_mm: float = 5.0) -> None:
-    """Draws the edge of the plate, and ridges at the last measured or, if that is unknown, commanded orientation."""
+    """Draws the edge of the plate, and ridges at the orientation of the last sample: measured, or else commanded."""
     radius = 1000 * record.config.plate_radius_m
     around = np.linspace(0, 2 * np.pi, 181)
     axes.fill(radius * np.cos(around), radius * np.sin(around), facecolor="#f2f2f2", edgecolor="0.6")
@@ -70,8 +70,9 @@ def _draw_plate(axes: Any, record: ReachRecord, spacing_mm: float = 5.0) -> None
 
 
 def over_time(axes: Any, record: ReachRecord) -> None:
-    """Draws bearings of the finger from the start (left axis) and plate orientation (right axis) over time; grey while the
-    finger is lifted or not tracked. Without positions, draws directions of motion instead of bearings."""
+    """Draws bearings of the actual and the perceived path, seen from the start (left axis), and plate orientations
+    (right axis) over time; grey while the finger is lifted or not tracked. Without positions, draws directions of
+    motion instead of bearings."""
     time, commands = record.time_s, record.commands
     moving = np.nan_to_num(commands["bearing_deg"]) != 0
     plate_axes = axes.twinx()

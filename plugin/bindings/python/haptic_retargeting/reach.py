@@ -56,7 +56,7 @@ class Reach:
                world_position_m: Numbers | None = None, plate_orientation_deg: float | None = None,
                lifted: bool = False) -> Command:
         """Processes one sample and returns the command for the plate. The arguments are those of samples(). A sample
-        without direction and position, or with NaN in them, is a dropout."""
+        with neither direction nor position, or with NaN in them, is a dropout, unless `lifted`."""
         sample = Sample(time_ns=time_ns)
         sample.flags = SampleFlag((SampleFlag.LIFTED if lifted else 0)
                                   | _given(sample, "finger_direction_deg", direction_deg, SampleFlag.DIRECTION)
@@ -72,8 +72,8 @@ class Reach:
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
         """Processes an array of SAMPLE and returns an array of COMMAND, which is `out` if given. After an error, `out` has
-        the commands of the samples before the failed one. Arrays are not copied, except if samples have NaN, which makes
-        them dropouts."""
+        the commands of the samples before the failed one. Arrays are not copied, unless a field with its flag has NaN,
+        which counts as unknown."""
         expect_rows(samples, "samples", SAMPLE)
         if out is None:
             out = commands(len(samples))
@@ -106,7 +106,7 @@ class Reach:
         check(library().hrt_reach_touched(self._session, byref(contact)))
 
     def cancel(self) -> None:
-        """Ends the reach without a summary and discards its estimates."""
+        """Ends the reach without a summary, and discards its estimates and its contact."""
         check(library().hrt_reach_cancel(self._session))
         self._cancelled = True
         self._log()

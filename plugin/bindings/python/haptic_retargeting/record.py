@@ -18,7 +18,8 @@ class ReachRecord:
     """One reach that was run or read from a recording. A row of `samples`, `commands` and `results` is one update."""
 
     config: SessionConfig
-    """Configuration at the beginning of the reach. The next four fields are also from before any retarget."""
+    """Configuration at the beginning of the reach. The next four fields are also from its beginning or, if the reach
+    starts at the finger, from the first position."""
     real_direction_deg: float
     virtual_direction_deg: float
     real_distance_m: float
@@ -40,7 +41,7 @@ class ReachRecord:
 
     @property
     def final_bearing_deg(self) -> float:
-        """Bearing of the last position; NaN without a summary."""
+        """ReachSummary.bearing_deg; NaN without a summary."""
         return np.nan if self.summary is None else self.summary.bearing_deg
 
     @property
@@ -51,7 +52,7 @@ class ReachRecord:
 
     @property
     def position_m(self) -> Numbers:
-        """The fingertip in plate coordinates, n x 3; NaN while it is not tracked."""
+        """The fingertip in plate coordinates, n x 3; NaN for samples without a position."""
         samples, config = self.samples, self.config
 
         def has(flag: SampleFlag) -> NDArray[np.bool_]:
@@ -67,8 +68,9 @@ class ReachRecord:
 
     @property
     def felt_position_m(self) -> Numbers:
-        """Perceived position of the fingertip by the model, in plate coordinates, n x 3: each step of the path is rotated by
-        the perceived direction minus the direction of motion over eleven samples. NaN while the finger is not tracked."""
+        """Perceived position of the fingertip by the model, in plate coordinates, n x 3: after the onset, each step of
+        the path is rotated by the perceived direction minus the direction of motion over eleven positions. NaN for
+        samples without a position."""
         position = self.position_m
         seen = ~np.isnan(position[:, 0])
         out = np.full_like(position, np.nan)

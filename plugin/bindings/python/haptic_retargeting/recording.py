@@ -24,11 +24,12 @@ class Recording:
     complete: bool
     """True if the file has its last line and no calls were lost. replay() also checks that nothing was altered."""
     targets: list[TargetConfig]
-    """Targets as they were added or changed, in this order."""
+    """Targets as they were added or changed, in the order of these calls."""
 
 
 class RecordingError(ValueError):
-    """Raised if the file is not a recording, or is malformed. The text names the file and, unless it is not text, the line."""
+    """Raised if the file is not a recording of this version, or is malformed. The message names the file and the line;
+    for a file that is not UTF-8, only the file."""
 
 
 def _dtype(kind: type[Struct]) -> np.dtype[np.void]:
@@ -82,10 +83,7 @@ def _array(kind: type[Struct], rows: list[_Row], missing: float) -> Array:
 
 
 def read_recording(path: str | os.PathLike[str]) -> Recording:
-    """Reads a recording to arrays, without the library. Raises RecordingError if the file is not a recording.
-
-    Rows after a gap, where calls were lost, are not read.
-    """
+    """Reads a recording to arrays, without the library. Rows after a gap, where calls were lost, are not read."""
     with open(path, encoding="utf-8", newline="") as file:
         try:
             return _read(file)

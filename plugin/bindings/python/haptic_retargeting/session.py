@@ -100,8 +100,9 @@ class Session(SessionKeywords, Closing):
             record = session.run_reach(cylinder, cup, samples)
 
     The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. A session is
-    for one thread at a time. Warnings that no call can return, such as a clock or unit that is probably wrong, go to the
-    logger "haptic_retargeting". Closing a session removes its targets, and ends its reach and its recording.
+    for one thread at a time. Warnings that no call can return, such as a clock or unit that is probably wrong, go to
+    the logger "haptic_retargeting". Closing a session removes its targets, cancels its reach or set-up, and ends its
+    recording.
     """
 
     def _create(self, fields: dict[str, Any]) -> None:
@@ -131,7 +132,7 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_session_set(self.handle, byref(config)))
 
     def new_person(self) -> None:
-        """Resets the parameters of the user, for another person."""
+        """Resets the parameters and the fingertip's offset of the user, for another person."""
         check(library().hrt_profile_reset(self.handle))
 
     def cancel(self) -> None:
@@ -190,9 +191,9 @@ class Session(SessionKeywords, Closing):
         return output(Gap, library().hrt_gap_query, self.handle, real.handle, virtual.handle).belongs_to(self)
 
     def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Gap]:
-        """Assigns real targets to as many virtual ones as possible, so that the largest ratio of gap to feasible gap is
-        minimal. With `exclusive`, each real target is assigned to at most one virtual target. A virtual target without a
-        real target is not `reachable`."""
+        """Assigns real targets to as many virtual ones as possible, so that the largest ratio of a gap to the largest
+        feasible gap is minimal. With `exclusive`, each real target is assigned to at most one virtual target. A virtual
+        target without a real target is not `reachable`."""
         out = (Gap * len(virtuals))(*(Gap() for _ in virtuals))
         check(library().hrt_gap_assign(
             self.handle, _handles(virtuals), len(virtuals), _handles(reals), len(reals),
@@ -208,9 +209,9 @@ class Session(SessionKeywords, Closing):
 
     def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None,
               start_at_finger: bool = False, duration_s: float = 0.0) -> Reach:
-        """Begins a reach. `plate_orientation_deg` is the current plate orientation; default: that of the last command. With
-        `start_at_finger`, directions are measured from the finger's first position. `duration_s` is the expected duration
-        of the motion, 0 if unknown.
+        """Begins a reach. `plate_orientation_deg` is the current plate orientation; default: that of the session's last
+        command, or 0 before the first. With `start_at_finger`, directions are measured from the finger's first
+        position. `duration_s` is the expected duration of the motion, 0 if unknown.
 
             with session.reach(cylinder, cup) as reach:
                 command = reach.update(time_ns, position_m=(x, y, z))
@@ -257,7 +258,7 @@ class Session(SessionKeywords, Closing):
 
     @property
     def profile(self) -> dict[str, Any]:
-        """The parameters of the user, to be stored as JSON."""
+        """The profile of the user, for json.dump() and load_profile()."""
         length = ctypes.c_uint64()
         check(library().hrt_profile_save(self.handle, 0, None, byref(length)))
         text = ctypes.create_string_buffer(length.value + 1)
