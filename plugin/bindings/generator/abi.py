@@ -1,6 +1,6 @@
-"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Other languages and engines
-("hosts") have no nested structs: the fields of a nested struct become fields of the outer struct, also in texts. The tag
-@flatten gives their names: plate.max_speed_deg_s becomes plate_max_speed_deg_s."""
+"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. For other languages and
+engines ("hosts"), the fields of a nested struct with the tag @flatten become fields of the outer struct, also in texts;
+the tag gives their names: plate.max_speed_deg_s becomes plate_max_speed_deg_s."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ HIDDEN = ("struct_size", "reserved")
 
 
 class HostError(Exception):
-    """A host cannot represent a part of the interface."""
+    """The files of a host cannot be written."""
 
 
 @dataclass(frozen=True)
@@ -70,12 +70,12 @@ class Value:
 
     @property
     def defaults(self) -> list[Decimal]:
-        """Default of each element; [] if all are 0, or if the default is the name of a constant."""
+        """Default of each element; [] if all are 0, if there is no default, or if it is the name of a constant."""
         return self.default if isinstance(self.default, list) and any(self.default) else []
 
     @property
     def literals(self) -> list[str]:
-        """Default of each element as a C literal; [] if all are 0."""
+        """Default of each element as a literal or a constant's name; [] if all are 0 or there is no default."""
         return [self.default] if isinstance(self.default, str) else [self.literal(n) for n in self.defaults]
 
     def literal(self, number: Decimal) -> str:
@@ -177,7 +177,7 @@ class Abi:
             return [e for e in entries if (e.header == "plate.h") == plate]
 
         def flat(whole: Value) -> list[Value]:
-            """Returns the field itself, or the fields of a nested struct."""
+            """Returns the field itself or, if its struct is flattened, the fields of the struct."""
             return [replace(whole, member=whole.name)] if "*" not in whole.flatten else [
                 replace(f, name=names[f"{whole.name}.{f.name}"], member=f"{whole.name}.{f.name}", offset=whole.offset + f.offset,
                         text=f.text + " Read under FIXED_DIRECTION only." * (whole.name == "paper" and whole.flatten == "*"))
@@ -204,7 +204,8 @@ class Abi:
         return (SIZES.get(value.type.name) or self.struct(value.type.name).size) * (value.count or 1)
 
     def enumeration_names(self, special: dict[str, str], flags: str) -> dict[str, str]:
-        """Returns a type name for each enumeration: that in `special`, otherwise Guidance or, with the suffix `flags`, SessionFlags."""
+        """Returns a type name for each enumeration: that in `special`, or else a name such as Guidance for
+        HRT_GUIDANCE. Names of flags get the suffix `flags`."""
         return {e.name: special.get(e.name) or pascal(e.name.removeprefix("HRT_")) + (flags if e.flags else "")
                 for e in self.enumerations}
 
@@ -233,7 +234,7 @@ class Names:
         self.types, self.enumerations, self.constants, self.fields = types, enumerations, constants, fields
 
     def renamed(self, text: str) -> str:
-        """Replaces the C names in a text; constants may lack the prefix HRT_."""
+        """Replaces the C names of types, fields and constants in a text; constants may lack the prefix HRT_."""
         def name(found: re.Match[str]) -> str:
             struct, field, enumeration, constant = found.groups()
             if struct:

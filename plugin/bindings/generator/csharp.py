@@ -22,7 +22,7 @@ _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "
 _ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name"}
 _SHARED = {
     "Double3": ("double", "x y z", "Three numbers in the axes of the library, for example a position in plate coordinates: metres, x right, y up, z towards the user."),
-    "Double4": ("double", "x y z w", "Four numbers: a unit quaternion in the right-handed axes of the library."),
+    "Double4": ("double", "x y z w", "Four numbers, for example a unit quaternion in the right-handed axes of the library."),
     "Name": ("ulong", " ".join(f"word{i}" for i in range(8)), "A name of at most 63 bytes of UTF-8, followed by a NUL."),
 }
 _WIDTH = 110

@@ -1,5 +1,6 @@
-"""Generates methods in the style of C# for the C functions: functions of a handle become methods of its class, structs are passed
-by value with their size set, outputs are returned, errors are thrown. hrt_target_add becomes AddTarget of the session."""
+"""Generates methods in the style of C# for the C functions: functions of a handle become methods of its class, structs
+are passed by value with their size set, the main output is returned, errors are thrown. hrt_target_add becomes
+AddTarget of the session."""
 
 from __future__ import annotations
 
@@ -53,7 +54,7 @@ class _Call:
         self.returned = ("void", "")  # type and expression of what the C# method returns
         self.parameters = function.params[len(self.passed):]
         outputs = [p for p in self.parameters if p.name.startswith("out_") and p.name != "out_count"]
-        # If there are several outputs, the struct is returned.
+        # If there are several outputs, the one that is a struct with a size is the main one.
         self.main_output = min(outputs, key=lambda p: not self.has_size(p) or bool(p.count), default=function.params[0]).name
 
     def render(self) -> str:

@@ -1,5 +1,5 @@
-"""Generates the tables of struct fields for the library's C++ (plugin/src/abi/field.h): names, ranges, defaults, use in profiles;
-and assertions about their layout."""
+"""Generates tables for the C++ of the libraries: fields of structs (plugin/src/abi/field.h), with assertions about
+their layout; columns of recordings; names of calls, flags and results."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ _CPP = {"char": "char", "int32_t": "std::int32_t", "uint32_t": "std::uint32_t", 
         "uint64_t": "std::uint64_t", "double": "double"}
 
 
-# Columns of a recording in their order, with the names of the columns that are not named after their field.
+# Columns of a recording after "call" and "result", in their order. The columns of a struct have the names of its fields,
+# except those given here.
 _RECORDED = (
     ("", ("time_ns",)),
     ("hrt_sample", {"flags": "sample_flags", "finger_direction_deg": "sample_direction_deg", "finger_position_m": "sample_{}_m",
@@ -65,7 +66,7 @@ def _fields(abi: Abi, struct: Struct) -> str:
     for f in fields:
         attributes = "".join(f", .{name} = {value}" for name, value in _attributes(abi, struct, f).items())
         text += f'  static constexpr Field<S, {_kind(f)}> {f.name}{{.name = "{f.name}", .offset = offsetof(S, {f.member}){attributes}}};\n'
-        # Ranges of the elements of an array, if each has its own constant and range.
+        # Ranges of elements that have their own constant, such as HRT_PERSON_WEIGHT.
         if elements := [e for e in abi.constants if f.elements and e.name.startswith(f"{f.elements}_") and e.min is not None]:
             rows = "".join(f'      {{"{f.name}[{e.name}]", {f.literal(e.min)}, {f.literal(e.max)}}},\n' for e in elements)
             text += f"  static constexpr Element {f.name}_elements[] = {{\n{rows}  }};\n"

@@ -1,4 +1,5 @@
-"""Generates tables.cpp for Godot: properties, Dictionary keys, constants, methods, and the class reference."""
+"""Generates tables.cpp for Godot: properties, Dictionary keys, constants, methods, their names in error texts, and the
+class reference."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from xml.sax.saxutils import escape
 import settings
 from abi import Abi, Enumeration, Value, pascal
 
-# Structs of the plugin that scripts receive as a Dictionary, beside hrt_plate_report.
+# Structs that scripts receive as a Dictionary, in addition to hrt_plate_report of libhrt_plate.
 _RECORDS = ("hrt_command", "hrt_reach_summary", "hrt_gap", "hrt_setup_step", "hrt_setup_result", "hrt_conditions",
             "hrt_recording_status")
 # Fields that are neither Dictionary keys nor properties. Set-ups of a node use the default marks.

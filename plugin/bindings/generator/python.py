@@ -129,7 +129,7 @@ class _Host(Names):
 
 
 def _doc(text: str, items: list[tuple[str, str]], names: _Host, indent: str = "    ") -> str:
-    """Renders a docstring with a line for each item, for help()."""
+    """Renders a docstring that has, after the text, each item on a new line."""
     lines = textwrap.wrap(names.renamed(text), 104) + [""] * bool(items)
     for name, item in items:
         lines += textwrap.wrap(f"{name}: {names.renamed(item)}" if item else name, 104, subsequent_indent="    ")

@@ -18,7 +18,7 @@ _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand",
             "hrt_setup_step": "FHapticSetupStep", "hrt_setup_result": "FHapticSetupResult"}
 _OUTPUTS = [name for name in _STRUCTS if name != settings.STRUCT]
 _TO_CONFIG = "hrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, const hrt_session_config& Before)"
-# Fields of the C structs that the structs for Blueprints lack.
+# Fields of the outputs that the structs for Blueprints lack.
 _NOT_SHOWN = (*HIDDEN, "plate_rotation", "covariance", "sd_m")
 # Enumerations of the component's arguments.
 _ENUMERATIONS = ("HRT_TARGET",)
@@ -37,7 +37,7 @@ def _words(name: str) -> str:
 
 @dataclass(frozen=True)
 class _Member:
-    """A field of the C interface as a member of an Unreal struct."""
+    """A field of the C interface, or a flag or part of one, as a member of an Unreal struct."""
 
     field: Value
     type: str
@@ -151,7 +151,7 @@ class _Renderer(Names):
         return text + ",\n".join(rows) + "\n};\n"
 
     def comment(self, member: _Member) -> str:
-        """Returns the text without range and default, which Unreal shows in its own format and unit."""
+        """Returns the member's comment, without the range, which Unreal shows in its own format and unit."""
         text = member.field.text
         if member.field.boolean:
             text = re.sub("^1 if ", "True if ", re.sub("^0 if ", "False if ", text))

@@ -35,8 +35,8 @@ def render_script(abi: Abi, notice: str) -> str:
 
 
 def render_frames(abi: Abi, notice: str) -> str:
-    """Renders access to the structs that are read or written in each frame. The code is unrolled, so that a frame creates
-    no objects and looks up no names."""
+    """Renders access to the structs that are read or written in each frame. The code has a statement for each field, so
+    that a frame creates no objects and looks up no names."""
     text = f"// {notice}\n" + 'import { writeF64s, writeI64, writeU32, readI64 } from "./numbers.mjs";\n'
     for name, title in (("hrt_sample", "Sample"), ("hrt_command", "Command")):
         fields, writes, reads, starts, arrays = abi.struct(name).shown, "", "", "", []

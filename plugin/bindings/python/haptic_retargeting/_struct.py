@@ -171,7 +171,7 @@ def _member(kind: type[Choice] | type[Flags], number: int, session: Any) -> Any:
 
 
 def _target(handle: Any, session: Any) -> Any:
-    """Returns the Target of a handle; None for the null handle; the handle itself without a session (in a recording)."""
+    """Returns a handle's Target; None for the null handle; the handle itself without a session (in a recording)."""
     from .session import Target
 
     own = type(handle)(value=handle.value)
