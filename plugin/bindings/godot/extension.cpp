@@ -25,7 +25,7 @@ struct Interface {
 Interface engine;
 gde_library* library;
 
-/** Finds the functions of `engine`. Returns null, or the name of the first function that the engine lacks. */
+/** Fills `engine`. Returns null, or the name of the first function that this version of Godot lacks. */
 const char* load_interface(gde_get_proc_address get_proc_address) {
   // Godot 4.4 calls classdb_register_extension_class5 classdb_register_extension_class4.
   const auto load = [&](const std::string_view name) {

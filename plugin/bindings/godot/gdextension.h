@@ -16,7 +16,7 @@
 #define GDE_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* Numbers of Godot's Variant.Type, in addition to those of Type in value.h. */
+/* Numbers of Godot's Variant.Type; value.h has those of the types that methods pass. */
 enum { GDE_STRING = 4, GDE_STRING_NAME = 21, GDE_OBJECT = 24, GDE_PACKED_STRING_ARRAY = 34 };
 
 template <int variant_type, size_t size>

@@ -105,14 +105,14 @@ Error PlateNode::error() const {
   return found == std::end(errors) ? Error::kBug : found->second;
 }
 
-/** Shows the error of a call, and returns it as an Error of Godot. */
+/** Shows the error of a call, if it failed, and returns its result as an Error of Godot. */
 Error PlateNode::report(hrt_result result) {
   ok(result);
   return error();
 }
 
-/** Applies the properties and the node's pose to the session, created if needed; does nothing during a reach or
- *  set-up. Returns false, and shows the error, if the properties, which a scene sets one at a time, are not valid. */
+/** Applies the properties and the node's pose to the session, which it creates if needed. Does nothing during a reach
+ *  or set-up. Returns false, and shows the error, if properties or pose are not valid. */
 bool PlateNode::configure() {
   if (reaching_ || setting_up_) return true;
   hrt_session_config& config = properties_.session;

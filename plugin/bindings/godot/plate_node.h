@@ -80,7 +80,7 @@ class PlateNode {
   Value call(const Method& method, std::span<const Value> arguments) noexcept;
   Value get(const Property& property) { return property.get(properties_); }
   void set(const Property& property, const Value& value) noexcept;
-  /** Returns the error in the properties or the node's pose, for the editor; empty without one. */
+  /** Returns the error in the session's properties or the node's pose, for the editor; empty without one. */
   std::string warning();
 
   // Methods for scripts, with the names of their arguments. generator/godot.py reads this list.
@@ -176,7 +176,7 @@ class PlateNode {
   hrt_reach_summary summary_{};      ///< last summary; struct_size 0: no reach has ended
   hrt_setup_step step_{};            ///< last step; struct_size 0: no step yet in this set-up
   hrt_setup_result found_{};         ///< results of this set-up so far
-  hrt_result result_ = HRT_OK;       ///< result of the last call of the plugin
+  hrt_result result_ = HRT_OK;       ///< result of the last operation, for error()
   bool reaching_ = false;
   bool setting_up_ = false;
   std::bitset<128> refused_;  ///< reasons for which samples of this reach or set-up were refused

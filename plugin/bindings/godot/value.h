@@ -71,7 +71,8 @@ inline bool fits(const Value& value, Type type) {
   return type_of(value) == type || ((type == Type::kReal || type == Type::kTime) && type_of(value) == Type::kInt);
 }
 
-/** Result of a method that failed: kInvalidParameter, a position with NaN (update() refuses it), or an empty value. */
+/** Result that shows a failure: kInvalidParameter for an Error, NaN for a position (update() refuses it), otherwise an
+ *  empty value. */
 template <typename T>
 T failure() {
   if constexpr (std::is_same_v<T, Error>)

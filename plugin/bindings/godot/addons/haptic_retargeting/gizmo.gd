@@ -1,4 +1,4 @@
-## Draws plates in the editor's view: rim, ridges at orientation 0, start, and the mid-line.
+## Draws plates in the editor's view: rim, ridges at orientation 0, start, and the line straight ahead of it.
 @tool
 extends EditorPlugin
 
