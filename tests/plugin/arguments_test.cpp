@@ -1,4 +1,5 @@
-// Calls reject null pointers, wrong struct sizes and invalid handles, name the argument, and change no output.
+// Calls reject null pointers, wrong struct sizes and invalid handles: the error text has the name or the value of the
+// argument, and no output changes.
 #include <array>
 #include <set>
 #include <tuple>
@@ -29,7 +30,7 @@ concept Sized = requires(T value) { value.struct_size; };
 template <class T>
 concept Handle = requires(T value) { value.value; } && sizeof(T) == 8;
 
-/// Makes the call with each argument in turn invalid. `given` are valid arguments.
+/// Makes the call with each pointer and handle in turn invalid. `given` are valid arguments.
 template <class... P>
 class Refusals {
  public:

@@ -205,7 +205,7 @@ class KnownContactTest : public ContactTest {
   hrt_session_config known{};
 };
 
-// Loading adds an SD of 0.002 to each element of the correction, because the tracker may have drifted.
+// Loading adds a variance of 0.002^2 to each element of the correction, because the tracker may have drifted.
 TEST_F(KnownContactTest, ProfileWithTheSamePoseRestoresContactsAndAddsDrift) {
   const hrt_session_config back = loaded(save_profile(), registered());
   EXPECT_TRUE(same(back.registration.contact_correction, known.registration.contact_correction));

@@ -15,7 +15,7 @@
 namespace hrt::test {
 
 /// The allocator of the library during the lifetime of the object. Counts requests, blocks and bytes. Fails at request
-/// number `fail_at` (and at all later ones with `fail_on`), and beyond `budget` bytes.
+/// number `fail_at` and, with `fail_on`, at all later ones; also beyond `budget` bytes.
 class CountingAllocator {
  public:
   CountingAllocator() {

@@ -14,7 +14,7 @@ using C = hrt_session_config;
 using F = plugin::Fields<C>;
 using Range = plugin::Field<C, double>;
 
-// Ranges of all numbers except the stops, whose ranges depend on each other.
+// Ranges of all fields of type double except the stops, which depend on each other.
 const std::vector<Range> ranges = [] {
   std::vector<Range> found;
   plugin::for_each_field<C>([&](const auto& field) {
@@ -46,7 +46,7 @@ class Extremes : public SessionTest {
     return values[below(n)];
   }
 
-  /// Draws a number in the range, often one of its limits, or a small number if the range begins at 0.
+  /// Draws a limit of the range, a uniform number or, if the range has no negative numbers, a log-uniform number.
   double within(double low, double high) {
     const std::size_t kind = below(4);
     if (kind < 2) return kind == 0 ? low : high;
@@ -54,7 +54,7 @@ class Extremes : public SessionTest {
     return uniform(low, high);
   }
 
-  /// Draws a configuration: all fields at random, or the defaults with a few random fields.
+  /// Draws a configuration: the defaults, with all, half or an eighth of the fields at random.
   hrt_session_config configuration() {
     hrt_session_config config = session_config();
     const auto share = one_of<std::size_t>({1, 2, 8});
@@ -164,7 +164,8 @@ class Extremes : public SessionTest {
     check_what_is_kept();
   }
 
-  /// Follows a set-up by slides in about `weight` times the plate orientation. Returns true if the set-up ends.
+  /// Follows the instructions of a set-up. Slides towards about `weight` times the plate orientation. Returns true if a
+  /// fit is due.
   bool set_up(double weight, double noise_m) {
     auto step = output<hrt_setup_step>();
     double side = 0.0;

@@ -28,7 +28,7 @@ inline constexpr std::int64_t step_ns = 100 * ms;  ///< step of the paper's mode
 #define ASSERT_OK(call) ASSERT_EQ((call), HRT_OK) << hrt_last_error()
 #define EXPECT_OK(call) EXPECT_EQ((call), HRT_OK) << hrt_last_error()
 
-/// Expects an error whose text contains `part`: the name or the value of the rejected field.
+/// Expects an error whose text contains `part`.
 inline void expect_error(hrt_result result, hrt_result expected, const std::string& part = "") {
   EXPECT_EQ(result, expected) << hrt_result_string(result) << ": " << hrt_last_error();
   EXPECT_NE(std::string(hrt_last_error()).find(part), std::string::npos)

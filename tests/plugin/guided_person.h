@@ -14,7 +14,7 @@ namespace hrt::test {
 
 class GuidedPerson {
  public:
-  /// Creates person `index` of the family "linear".
+  /// Creates person `index` of the family "linear", without a habit.
   explicit GuidedPerson(std::uint32_t index)
       : condition(draw_person(people_families().front(), 1.5, 77, index)), draws_(78, 0, index, 0), index_(index) {
     condition.person.habit_deg = 0.0;

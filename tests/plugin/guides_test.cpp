@@ -1,6 +1,6 @@
-// Guided slides, which correct the registration at real targets. The trackers' frames are rotated, sheared or distorted
-// by a field; the point of contact on the skin changes at each touch; the noise is correlated in time. The fit models
-// rotation, scale and shear, but not the field.
+// Guided slides, which correct the registration at real targets. The trackers' frames are rotated, some also sheared or
+// distorted by a field; the point of contact on the skin changes at each touch; the noise is correlated in time. The
+// fit models rotation, scale and shear, but not the field.
 #include <Eigen/Core>
 #include <cmath>
 #include <functional>
@@ -137,8 +137,8 @@ class GuidesTest : public SessionTest {
   int lifted_frame = 1'000'000;
 };
 
-// Limits of the RMS bearing error, and of the coverage of 95 % intervals. Before the guides, a registration by six
-// marks has bearing errors of 0.9 degrees in a rotated frame, and of 2 degrees in the other frames.
+// Limits of the RMS bearing error, and of the coverage of 95 % intervals. Without the guides, the RMS errors are
+// 0.9 degrees in a rotated frame, and about 2 degrees in the other frames.
 TEST_F(GuidesTest, BearingErrorsAreSmallAndWithinTheirIntervals) {
   struct Noise {
     double sd_m, correlation_s, allowed_deg;

@@ -96,7 +96,7 @@ TEST_F(LearningTest, OneReachChangesTheMotorVarianceByAFactorOfTwoAtMost) {
   EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 }
 
-// After a reach with one observed direction, the SD of w_T increases, but stays within its range.
+// With one observed direction, the SD of w_T grows beyond its range; the carried SD is limited to the range.
 TEST_F(LearningTest, CarriedEstimatesAreWithinTheirRanges) {
   hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
   assumed.person.tactile_weight_sd = 0.49;

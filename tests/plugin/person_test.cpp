@@ -1,4 +1,4 @@
-// Reaches of simulated people through the C interface, which only gets positions.
+// Reaches of simulated people through the C interface.
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -160,7 +160,7 @@ TEST_F(PersonTest, ConfiguredDurationSetsTheTimeToGo) {
   EXPECT_LT(expected_s(1.5), expected_s(3.0) - 0.3);
 }
 
-// The estimates differ from the summary's, because the motion is filtered again, with the observed wander.
+// They differ from the summary's estimates, because the motion is filtered again, with the observed wander.
 TEST_F(PersonTest, EstimatesAreWrittenToTheConfiguration) {
   create(servo_config());
   PersonCondition condition = steady_person();
@@ -251,7 +251,7 @@ TEST_F(PersonTest, UnreachableAndMissedTargetsAreFlagged) {
   EXPECT_NE(weak.summary.flags & HRT_COMMAND_OFF_TARGET, 0u);
 }
 
-// The finger moves by 15 mm to each side of the path within 0.1 s.
+// The finger swings by 15 mm to each side of the path, with a period of 0.12 s.
 TEST_F(PersonTest, ImpossibleMotionIsAMisfitAndChangesNoEstimate) {
   create(servo_config());
   const hrt_session_config before = config_of(session);

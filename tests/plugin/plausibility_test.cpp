@@ -1,4 +1,4 @@
-// Wrong units, axes and clocks of a host are reported by HRT_COMMAND_IMPLAUSIBLE and in the log.
+// Mistakes of a host (units, axes, clocks), fingers that are not where they should be, and repeated positions.
 #include <cmath>
 #include <functional>
 

@@ -1,4 +1,4 @@
-// Checks the statements of plugin/PROCESS.md about the host's process.
+// Checks the statements of plugin/PROCESS.md about floating-point modes, memory and stack.
 #include <cfenv>
 
 #if defined(__SSE2__)
@@ -58,7 +58,7 @@ TEST(Process, FloatingPointTrapsAreKeptAndNotTriggered) {
 
 #if defined(HRT_MEASURES_MEMORY)
 
-// Limits that plugin/PROCESS.md states for 64-bit machines, in bytes.
+// Limits on 64-bit machines, in bytes. plugin/PROCESS.md states them, rounded.
 constexpr long max_of_session = 31'000;
 constexpr long max_of_target = 320;
 constexpr long max_of_recording = 9'700'000;

@@ -21,7 +21,7 @@ std::vector<typename Field<S, T>::Number> limits_of_field(const Field<S, T>& fie
   return values;
 }
 
-/// Returns values just beyond the limits of a field, infinities and NaN.
+/// Returns values just beyond the limits of a field and, for a double, infinities and NaN.
 template <class S, class T>
 std::vector<typename Field<S, T>::Number> beyond(const Field<S, T>& field) {
   using Number = typename Field<S, T>::Number;
@@ -169,7 +169,7 @@ TEST_F(SessionTest, SampleAcceptsExactlyItsRanges) {
     EXPECT_EQ(result == HRT_OK, command.paper.step != 77);
     return result;
   };
-  // At most one of the three kinds of position is allowed.
+  // At most one of DIRECTION, PLATE_POSITION and WORLD_POSITION is allowed.
   EXPECT_EQ(try_ranges<hrt_sample>(sample_with, take), Names{"flags"});
 }
 

@@ -183,7 +183,7 @@ TEST_F(SetupTest, ConfusedMarksAreReportedAndTouchedAgain) {
   expect_error(hrt_setup_begin(session, HRT_SETUP_CHECK, nullptr), HRT_ERROR_WRONG_STATE, "HRT_SETUP_REGISTRATION");
 }
 
-// A mistake of the host (axes, units, clock) or a plate whose report is stuck.
+// A mistake of the host (axes, units, clock), or a fault of tracker or plate.
 struct Mistake {
   const char* name;
   std::uint32_t part;
@@ -367,7 +367,7 @@ TEST_F(SetupTest, CalibrationReplacesTheEstimatesOfReaches) {
   expect_error(hrt_setup_get_residual(session, result.slides, &residual), HRT_ERROR_OUT_OF_RANGE, "slide is");
 }
 
-// The weight changes from 0.1 to 0.35 after eight slides, which the model cannot fit: no result is applied.
+// The weight changes from 0.1 to 0.35 after eight slides, which the model cannot fit.
 TEST_F(SetupTest, LackOfFitLeavesThePersonUnchanged) {
   GuidedPerson person = quiet_person(true);
   hrt_setup_config setup = hrt_setup_config_init();

@@ -76,7 +76,8 @@ TEST_F(SimulatedPersonTest, IsSteeredToTheRealTargetAndPerceivesTheVirtualOne) {
   EXPECT_GE(on_target, 33);  // if 92 % of people are on target, fewer than 33 of 40 are in one of 100 such tests
 }
 
-// After 0.6 s of rest, the finger moves for 1.5 s, by only 1 mm in the last tenth of this time, and rests for 0.4 s.
+// The finger rests for 0.6 s, and moves for 1.5 s, by only 1 mm in the last tenth of this time. ARRIVED requires a rest
+// of 0.4 s.
 TEST_F(SimulatedPersonTest, ArrivesSoonAfterTheMotion) {
   for (const std::uint32_t guidance : {HRT_GUIDANCE_ARRIVAL, HRT_GUIDANCE_FIXED_DIRECTION}) {
     hrt_session_config config = session_config();

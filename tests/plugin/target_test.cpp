@@ -139,8 +139,8 @@ TEST_F(GapTest, BoundIsRelativeToTheMotionUnderArrival) {
   EXPECT_EQ(gap.reachable, 0u);
   EXPECT_NEAR(gap.settling_direction_deg, 5.0 - 11.25, 1e-9);
 
-  // A curvature of 0.05 reduces the shift by a quarter: g(t) = 0.2 t - 0.05 t (t/75)^2 is 11.25 at 75. A bias of 2
-  // degrees increases the gap.
+  // A curvature of 0.05 reduces the shift at 75 degrees by a quarter: 0.2 t - 0.05 t (t/75)^2 is 11.25 at t = 75. A
+  // bias of 2 degrees increases the gap.
   config = session_config();
   know_person(&config, {0.2, 0.05, 9.0, 2.0});
   ASSERT_OK(hrt_session_set(session, &config));
