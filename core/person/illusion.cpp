@@ -46,7 +46,7 @@ FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
 MaxShift max_shift(const Illusion& illusion, double bound_deg) {
   double offset_deg = std::min(bound_deg, 89.0);
   if (illusion.curve > 0.0) {
-    // At the maximum for f = 0, g' = 0.
+    // For f = 0, the derivative of g is 0 at this angle.
     offset_deg = std::min(offset_deg, scale_deg * std::sqrt(illusion.weight / (3.0 * illusion.curve)));
   }
   FeltShift felt = felt_shift(illusion, offset_deg);

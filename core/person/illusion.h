@@ -1,9 +1,9 @@
 // The illusion of touch in the model of the controller for people: ridges shift the perceived direction of motion by
 //   g(t) = (w t - b t (t / 75)^2) (1 - f A / (|cos t| + A))
-// where t is the angle from the direction of motion to the ridge normal, in degrees, wrapped to +-90. g is linear
-// in each of w, b and f, so that a filter can estimate these parameters. If b > 0 and f = 0, g has its maximum at
-// t = 75 sqrt(w / (3 b)), if that is below 90. The last factor is the mean fraction of the cue from touch that has not
-// decayed between two ridges: it is near 1 for a fast motion (A near 0), and near 1 - f for a slow one or along ridges.
+// where t is the angle from the direction of motion to the ridge normal, in degrees, wrapped to +-90. If b > 0 and
+// f = 0, g has its maximum at t = 75 sqrt(w / (3 b)), unless that exceeds 90. The last factor is the mean fraction of
+// the cue from touch that has not decayed between two ridges. It is near 1 if A is near 0 (a fast motion), and near
+// 1 - f if A is large (a slow motion) or the motion is along the ridges.
 #pragma once
 
 #include "core/person/tuning.h"
@@ -20,8 +20,7 @@ struct Illusion {
 };
 
 /// Returns the illusion of a finger at `speed_mm_s` that has travelled `travelled_mm`; ridges are 10 mm apart. Before
-/// the first ridge is crossed, A is large. After several ridges, A is 1 at 17 mm/s, and g across the ridges is
-/// multiplied by 1 - f / 2.
+/// the first ridge is crossed, A is large. After several ridges, A is 1 at 17 mm/s (with the default tuning).
 Illusion illusion_at(double weight, double curve, double fading, double speed_mm_s, double travelled_mm,
                      const Tuning& tuning);
 
@@ -47,12 +46,12 @@ struct MaxShift {
 /// 89. Requires weight > 0.
 MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
-/// Inverts g on its rising branch, from 0 to `max`: returns the offset that causes `shift_deg`, within
-/// +-max.offset_deg.
+/// Inverts g on its rising branch: returns the offset that causes `shift_deg`, clamped to +-max.offset_deg. `max`: from
+/// max_shift().
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max);
 
-/// Computes the largest feasible gap for a person with this illusion, whether the gap from the real to the goal
-/// direction is feasible, and the plate orientation for this gap. Directions: finite. `bound_deg`: see max_shift().
+/// Compares the gap from the real to the goal direction with the largest feasible gap for a person with this illusion.
+/// Directions: finite. `bound_deg`: see max_shift().
 GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
                                double bound_deg);
 

@@ -1,4 +1,4 @@
-// Estimates pace and onset of a motion from its first positions.
+// Estimates duration and onset of a motion from its first positions.
 #pragma once
 
 #include "core/person/person_belief.h"

@@ -1,13 +1,14 @@
 // Stores the positions of one motion, and estimates the person from them after the motion.
 //
-// The SD of the wander is a parameter of the filter, not a state, so the filter cannot estimate it. After the reach,
-// three filters, whose log_wander differs by -eps, 0 and eps (Tuning::wander_step) from the mean of its prior, process
+// The SD of the wander is a parameter of the filter, which innovations do not correct. After the reach, three filters,
+// whose log_wander differs by -eps, 0 and eps (Tuning::wander_step) from the mean of its prior, process the stored
 // positions. With the normalised innovation squared (nis) and the covariance S of innovations, log likelihoods are
 //   l = beta sum over the positions of -(nis + log det S) / 2
 // From l, the posterior of log_wander is approximated by a normal distribution with precision 1 / var - l'' and a mean
-// that is l' / precision above that of the prior. var is the variance of the prior, l' and l'' are finite differences
-// over eps, and beta < 1 (Tuning::wander_evidence) accounts for correlation between positions that the model neglects.
-// A fourth filter with the mean of the posterior then processes the positions, and estimates the other traits.
+// that is l' / precision above that of the prior, within limits of both. var is the variance of the prior, l' and l''
+// are finite differences over eps, and beta (Tuning::wander_evidence) is below 1 because successive positions are
+// correlated. If the log was not closed, a fourth filter with the mean of the posterior then processes the positions,
+// and estimates the other traits.
 #pragma once
 
 #include <array>
@@ -25,8 +26,8 @@ class MotionLog {
 
   /// Deletes all positions, and stores `filter` as the state at `onset_s`.
   void begin(const PersonFilter& filter, double onset_s);
-  /// Adds a position relative to the rest position, and the direction of the ridge normal whose effect the person
-  /// perceives at `time_s`, which must be later than that of the previous position. Has no effect after close().
+  /// Adds a position relative to the rest position, and the plate orientation whose effect the person perceives at
+  /// `time_s`. Times must increase. Has no effect after close().
   void add(double time_s, const PlatePoint& position, double felt_plate_deg);
   /// Ends the log early, at a pause, a lift, a jump or a move of the target: later positions are ignored.
   void close() { closed_ = true; }

@@ -37,7 +37,8 @@ double habit_scatter_deg(const PersonBelief& belief, const Tuning& tuning);
 /// Sets the variance of a trait and keeps its correlations.
 void set_variance(PersonBelief& belief, int trait, double variance);
 
-/// Returns the belief with which a reach begins: `belief`, the SD of the habit limited to Tuning::steered_habit_sd_deg.
+/// Returns the belief with which a reach begins: `belief` with an SD of the habit of at most
+/// Tuning::steered_habit_sd_deg.
 PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning);
 
 /// Weight of the linear illusion that causes the same shift at 60 degrees as the curve with w and b (illusion.h),
@@ -62,7 +63,7 @@ struct CalibratedTraits {
 };
 
 /// Returns the prior of a calibrated person; the other traits have the prior of unknown_person(). Each calibrated SD
-/// has a lower bound (`min_*_sd` in tuning.h), because people change and their illusion may not be cubic.
+/// has a lower bound (tuning.h), because people change and their illusion may not be cubic.
 PersonBelief calibrated_person(const CalibratedTraits& traits, const Tuning& tuning = {});
 
 }  // namespace hrt

@@ -1,8 +1,8 @@
 // Estimates the state of finger and person from tracked positions, which may come at any rate, with interruptions,
 // jumps and rests.
-//   gate    OutlierGate rejects outliers; a run of outliers is accepted as a jump
 //   phase   FingerPhase: waiting until the onset, moving, paused or lifted (tracker/finger_phase.h)
-//   filter  PersonFilter runs during the motion; ModelFit measures how well the filter predicts the positions
+//   gate    OutlierGate rejects outliers of the motion, and accepts a run of them as a jump
+//   filter  PersonFilter runs from the onset on; ModelFit measures how well the filter predicts the positions
 // A motion is detected some time after its onset. motion_fit then estimates the time of the onset from the first
 // positions, and the filter processes the stored positions since the onset, a few with each new sample.
 #pragma once
@@ -65,10 +65,10 @@ class PersonEstimator {
                   const std::optional<TrackerNoise>& noise, const Tuning& tuning = {});
 
   /// Processes a position observed at `time_s`, later than the previous one. `plate`: plate orientations of the last
-  /// second. Returns false if the position is an outlier or a jump.
+  /// second. Returns false for an outlier, and for a jump during the motion.
   bool observe(double time_s, const PlatePoint& position, const PlateTrace& plate);
 
-  /// Advances to `time_s` without a sample.
+  /// After the onset, advances the filter to `time_s` without a sample, if caught_up().
   void predict(double time_s, const PlateTrace& plate);
 
   /// Reports that the finger is lifted. The finger may be set down at another position.
@@ -80,10 +80,10 @@ class PersonEstimator {
 
   /// True once the onset has been detected.
   bool begun() const { return finger_.has_moved(); }
-  /// True if the finger has begun to move, and is neither lifted nor paused. A rest where the filter expects the end of
-  /// the motion is no pause.
+  /// True if the finger has begun to move, and is neither lifted nor paused. A rest while the filter expects a low
+  /// speed, as at the end of the motion, is no pause.
   bool moving() const { return begun() && !clock_stopped_; }
-  /// True if the filter has processed all stored positions.
+  /// True if the filter has processed all stored positions since the onset.
   bool caught_up() const { return unprocessed_ == 0; }
   const PersonFilter& filter() const { return filter_; }
   const FingerPhase& finger() const { return finger_; }
@@ -121,7 +121,7 @@ class PersonEstimator {
   double path_mm_;
   FingerPhase finger_;
   PersonFilter filter_;
-  std::optional<Retarget> retarget_;  // move of the target whose response is pending
+  std::optional<Retarget> retarget_;  // move of the target to which the person has not responded yet
   PlatePoint origin_;                 // position of the rest before the motion
 
   OutlierGate gate_;

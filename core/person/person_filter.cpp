@@ -145,8 +145,8 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   unanswered_deg_ *= turn_kept(seconds);
 }
 
-// P becomes F P F^T (F: Jacobian of the step), computed as (P F^T)^T F^T, since columns are contiguous. Traits do not
-// change in a step. `f` is a copy, so that the compiler knows that writing into P does not change `f`. Traits from
+// P becomes F P F^T (F: Jacobian of the step), computed as (P F^T)^T F^T with one function for both products. Traits do
+// not change in a step. `f` is a copy, so that the compiler knows that writing into P does not change `f`. Traits from
 // felt_traits on are taken as independent of all other states.
 void PersonFilter::carry(Step f) {
   constexpr int motion = X::count - X::traits;

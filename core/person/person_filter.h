@@ -34,13 +34,15 @@ struct SteeringStep {
   double turn_deg;        ///< change of psi within the step
 };
 
-/// Integrates the response over `seconds` >= 0 for a gain k. The method is implicit in the effect of psi on e: it is
-/// stable for any step, and of second order. `max_slope` bounds |1 - dg/dt|, where t is the angle from the motion to
-/// the ridge normal, since g may be steep over less than a degree, for example for motions along the ridges.
+/// Integrates the response over `seconds` >= 0 for a gain k. While e decays, the method is implicit in the effect of
+/// psi on e, so that it is stable for any step, and of second order. `max_slope` bounds |1 - dg/dt|, where t is the
+/// angle from the motion to the ridge normal, since g may be steep over less than a degree, for example for motions
+/// along the ridges.
 SteeringStep steer(double gain_per_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
                    double max_slope = Tuning{}.max_slope);
 
-/// Filter for one motion. Positions are relative to the rest position before it. Uses no heap, lock or exception.
+/// Filter for one motion. Positions are relative to the rest position before the motion. Uses no heap, lock or
+/// exception.
 class PersonFilter {
  public:
   using X = PersonState;
@@ -54,7 +56,7 @@ class PersonFilter {
   /// Begins the motion. `log_rate`: see motion_fit.h. `onset_sd_s`, `place_sd_mm`: SDs of onset time and rest position.
   void begin(double log_rate, double onset_sd_s, double place_sd_mm);
 
-  /// Returns a copy of this filter, in its state before the motion, with a log_wander that is larger by `change`.
+  /// Returns a copy with a log_wander that is larger by `change`. Call it before the first move().
   PersonFilter with_wander(double change) const;
 
   static constexpr double max_step_s = 0.012;
@@ -105,7 +107,7 @@ class PersonFilter {
   double speed_mm_s() const { return mean_speed_mm_s() * pace(mean_(X::phase)).rate; }  ///< v: present speed
   double path_mm() const { return path_mm_; }
   double direction_deg() const;  ///< phi: direction of the motion
-  /// G, when the fraction `turn_kept` of the response to a moved target is still to come.
+  /// G, when the fraction `turn_kept` of the pending response to a moved target is still to come.
   double goal_deg(double turn_kept = 1.0) const {
     return virtual_direction_deg_ + mean_(X::bias) + turn_kept * unanswered_deg_;
   }
@@ -130,7 +132,7 @@ class PersonFilter {
 
   Tuning tuning_;
   double virtual_direction_deg_;
-  // Former minus present virtual direction: the part of a target's move to which the person has not responded yet.
+  // Former minus present virtual direction, of the part of a target's move to which the person has not responded yet.
   double unanswered_deg_ = 0.0;
   double path_mm_;
   TrackerNoise noise_;

@@ -200,7 +200,7 @@ bool PersonReach::gap_is_feasible(const PersonFilter& answered) const {
          tuning.min_margin_deg - tuning.margin_deviations * std::sqrt(std::max(0.0, variance_deg2));
 }
 
-// Returns the command and its flags for the present state. `decided`: a plan was made with the last sample.
+// Returns the command and its flags for the present state. `decided`: a plan was made since the last command.
 PlateCommand PersonReach::command_now(const PersonFilter& answered, bool decided) const {
   const auto& p = filter().covariance();
   const LinearIllusion linear = linear_illusion(filter().mean(X::weight), filter().mean(X::curve),
@@ -215,7 +215,7 @@ PlateCommand PersonReach::command_now(const PersonFilter& answered, bool decided
       .finger_direction_deg = direction_deg,
       .perceived_direction_deg =
           direction_deg + felt_shift(illusion, plate_.orientation_deg() - direction_deg).shift_deg,
-      // Close to the target, the direction from the finger to the target is undefined.
+      // Close to the target, noise dominates the direction from the finger to the target.
       .aimed_direction_deg = to_go_mm > config_.tuning.min_aim_fraction * goal_.reach.real_distance_mm
                                  ? bearing_deg(finger, goal_.target)
                                  : goal_.aimed_direction_deg,

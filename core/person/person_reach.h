@@ -1,4 +1,4 @@
-// A reach under the controller for people. Each sample passes through
+// A reach under the controller for people. A position passes through
 //   estimate (person_estimator), plan (reach_control), limit (plate_limits), command.
 #pragma once
 
@@ -32,7 +32,7 @@ struct PersonReachConfig {
 };
 
 struct ReachGoal {
-  Reach reach;        ///< present targets as seen from the start
+  Reach reach;        ///< present targets; the real one is seen from the start
   PlatePoint target;  ///< position of the real target
   /// Position of the finger when the targets last moved; nullopt if the targets have not moved during the motion.
   std::optional<PlatePoint> aimed_from;
@@ -56,7 +56,7 @@ class PersonReach {
   /// Processes a sample, not earlier than the previous one. An observed direction is ignored.
   const PlateCommand& update(const FingerSample& sample);
 
-  /// Changes the real target to `real`. `now`: the remaining reach, as seen from the finger.
+  /// Moves the targets. `real`: position of the real target. `now`: the remaining reach, from Retargeter::retarget().
   void retarget(const PlatePoint& real, const Reach& now);
 
   /// The last command; before the first sample, that of the constructor.

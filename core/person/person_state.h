@@ -12,7 +12,7 @@ struct PersonState {
     curve,     ///< b of the illusion
     gain,      ///< k: rate at which a perceived-direction error is corrected
     bias,      ///< B: goal minus virtual direction
-    habit,     ///< c: direction of the own path, from +c at the start to -c at the end
+    habit,     ///< c: regular part of the own path's direction, from +c at the start to -c at the end
     evenness,  ///< a of the pace
     log_rate,  ///< rho: natural logarithm of one over the duration in seconds
     fading,    ///< f of the illusion

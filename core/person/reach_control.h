@@ -3,7 +3,7 @@
 //
 // While the plate turns with the motion, so that the shift Gamma of the perceived direction stays constant, the steered
 // direction psi (the motion without the own path) relaxes to G - Gamma at the rate k (G: goal, k: gain of the person),
-// for any illusion curve. The position at arrival is therefore an affine function of Gamma:
+// for any illusion curve. The position at arrival is therefore approximately an affine function of Gamma:
 //
 //   1. predict the motion over the dead time, in which a command given now has no effect yet;
 //   2. integrate the lateral path from there to arrival: miss(Gamma) = m + M Gamma;

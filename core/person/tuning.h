@@ -1,10 +1,9 @@
-// Tuned numbers of the controller for people. `hrt-study robustness --tune NAME=VALUE` runs a variant; tuning_fields()
-// lists names and ranges.
+// Tuned numbers, most of them of the controller for people. `hrt-study robustness --tune NAME=VALUE` runs a variant;
+// tuning_fields() lists names and ranges.
 //
-// A comment has the unit of a number (if it has one) and its meaning. Numbers were chosen by search on the simulated
-// people of hrt-study robustness, except numbers with [model] (from the model, core/person/README.md) and [time]
-// (limited by computing time). "Kept for" names a test that fails without this number, if the number changes the
-// results in samples/study/RESULTS.md by less than half a percentage point.
+// Numbers were chosen by search on the simulated people of hrt-study robustness, except numbers with [model] (from the
+// model, core/person/README.md) and [time] (limited by computing time). "Kept for" names a test that fails without this
+// number, if the number changes the results in samples/study/RESULTS.md by less than half a percentage point.
 #pragma once
 
 #include <string>
@@ -24,14 +23,14 @@ struct TraitTuning {
 };
 
 struct Tuning {
-  // Prior. The arguments of unknown_person() give the mean and SD of the tactile weight, and the mean of the bias. Mean
-  // and SD of weight and curve are multiples of this SD; the given mean is added to the mean of the weight.
+  // Prior, for unknown_person(), which gets mean and SD of the tactile weight, and the mean of the bias. In the rows of
+  // weight and curve, mean and SD are in units of the given SD; the given mean is added to that of the weight.
   TraitTuning traits[PersonState::traits] = {
       {0.9, 1.7, 0.004, 0.05},  // weight
       {1.1, 1.6, 0.01, 0.02},   // curve
       {14.0, 4.0, 0.0, 0.1},    // gain, 1/s
       {0.0, 4.0, 0.5, 0.1},     // bias, deg
-      {0.0, 9.0, 0.0, 0.1},     // habit, deg; SD over recorded people and targets: 9.3
+      {0.0, 9.0, 0.0, 0.1},     // habit, deg
       {0.05, 0.35, 0.0, 0.1},   // evenness
       {-0.65, 0.55, 0.0, 0.1},  // log_rate
       {0.05, 0.6, 0.0, 0.02},   // fading
@@ -64,10 +63,9 @@ struct Tuning {
   /// s: density of the position along the motion, divided by the squared speed. Kept for
   /// RetargetTest.SteersAPersonToTheMovedTarget.
   double speed_variance_s = 4e-4;
-  double resting_density_mm2_s = 0.5;  ///< mm^2/s: density of the position in a pause
+  double resting_density_mm2_s = 0.5;  ///< mm^2/s: density of the position while the finger pauses or is lifted
   double wander_s = 0.3;               ///< s: [model] time constant of the wander, the random part of the own path
-  /// SD of the habit from reach to reach divided by the SD of the wander; 9.1 / 3.8 degrees in recorded reaches
-  double habit_scatter = 1.0;
+  double habit_scatter = 1.0;          ///< SD of the habit from reach to reach divided by the SD of the wander
   double min_return_fraction =
       0.1;                 ///< [model] smallest fraction of the path over which the finger returns to the line
   double pace_skew = 0.4;  ///< [model] skew of the pace
@@ -113,17 +111,18 @@ struct Tuning {
 
   /// [model] fraction of the duration after which the person no longer responds to the plate
   double last_phase = 0.97;
-  double first_judged_phase = 0.5;  ///< fraction of the duration up to which PlateCommand::off_target is false
+  double first_judged_phase = 0.5;  ///< fraction of the duration from which on the predicted miss sets off_target
   double min_margin_deg = 0.3;      ///< deg: a gap larger than the largest shift minus this margin is unreachable
   double margin_deviations = 0.9;   ///< number of SDs of shift minus gap that are subtracted from min_margin_deg
-  /// if the finger is nearer to the target than this fraction of the distance of the targets,
-  /// PlateCommand::aimed_direction_deg is no longer the direction from the finger
+  /// if the finger is nearer to the target than this fraction of the target's distance from the start,
+  /// PlateCommand::aimed_direction_deg is not the direction from the finger
   double min_aim_fraction = 0.1;
 
-  /// mm: lower limit of each part; without noise, every deviation would be attributed to the person
+  /// mm: lower limit of the white and of the correlated part of a configured noise; without noise, every deviation
+  /// would be attributed to the person
   double min_known_noise_mm = 0.02;
   double white_noise_fraction = 0.66;       ///< white part of a configured total noise, as a fraction
-  double correlated_noise_fraction = 0.75;  ///< correlated part; the squares of both fractions add up to 1
+  double correlated_noise_fraction = 0.75;  ///< correlated part; the squares of both fractions add up to about 1
   double min_leg_mm = 10.0;                 ///< mm: in a retarget, shorter distances do not determine a direction
 
   /// difference of log_wander between the three filters that motion_log.h compares
@@ -132,8 +131,8 @@ struct Tuning {
   double wander_evidence = 0.8;
   /// limit of the change of log_wander in one reach: for larger changes the quadratic approximation is invalid
   double max_wander_change = 1.0;
-  double min_taught_phase = 0.7;  ///< a reach that ends before this fraction of the duration changes no estimate
-  /// drop of the weight, in SDs, at which the illusion is reset to its prior. Kept for
+  double min_taught_phase = 0.7;  ///< a reach that ends before this fraction of the duration does not change the prior
+  /// drop of the weight, in SDs, at which a reach that missed resets the illusion to its prior. Kept for
   /// SimulationPeople.AWeightThatDrops_IsEstimatedAgainWithinTwoReaches.
   double illusion_fall_deviations = 1.2;
   double min_scatter_deg = 0.2;  ///< deg: lower bound of the scatter

@@ -8,7 +8,7 @@
 namespace hrt {
 
 enum class Observation {
-  none,  ///< tracking is lost
+  none,  ///< no new position: a dropout or a copy
   lifted,
   direction,  ///< FingerSample::direction_deg
   position,   ///< FingerSample::position
@@ -24,7 +24,8 @@ struct FingerSample {
   std::optional<double> plate_orientation_deg;  ///< orientation that the plate reports; nullopt: no report
 };
 
-/// Longest time over which the estimators predict the motion of the finger without an observation.
+/// Longest time over which the motion is predicted: by the paper's estimator without an observation, by the estimator
+/// for people from one sample to the next.
 inline constexpr double max_gap_s = 2.0;
 
 }  // namespace hrt

@@ -51,8 +51,10 @@ struct PlateHandover {
 
 /// Progress of a reach, as ReachEnd (reach_end.h) detects it.
 struct ReachProgress {
-  bool arrived = false;       ///< the reach is over
-  bool off_target = false;    ///< the reach ended away from the target, or leads over 60 degrees off its direction
+  bool arrived = false;  ///< the reach is over
+  /// the reach ended away from the target, or the finger is over 60 degrees off the target's direction after three
+  /// tenths of the path
+  bool off_target = false;
   bool not_at_start = false;  ///< the finger has not been at the start, and has not moved
 };
 
@@ -62,19 +64,21 @@ inline constexpr double unknown_miss_sd_deg = 180.0;
 struct PlateCommand {
   /// orientation to command; of those with the same ridges, the one that plate_limits.h selects
   double plate_orientation_deg = 0.0;
-  double finger_direction_deg = 0.0;     ///< direction of motion, estimated or predicted
-  double bearing_deg = 0.0;              ///< bearing of the finger from the start of the reach; 0 before the motion
+  double finger_direction_deg = 0.0;  ///< direction of motion, estimated or predicted
+  /// bearing of the finger from the start of the reach or, without positions, direction of motion; 0 before the motion
+  double bearing_deg = 0.0;
   double perceived_direction_deg = 0.0;  ///< perceived direction; under the paper's controller, at the end of the step
   /// direction to which the finger is steered. Controller for people: that of the real target from the finger or, close
   /// to the target, from the start or the last retarget. Paper's controller: that of the real target from the start or
   /// the last retarget, or the nearest feasible direction
   double aimed_direction_deg = 0.0;
-  /// estimate; under the controller for people, the shift of the perceived direction by ridges at 60 degrees to the
-  /// motion, divided by 60 degrees
+  /// estimate; under the controller for people, the shift of the perceived direction by a ridge normal at 60 degrees to
+  /// the motion, divided by 60 degrees
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;  ///< SD of the tactile weight; under the paper's controller, 0 without adaptation
   double distance_to_go_mm = 0.0;  ///< distance to the real target from the finger or, before a position, the start
-  /// time until arrival; 0 after arrival; -1 before the motion, in a pause and under the paper's controller
+  /// time until the end of the motion; 0 once the model expects the end; otherwise -1 before the motion, while
+  /// `resting`, and under the paper's controller
   double time_to_go_s = -1.0;
   double felt_error_deg = 0.0;      ///< estimated present perceived-direction error; 0 under the paper's controller
   double predicted_miss_deg = 0.0;  ///< predicted bearing of the position of arrival minus that of the real target
@@ -153,7 +157,7 @@ struct ReachSummary {
   bool misfit = false;                 ///< true if any PlateCommand had this flag
   bool off_target = false;             ///< the reach probably ended over `near_deg` off the target
   bool registration_doubtful = false;  ///< true if any PlateCommand had this flag
-  bool contacts_disagree = false;      ///< as in the last PlateCommand, or after the contact of this reach
+  bool contacts_disagree = false;      ///< value in the last PlateCommand or, if there was a contact, after it
   bool not_at_start = false;           ///< value in the last PlateCommand
   bool miss_unknown = false;           ///< no motion was observed
   bool implausible = false;            ///< true if any PlateCommand had this flag
