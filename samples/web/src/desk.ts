@@ -13,7 +13,7 @@ const turn_rad = 0.15;
 
 interface Label {
   readonly element: HTMLElement;
-  /** 1: right of the named object, -1: left, 0: above. A glass to the right exchanges right and left. */
+  /** 1: right of the named object, -1: left, 0: above. A glass right of the cylinder exchanges right and left. */
   readonly side: number;
   place: Readonly<Place>;
   readonly height_m: number;
@@ -108,7 +108,7 @@ export class Desk {
     if (this.#slowFrames === 8) this.#change((stage) => stage.lighten());
   }
 
-  /** Shows the true hand, its path, the cylinder and their labels by this fraction, from 0 (hidden) to 1. */
+  /** Fades in the true hand and draws its path by this fraction, from 0 to 1. At 0, cylinder and labels are hidden. */
   reveal(fraction: number): void {
     if (fraction === this.#revealed) return;
     this.#revealed = fraction;

@@ -58,7 +58,7 @@ export function virtualPlace(course: Course): Place {
   return ahead(course.start, course.virtual_deg, course.virtual_m);
 }
 
-/** Distances of the true and the perceived end position of a slide from the targets. */
+/** Distances at the end of a slide: of the fingertip from both targets, of the perceived fingertip from the glass. */
 export interface SlideEnd {
   readonly toCylinder_mm: number;
   readonly toGlass_mm: number;

@@ -21,7 +21,8 @@ export const plateLatency_ms = 30;
 /** Maximum number of steps in a trace: 41 s of a slide by the pointer, whose steps last 10 ms. */
 export const maxTrace = 4096;
 
-/** State of a hand. Directions are NaN at rest, `weight` if the controller is off, `felt` in a recording. */
+/** State of a hand. These are NaN: `finger_deg` and `felt_deg` at rest; `weight` if the controller is off; `felt` in a
+ *  recording. */
 export interface Step {
   readonly time_ms: number;
   readonly plate_deg: number;
@@ -78,7 +79,7 @@ export abstract class GuidedReach {
     this.setTargets(course);
   }
 
-  /** Sets the targets and the plate's speed, between reaches. The controller keeps its estimates of the person. */
+  /** Sets start, targets and the plate's speed, between reaches. The controller keeps its estimates of the person. */
   protected setTargets({ start, real_deg, real_m, virtual_deg, virtual_m }: Course): void {
     this.session.configure({
       plate_max_speed_deg_s: this.settings.plate_deg_s,

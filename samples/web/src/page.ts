@@ -47,7 +47,7 @@ export function report(text: string, retry = false): void {
   element("retry", HTMLButtonElement).hidden = !retry;
 }
 
-/** Waits for a part that is loaded on demand. Reports a failure to the visitor and returns null. */
+/** Waits for a part that is loaded on demand. If that fails, shows an error and returns null. */
 export async function part<Type>(name: string, loading: Promise<Type>): Promise<Type | null> {
   try {
     return await loading;

@@ -90,7 +90,8 @@ export class SettingsForm {
     return { mode, problems };
   }
 
-  /** Returns "". If the value is not allowed, sets the default and returns the allowed ones; null: no such setting. */
+  /** Sets a value and returns "". For a value that is not allowed, sets a slider to its default and returns the allowed
+   *  values; null: no such setting. */
   #set(name: string, text: string): string | null {
     const control = this.#form.elements.namedItem(name);
     if (control instanceof RadioNodeList) {

@@ -7,7 +7,7 @@ import type { ControllerName, Settings } from "./settings";
 const period_ms = 1000 / 90; // of the tracker
 /** Duration of the tracked rest after the motion. */
 const tail_ms = 300;
-/** At a lower speed, the perceived-direction error is not measured. */
+/** At a lower speed, the perceived-direction error does not count for its peak. */
 const minSpeed_m_s = 0.01;
 
 /** Result of a reach: the ground truth of the simulation and the controller's estimates. */
@@ -19,7 +19,7 @@ export interface ReachResult extends SlideEnd {
   /** Direction of the end of the reach minus that of the cylinder, both seen from the start. */
   readonly bearingError_deg: number;
   readonly peakFeltError_deg: number;
-  /** Estimate of the tactile weight and its SD, which is 0 if the controller does not learn. */
+  /** Estimate of the tactile weight, and its SD; 0: the controller assumes that the weight is exact. */
   readonly weight: number;
   readonly weightSd: number;
   readonly flags: number;

@@ -1,5 +1,5 @@
 // Sounds and vibration for what a fingertip would feel: a burst of noise at each ridge, louder for a faster finger, and
-// a contact at the end. For visitors who steer by keys, tones indicate on which side of the dot the glass lies.
+// a contact at the end. For visitors who steer by keys, tones indicate where the glass lies: side and distance.
 import { element, say } from "./page";
 
 const loud_m_s = 0.2,
@@ -40,7 +40,8 @@ export class Sounds {
     this.#burst(180, 0.12, 0.8);
   }
 
-  /** Plays a tone. `side`: where the glass lies, -1 (left) to 1. `way`: fraction of the path that remains. */
+  /** Plays a tone, at most every guidePeriod_s. `side`: where the glass lies, -1 (left) to 1. `way`: fraction of the
+   *  path that remains. */
   guide(side: number, way: number): void {
     const audio = this.#ready();
     if (!audio || audio.currentTime - this.#guided_s < guidePeriod_s) return;

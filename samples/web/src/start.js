@@ -1,4 +1,4 @@
-// Loads the page and preloads the parts of its first picture, which build.mjs inserts. At a file: address, where
+// Loads the page, and preloads the parts of its first picture, whose names build.mjs inserts. At a file: address, where
 // browsers load no parts, offline.js contains the whole page.
 const served = location.protocol !== "file:";
 for (const href of served ? [/* parts */] : []) {

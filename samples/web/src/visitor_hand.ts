@@ -55,7 +55,7 @@ export abstract class VisitorHand extends GuidedReach {
     return Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
   }
 
-  /** Cancels a running reach, and puts hand and plate at rest at the start. */
+  /** Cancels a running reach, and puts the hand at the start and the plate at 0°. */
   protected rest(): void {
     this.cancel();
     this.trace = [];

@@ -18,7 +18,7 @@ import { maxTrace } from "./guided_reach";
 import type { Settings } from "./settings";
 import { VisitorHand } from "./visitor_hand";
 
-/** A slide whose fingertip is lifted earlier does not count: it begins again. */
+/** A slide whose fingertip is lifted nearer to the start does not count: it begins again. */
 export const minReach_m = 0.03;
 /** Distance below which the perceived fingertip has reached the glass. */
 const near_m = 0.002;
@@ -28,7 +28,6 @@ const settle_ms = 700,
   maxRest_ms = 1000;
 
 export class VisitorReach extends VisitorHand {
-  /** Phase of the slide, which is "sliding" from the first motion to the end. */
   phase: "waiting" | "sliding" | "arrived" = "waiting";
   /** `gap_deg`: angle between the perceived and the true end, seen from the start. */
   result: (SlideEnd & { readonly gap_deg: number }) | null = null;
@@ -78,7 +77,7 @@ export class VisitorReach extends VisitorHand {
     Object.assign(this.wanted, { right_m, away_m });
   }
 
-  /** Advances by whole milliseconds. The slide ends when the dot is at the glass, or as far from the start. */
+  /** Advances by whole milliseconds. The slide ends when the dot is at the glass, or passes it. */
   advance(milliseconds: number): void {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;

@@ -18,7 +18,8 @@ function onPlate(world_m: Vector3, position_m: readonly number[], rotation: read
     .applyQuaternion(new Quaternion().fromArray(rotation).invert());
 }
 
-/** Returns the first reach of a recording that Library.replay() has accepted. Throws if no sample has a position. */
+/** Returns the first reach of a recording that Library.replay() has accepted. Throws if the recording has no
+ *  reach, or the reach no sample with a position. */
 export function readReach(recording: string, name: string): RecordedReach {
   const config = JSON.parse(/^# config (.*)$/m.exec(recording)?.[1] ?? "{}"),
     [header = [], ...rows] = recording

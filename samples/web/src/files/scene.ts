@@ -5,7 +5,7 @@ import { bearing_deg, type Course, length_m, type Place, radius_m } from "../geo
 import { motionBound_deg } from "../guided_reach";
 import type { SceneMeshes } from "../stage/meshes";
 
-/** Tactile weights for which feasible gaps are computed: the columns of the table in index.html. */
+/** Tactile weights for which plate orientations are computed: the columns of the table in index.html. */
 const weights = [0.1, 0.15, 0.2, 0.25, 0.3] as const;
 
 export interface SceneTarget {

@@ -7,7 +7,7 @@ import type { Settings } from "../settings";
 
 const answersWanted = 6,
   minGap_deg = 2;
-/** Largest gap of the series as a fraction of the feasible gap. At 1 the controller could not correct a slide. */
+/** Largest gap that QUEST+ selects, as a fraction of the feasible gap. At 1, the plate could not correct a slide. */
 const maxFraction = 0.9;
 
 /** Probabilities that a visitor answers "yes" without noticing anything, and "no" although they noticed. */
@@ -37,7 +37,7 @@ export class QuestPlus {
   }
 
   next_deg(): number {
-    // The expected decrease is the entropy of the answer minus its expected entropy given the person.
+    // The expected decrease is the entropy of the answer minus its expected entropy given threshold and slope.
     const learnt = this.#gaps_deg.map((gap_deg) => {
       let yes = 0,
         left = 0;

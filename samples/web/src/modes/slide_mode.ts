@@ -34,7 +34,8 @@ export class SlideMode {
   #shown_ms = 0;
   #pending_ms = 0;
 
-  /** `guided`: over a plate that turns; `unguided`: at rest. `still`: the hand appears without an animation. */
+  /** `guided`: slides over the controlled plate; `unguided`: over a plate at rest. `still`: the hand appears without an
+   *  animation. */
   constructor(
     private readonly guided: VisitorReach,
     private readonly unguided: VisitorReach,

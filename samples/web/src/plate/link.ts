@@ -95,7 +95,7 @@ export class PlateLink {
     return !Number.isNaN(this.orientation_deg) && this.failure === "";
   }
 
-  /** Sets the wanted orientation; NaN is ignored. service() sends it as nearest() chooses it. */
+  /** Sets the wanted orientation; NaN is ignored. service() sends the equivalent angle that nearest() returns. */
   turnTo(orientation_deg: number): void {
     if (Number.isFinite(orientation_deg)) this.#wanted_deg = orientation_deg;
   }
@@ -209,8 +209,8 @@ function fiveDigits(number: number): string {
   return String(number).padStart(5, "0");
 }
 
-/** Returns the angle with the ridges of `wanted_deg` (180° periodic) within the limits that is nearest to `plate_deg`;
- *  if there is none, the nearest limit. */
+/** Returns the angle nearest to `plate_deg` among those within the limits that are equivalent to `wanted_deg` (ridges
+ *  are the same after 180°); if there is none, the limit nearest to an equivalent angle. */
 function nearest(wanted_deg: number, plate_deg: number, { min_deg, max_deg }: PlateFacts): number {
   const turns = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((halfTurns) => (wanted_deg % 180) + 180 * halfTurns),
     allowed = turns.filter((angle_deg) => angle_deg >= min_deg && angle_deg <= max_deg),

@@ -62,7 +62,7 @@ export class Finger extends THREE.Group {
   }
 }
 
-/** Draws a ring that lies on the plate, in front of other objects. */
+/** Creates a ring that lies on the plate and is drawn in front of other objects. */
 function flatRing(inner_m: number, outer_m: number, paint: THREE.Material, renderOrder: number): THREE.Mesh {
   const ring = new THREE.Mesh(new THREE.RingGeometry(inner_m, outer_m, 40), paint);
   ring.rotation.x = -Math.PI / 2;

@@ -12,7 +12,7 @@ const fieldOfView_deg = 30; // from top to bottom
 /** Direction from `middle` to the camera, before the visitor rotates the view. */
 const seat = new THREE.Vector3(0, 0.85, 0.53);
 const middle = new THREE.Vector3(0, 0, 0.002);
-/** Radius of the plate, as a fraction of the disc that the picture must contain. */
+/** Radius of the plate, as a fraction of the radius of the disc that the picture must contain. */
 const fill = 0.97;
 
 export interface Shown {
@@ -166,7 +166,7 @@ export class Stage {
     return { left, top, width: Math.max(...xs) - left, height: Math.max(...ys) - top };
   }
 
-  /** Shows the true hand, its path and the cylinder by this fraction, from 0 (hidden) to 1. */
+  /** Fades in the true hand and draws its path by this fraction, from 0 to 1. At 0, the cylinder is hidden. */
   reveal(fraction: number): void {
     this.finger.fade(fraction);
     this.#truePath.shown = fraction;

@@ -159,8 +159,8 @@ export class HeadsetMode {
     stage.mount.rotation.set(0, yaw, 0);
   }
 
-  /** Returns the hand that began the slide; before a slide, the one nearer to the ring; until the plate is placed, the
-   *  one farther from the eyes. */
+  /** Returns the hand that makes the slide; between slides, the one nearer to the ring; until the plate is placed, the
+   *  one farther from the eyes, seen from above. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
     const { wear } = this,
       eyes = frame.getViewerPose(space)?.transform.position,
