@@ -40,7 +40,7 @@ template <typename Argument, bool handles>
 using Parameter = typename std::conditional_t<handles, std::type_identity<Argument>,
                                               decltype(parameter_for(std::declval<Argument>()))>::type;
 
-/// True for functions with several success codes: their implementations return the result, others return nothing.
+/// True for functions that return several success codes here: their implementations return the result, others nothing.
 constexpr bool returns_result(std::string_view name) {
   return name == "xrPollEvent" || name == "xrGetReferenceSpaceBoundsRect" || name == "xrBeginFrame" ||
          name == "xrSyncActions" || name.ends_with("HapticFeedback");

@@ -1,4 +1,4 @@
-// Composition layers, which are projections and quads ("Compositing" of the specification), and pictures of them.
+// Composition layers: projections and quads ("Compositing" of the specification). Pictures show the first projection.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -9,8 +9,8 @@ namespace hrt::mock {
 
 namespace {
 
-// Returns a simulated plate whose servo has this speed and latency, within the limits of the firmware, and stops at -90
-// and 90 degrees.
+// Returns a simulated plate whose servo has this latency and, within the limits of the firmware, this speed. It stops
+// at -90 and 90 degrees.
 plate::HobbyPlate::Traits board_of(const PlateDynamics& servo) {
   constexpr double min_speed_deg_s = 1.0, max_speed_deg_s = 1000.0, max_latency_ms = 200.0;  // limits of the firmware
   constexpr double immediate_deg_s2 = 1e6;
@@ -102,7 +102,7 @@ void Session::fire_due_events() {
   std::erase_if(pending_events_, is_due);
   for (const ScriptEvent& event : due) {
     event.execute(*this);
-    runtime().frame_begun.notify_all();  // a waiting xrWaitFrame must return if the event is lose_session
+    runtime().frame_begun.notify_all();  // a waiting xrWaitFrame must return if the session or instance is lost
   }
 }
 

@@ -38,7 +38,7 @@ void require_layers(const XrFrameEndInfo& info, const Session& session);
 /// Requires that require_layers() accepts `info`.
 Picture picture_of_eye(const XrFrameEndInfo& info, std::uint32_t eye);
 
-/// Writes pictures of the frame to the folder HRT_MOCK_PICTURES, if SCRIPTS.md (Pictures) selects the frame.
+/// Writes pictures of the frame to the folder HRT_MOCK_PICTURES, if the frame is selected (SCRIPTS.md, Pictures).
 void write_pictures(const XrFrameEndInfo& info, Session& session);
 
 }  // namespace hrt::mock

@@ -50,8 +50,8 @@ Script parse_script(std::string_view json);
 /// the variable is unset. Throws an Error if the file cannot be read.
 std::string script_from_environment();
 
-// Functions that read the parts of a script which script.schema.json allows. `where` is the path of a value, such as
-// "script.events[0]", for the errors of rules that the schema does not express. They throw Refusal.
+// Functions that read parts of a script which script.schema.json allows. Those with `where`, the path of the value
+// (such as "script.events[0]"), throw Refusal if the value breaks a rule that the schema does not express.
 std::int64_t nanoseconds(const Json& ms);
 Eigen::Vector3d read_vector(const Json& xyz);
 ScriptEvent read_event(const Json& object, const std::string& where);

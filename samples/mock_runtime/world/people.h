@@ -14,7 +14,8 @@ struct Range {
   double max;
 };
 
-/// Distributions from which a participant is drawn. SCRIPTS.md describes the fields; names have equal probability.
+/// Distributions from which a participant is drawn: elements of a list have equal probability. SCRIPTS.md describes the
+/// fields.
 struct PersonSettings {
   std::vector<IllusionFamily> illusions = {IllusionFamily::linear, IllusionFamily::saturating, IllusionFamily::sine,
                                            IllusionFamily::tanh};
@@ -25,7 +26,7 @@ struct PersonSettings {
   Range gain_per_s = {5.0, 12.0};
   Range delay_s = {0.0, 0.12};  ///< at most 0.25
   Range noise_deg2_per_s = {8.0, 8.0};
-  std::optional<Range> start_direction_deg;  ///< unset: between the mid-line and the virtual target
+  std::optional<Range> start_direction_deg;  ///< unset: between mid-line and virtual target, plus noise of SD 1
   Range bias_deg = {0.0, 0.0};
   Range own_bias_deg = {0.0, 0.0};
   Range habit_deg = {-3.0, 3.0};

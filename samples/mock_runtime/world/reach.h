@@ -35,8 +35,8 @@ class Reach {
   Eigen::Vector2d position_m(XrTime time, const PlateModel& plate) const;
 
   double tactile_weight() const { return simulated_.illusion.tactile_weight; }
-  /// Direction farthest to the left (`sign` > 0) or right in which the plate can steer this participant half way, where
-  /// the habit is 0, if the plate orientation is at most 75 degrees from the direction of motion.
+  /// Direction farthest to the left (`sign` > 0) or right in which a plate orientation of at most 75 degrees from the
+  /// direction of motion can steer this participant. It applies half way, where the habit is 0.
   double outermost_direction_deg(double sign) const;
   /// Direction of motion: P in the paper.
   double true_direction_deg() const { return person_.direction_deg(); }

@@ -1,4 +1,4 @@
-// The simulation: a ridged plate on a servo, two hands, and the participant whose fingertip slides over the plate.
+// The simulation: a ridged plate on a servo, and the hands of participants, whose fingertips slide over the plate.
 // World coordinates are those of STAGE when the session is created.
 #pragma once
 
