@@ -18,7 +18,7 @@ struct Condition {
   double virtual_direction_deg = 5.0;  ///< theta_V, less than 90 degrees from P_R
   double plate_orientation_deg = 0.0;  ///< plate orientation before the first step
   int steps = 30;                      ///< 1 to max_trial_steps
-  double tolerance_deg = 1.5;          ///< largest |P - P_R| after the last step of a hit, >= 0
+  double tolerance_deg = 1.5;          ///< a trial is a hit if |P - P_R| after the last step is at most this; >= 0
 };
 
 bool is_valid(const Condition& condition);
@@ -33,7 +33,7 @@ struct TrialId {
 /// Index of the first random number of the tracker; the steps use lower indices.
 inline constexpr std::uint32_t tracker_draws = 1U << 20;
 
-/// Step k, 0 to Condition::steps - 1. Angles in degrees from the mid-line.
+/// Step k, 0 to Condition::steps - 1. Directions and orientations are in degrees from the mid-line.
 struct TrialStep {
   int step;                        ///< k
   double finger_direction_deg;     ///< P_k

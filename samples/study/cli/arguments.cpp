@@ -32,8 +32,7 @@ std::optional<std::vector<double>> parse_list(std::string_view text, const Numbe
     const auto count = NumberRange{.low = 2.0, .high = max_values, .whole = true}.parse(parts[2]);
     if (!first || !last || !count || !std::isfinite(*first) || !std::isfinite(*last)) return std::nullopt;
     const double intervals = *count - 1.0;
-    for (double i = 0.0; i <= intervals; ++i)  // exact at both ends
-      values.push_back((*first * (intervals - i) + *last * i) / intervals);
+    for (double i = 0.0; i <= intervals; ++i) values.push_back((*first * (intervals - i) + *last * i) / intervals);
     return values;
   }
   for (const std::string_view part : split(text, ',')) {
@@ -44,8 +43,8 @@ std::optional<std::vector<double>> parse_list(std::string_view text, const Numbe
   return values;
 }
 
-// Adds an option whose text `parsed` converts; it returns nullopt if the text is not allowed. `allowed` and `standard`
-// describe the allowed texts and the default in the help.
+// Adds an option whose text is converted by `parsed`, which returns nullopt if the text is not allowed. `allowed` and
+// `standard` describe the allowed texts and the default in the help.
 template <typename Value>
 CLI::Option* add_parsed(CLI::App& app, const std::string& name, Value& value, const std::string& allowed,
                         const std::string& standard, const std::string& help,

@@ -19,7 +19,7 @@ namespace hrt::study {
 namespace {
 
 struct CalibrationReport {
-  std::string name;  // of the file with the data
+  std::string name;  // file with the data
   std::size_t trials = 0;
   double goal_direction_deg = 0.0;
   Calibration calibration;
@@ -246,7 +246,7 @@ void run(const CalibrateOptions& options) {
   const Output plot("--plot", options.plot);
   const Output profile("--profile", options.profile);
 
-  // All inputs and destinations are checked before anything is written.
+  // All inputs and destinations are checked before any result is written.
   const CalibrationReport report = calibrated(options.data, options.goal_direction_deg);
   nlohmann::ordered_json page = calibration_json(report);
   const std::string picture =

@@ -13,8 +13,8 @@ namespace hrt::study {
 namespace {
 
 struct Options {
-  RobustnessOptions robustness;               // the member durations_s is not used
-  std::vector<double> durations_s;            // empty: not given
+  RobustnessOptions robustness;
+  std::vector<double> durations_s;            // empty: not given; robustness.durations_s has the default
   std::vector<const PeopleFamily*> families;  // empty: not given
   std::string person;
   std::string recorded;

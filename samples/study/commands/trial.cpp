@@ -31,7 +31,7 @@ const char* name(ActiveBound bound) {
   return names[static_cast<std::size_t>(bound)];
 }
 
-// Returns one row per step; the last row has only the direction after the last step.
+// Returns one row per step, and a last row with the direction after the last step.
 std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome) {
   Results found;
   for (const TrialStep& step : steps)

@@ -28,8 +28,8 @@ std::vector<Figure> path_figures(std::uint64_t seed);
 /// Returns an HTML page with `text` and then each figure (NAME.svg in the same folder) with its caption.
 std::string html_page(const std::string& text, const std::vector<Figure>& figures);
 
-/// Simulates reach number `reach`, from 1, of a person under the plugin's default controller, with the estimates from
-/// earlier reaches. Returns one row per sample, with the mean and SD of each state of the filter. page_of() of the
+/// Simulates the first `reach` reaches of a person under the plugin's default controller. Returns one row per sample of
+/// the last one, with positions, plate orientation, and the mean and SD of each state of the filter. page_of() of the
 /// result is the data of the figures "reach", an animation from above, and "trace", the states over time.
 Results trace_reach(const PersonCondition& condition, int reach, std::uint64_t seed, std::uint32_t index);
 

@@ -1,4 +1,4 @@
-// Parser of CSV files. Errors name file, line, column and the allowed values.
+// Parser of CSV files. Errors name the place and the allowed values.
 #pragma once
 
 #include <cstddef>

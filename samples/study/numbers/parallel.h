@@ -10,7 +10,7 @@
 namespace hrt::study {
 
 /// Calls `work(i)` once for each i < `count`, on `threads` threads including the caller's, in any order: iterations
-/// must not share written data. `progress` is called on the caller's thread.
+/// must not share written data. `progress` is called on the caller's thread, after each of its iterations.
 inline void for_each_part(std::uint64_t count, std::uint64_t threads, const std::function<void(std::uint64_t)>& work,
                           const std::function<void(std::uint64_t done, std::uint64_t total)>& progress = {}) {
   std::atomic<std::uint64_t> next = 0;

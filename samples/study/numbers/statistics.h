@@ -37,8 +37,8 @@ double chi_squared_tail(double chi_squared, int degrees_of_freedom);
 /// Returns the percentage of N(0, variance) within +-`tolerance`.
 double percent_within(double tolerance, double variance);
 
-/// Returns the quantile at `share`, in [0, 1], interpolated linearly between the two nearest of `values`, which must
-/// not be empty.
+/// Returns the quantile at `share` (0 to 1), interpolated linearly between the two nearest of `values`. Requires at
+/// least one value.
 double quantile(std::vector<double> values, double share);
 
 /// Estimate of a population quantile from a sample, with its 95 % interval.

@@ -92,7 +92,7 @@ std::vector<CellGroup> amplitude_groups(const Table1Options& options) {
   return groups;
 }
 
-// Sets the verdict: reproduced if the group's mean lies within the paper's interval, else `reason`.
+// Sets the verdict: reproduced if the group's mean lies within the paper's interval. `reason`: verdict if it does not.
 void judge(CellGroup& group, const std::string& reason = {}) {
   const PercentInterval interval = *group.paper_interval();
   group.reproduced = interval.contains(group.mean_percent());

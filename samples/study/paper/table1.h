@@ -35,7 +35,7 @@ struct CellGroup {
   std::optional<double> paper_percent;  ///< the paper's mean over the cells
   std::optional<double> paper_sd;       ///< SD over the cells in the paper
   bool reproduced = false;              ///< the model agrees with the paper
-  std::string verdict;                  ///< the result as a sentence, with the reason
+  std::string verdict;                  ///< the result in words; empty in Table1::amplitudes
 
   double mean_percent() const;
   /// Returns the expected SD over the cells if each has the paper's 50 trials.
@@ -44,9 +44,9 @@ struct CellGroup {
   std::optional<PercentInterval> paper_interval() const;
 };
 
-/// Returns the 95 % interval of the paper's percentage of 50 trials.
+/// Returns the 95 % interval of the paper's percentage of 50 trials. Requires cell.paper_percent.
 PercentInterval paper_interval(const Cell& cell);
-/// Returns true if the model's percentage lies within paper_interval().
+/// Returns true if the model's percentage lies within paper_interval(). Requires cell.paper_percent.
 bool agrees(const Cell& cell);
 
 /// Gaps that are simulated, to find the one with most reaches on target. The paper chose 10 deg (section III-A).
@@ -80,8 +80,8 @@ BestAmplitude best_amplitude(const Table1& table, std::size_t condition);
 
 Table1 simulate_table1(const Table1Options& options);
 
-/// Returns the upper bound of the percentage for any controller, due to the motor noise of the last step, which the
-/// plate cannot correct.
+/// Returns the upper bound of the percentage for any controller, due to the noise of the last step, which the plate
+/// cannot correct.
 double limit_percent(const Condition& condition);
 
 std::string table1_text(const Table1& table);

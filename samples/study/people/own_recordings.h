@@ -20,8 +20,8 @@ namespace hrt::study {
 /// the file's name in errors. Throws UsageError naming the line or reach and what is allowed.
 std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_view text);
 
-/// Returns simulated people with the paths and speeds of the files in `folder`. Person i repeats the reaches of file i
-/// modulo the number of files, in random order. The response to touch is drawn as in the family "linear". `argument` is
+/// Returns simulated people with the paths and speeds of the files in `folder`. Each reach of person i replays a random
+/// reach of file i modulo the number of files. The response to touch is drawn as in the family "linear". `argument` is
 /// the option's name in errors.
 SimulatedPeople people_of_recordings(const std::string& argument, const std::string& folder);
 

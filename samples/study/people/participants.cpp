@@ -10,7 +10,7 @@
 namespace hrt::study {
 namespace {
 
-// Random stream of the order of trials, separate from those of the steps and the tracker.
+// Index of the random number that determines a slide's position in the order; steps and tracker use lower indices.
 constexpr std::uint32_t order_draw = 1U << 31;
 
 // Returns the plate angle of each slide: all angles equally often, in random order.

@@ -27,8 +27,8 @@ std::vector<CalibrationTrial> simulate_session(const Session& session);
 /// Returns the session as CSV, after comments with the true values of the simulated person.
 std::string session_csv(const Session& session);
 
-/// Parses calibration data. Comments (#), empty lines, CRLF and unknown columns are ignored. `name`: file name for
-/// errors. Throws UsageError naming line, column and the allowed values.
+/// Parses calibration data. Comments (#), empty lines and unknown columns are ignored. `name`: file name for errors.
+/// Throws UsageError naming the place and the allowed values.
 std::vector<CalibrationTrial> parse_calibration_csv(const std::string& name, std::string_view text);
 
 }  // namespace hrt::study

@@ -17,7 +17,8 @@ struct PersonFile {
 /// name for errors. Throws UsageError naming file, parameter and the allowed values.
 PersonFile parse_person(const std::string& name, std::string_view text);
 
-/// Reads the file at `path`, of at most 1 MiB; throws UsageError naming `argument` if that fails.
+/// Reads and parses the file at `path`. Throws UsageError naming `argument` if the file cannot be read or exceeds 1
+/// MiB, and like parse_person().
 PersonFile read_person(const std::string& argument, const std::string& path);
 
 /// Returns all parameters with ranges and defaults, one per line.

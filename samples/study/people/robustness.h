@@ -122,8 +122,9 @@ std::vector<RobustnessRow> simulate_robustness(
 /// Returns the unweighted mean over rows of the percentage within near_deg; NaN if no gap is feasible.
 double mean_near_percent(std::span<const RobustnessRow> rows, ControllerKind controller);
 
-/// Pools one percentage over all rows, with equal weights. The number of cases of the result is Kish's effective sample
-/// size, which is the sum if all rows have the same number of people.
+/// Pools one percentage over all rows. Each case weighs 1 / (number of people of its row), so that rows with more
+/// people do not dominate. The number of cases of the result is the effective sample size of such weighted data (Kish):
+/// the sum of the cases, if all rows have the same number of people.
 Share pooled(std::span<const RobustnessRow> rows, ControllerKind controller,
              const std::function<Share(const RobustnessCell&)>& share);
 

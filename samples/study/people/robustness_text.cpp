@@ -144,7 +144,8 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   return page;
 }
 
-// Adds the numbers of a cell to a row. `flags` false: the columns of flags are empty, as without a controller.
+// Adds the numbers of a cell to a row. `flags` false: the columns of flags and intervals are empty, as without a
+// controller.
 void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
   const auto put_flag = [&](const std::string& name, const Share& share) { put(row, name, flags ? share : Share{}); };
   row["feasible"] = cell.feasible.near.of;
