@@ -1,4 +1,4 @@
-// Two threads, each with its own session, or both with one session, which the contract forbids.
+// Two threads: each with its own session, or both with one session, which is an error (HRT_ERROR_BUSY).
 #include <atomic>
 #include <thread>
 

@@ -267,12 +267,12 @@ TEST_F(DynamixelTest, ContinuesPastHalfATurn) {
     EXPECT_NEAR(*device->orientation_deg(), orientation_deg, 0.1);
     EXPECT_NEAR(servo.orientation_deg(), orientation_deg, 0.1);
   }
-  servo.restart();  // after a restart it no longer counts the turn: -250 degrees are 110
+  servo.restart();  // clears the count of turns: -250 degrees are 110
   EXPECT_NEAR(servo.orientation_deg(), -250.0, 0.1);
   EXPECT_EQ(servo.get(132, 4), 2048 + 1252);
 }
 
-// An exchange of up to 15 ms must end before the stop is sent, which takes 3 ms.
+// An exchange of up to 15 ms must end before the stop is sent, which takes 3.5 ms.
 TEST_F(DynamixelTest, AStopEndsTheMotion) {
   for (auto moving = 60ms; moving < 200ms; moving += 7ms) {
     auto device = open();
@@ -387,7 +387,7 @@ TEST_F(DynamixelTest, ReachesItsCommandOnADisturbedLine) {
   }
 }
 
-// An answer that arrives after 90 ms, when the host has sent the next request, is not taken for the answer to it.
+// The host discards an answer that arrives after 90 ms, so that it is not taken for the answer to the next request.
 TEST_F(DynamixelTest, IgnoresLateAnswers) {
   servo.delay = 90ms;
   EXPECT_NE(failure_of_opening(), "");

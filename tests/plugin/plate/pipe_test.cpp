@@ -1,4 +1,4 @@
-// Tests of the serial line on Windows over a named pipe: overlapped reads and writes, and a line that is unplugged.
+// Tests of the driver on Windows with an emulated servo behind a named pipe, which replaces the serial line.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>

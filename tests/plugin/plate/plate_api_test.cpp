@@ -182,7 +182,7 @@ TEST_F(PlateApi, PlateStopsWhenTheHostIsSilent) {
   std::this_thread::sleep_for(100ms);  // the servo reaches the position of the last pulse
   const double stopped_deg = device.orientation_deg();
   EXPECT_LT(stopped_deg, 40.0);
-  std::this_thread::sleep_for(50ms);  // hrt_plate_get() alone does not move the plate
+  std::this_thread::sleep_for(50ms);  // the call of hrt_plate_get() in report_of() does not move the plate
   EXPECT_EQ(device.orientation_deg(), stopped_deg);
   ASSERT_EQ(hrt_plate_set(plate, 80.0), HRT_OK);
   EXPECT_TRUE(eventually([&] {
@@ -191,7 +191,7 @@ TEST_F(PlateApi, PlateStopsWhenTheHostIsSilent) {
   }));
 }
 
-// The documented limit is half a second; the test allows 3 s, for a busy machine. Waiting for the greeting takes 5 s.
+// The documented limit is half a second; the test allows 3 s, for a busy machine. Without an answer, opening takes 5 s.
 TEST_F(PlateApi, ClosesWhileOpenAndWhileOpening) {
   constexpr auto generous = 3s;
   const auto time_to_close = [&] {

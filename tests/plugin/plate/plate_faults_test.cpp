@@ -248,7 +248,7 @@ struct Operation {
   }
 };
 
-// True if the reported failures name a fault, or if the fault is not observable in this phase: after closing there is
+// True if the reported failures name the fault, or if it is not observable in this phase: after closing there is
 // no host, and without a sensor a stuck servo is not detected.
 template <class Emulated>
 bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& reported) {

@@ -120,7 +120,7 @@ TEST_F(PlateLinkTest, DetectsADeviationFromTheFile) {
               {{.dead_band_deg = 4.0}, true},
               {{.dead_time = 110ms}, true}};
   for (const auto& row : rows) {
-    for (const double step_deg : {160.0, 3.0}) {  // one step, and a ramp of 120 degrees a second
+    for (const double step_deg : {160.0, 3.0}) {  // steps of 160 degrees, and a ramp of 120 degrees a second
       open({.servo = row.servo});
       FileWatch watch({.speed_deg_s = 190.0, .acceleration_deg_s2 = 5000.0, .latency_ms = 30.0, .error_deg = 1.5});
       double command_deg = 0.0, to_deg = 80.0;

@@ -22,7 +22,7 @@ extern "C" __attribute__((weak, visibility("default"))) const char* __lsan_defau
 namespace hrt::test {
 namespace {
 
-#if !defined(__EMSCRIPTEN__)  // in WebAssembly, the library locks no files
+#if !defined(__EMSCRIPTEN__)  // in WebAssembly, the library does not check or lock files
 TEST_F(RecordingTest, FileOfAnotherRecordingIsRejected) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();
