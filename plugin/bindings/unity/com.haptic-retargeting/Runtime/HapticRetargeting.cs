@@ -48,7 +48,8 @@ namespace Hrt
         public List<Transform> virtualTargets = new List<Transform>();
 
         [Header("Events")]
-        [Tooltip("Raised when the commanded plate orientation changes; in degrees, counter-clockwise seen from above.")]
+        [Tooltip("Raised at the first command, and when the commanded plate orientation changes; in degrees, " +
+                 "counter-clockwise seen from above.")]
         public OrientationEvent onPlateOrientation = new OrientationEvent();
 
         /// <summary>Raised in each frame of a reach with the command, unless the sample is refused.</summary>
@@ -228,7 +229,7 @@ namespace Hrt
             else Refuse(HapticRetargetingLibrary.LastError);
         }
 
-        // Reports the error once per reach or set-up, not in each frame.
+        // Reports only the first error of a reach or set-up, because it may recur in each frame.
         void Refuse(string why)
         {
             if (!refused) Debug.LogError("Haptic retargeting: " + why, this);

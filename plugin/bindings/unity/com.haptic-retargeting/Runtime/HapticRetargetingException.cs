@@ -2,8 +2,8 @@ using System;
 
 namespace Hrt
 {
-    /// <summary>Thrown when the library refuses a call. <see cref="Exception.Message"/> is the library's text, which
-    /// names the call, what is wrong and what is allowed.</summary>
+    /// <summary>Thrown when a call of a native library fails. <see cref="Exception.Message"/> has the library's text,
+    /// which names the call and what is wrong.</summary>
     public sealed class HapticRetargetingException : Exception
     {
         public Result Result { get; }

@@ -5,7 +5,8 @@ using AOT;
 
 namespace Hrt
 {
-    /// <summary>The native library: its version and log, and the release of objects before code is unloaded.</summary>
+    /// <summary>The native library: calls without a session, the log, and the release of objects before code is
+    /// unloaded.</summary>
     public static partial class HapticRetargetingLibrary
     {
         // The existing native objects of this application domain, and the call that destroys each. Lock it before use.
@@ -36,8 +37,8 @@ namespace Hrt
             }
         }
 
-        /// <summary>Call it before any call of the library. The first Load() connects the library's log, and throws if the
-        /// library is missing or has another version.</summary>
+        /// <summary>Call it before any call of the library. Connects the library's log, once. Throws if the library is
+        /// missing or has another major or minor version.</summary>
         internal static void Load()
         {
             if (loaded) return;

@@ -9,7 +9,7 @@ namespace Hrt
     /// <see cref="NativeObject.Dispose"/>, which stops the plate within half a second. The plate stops if there is no call
     /// for <see cref="PlateOptions.hostTimeoutNs"/>. For Linux and Windows on x64.
     ///
-    /// <see cref="Set"/>, <see cref="Stop"/> and <see cref="Get"/> allocate no managed memory.
+    /// <see cref="Set"/>, <see cref="Stop"/> and <see cref="Get"/> allocate no managed memory, unless they throw.
     /// </summary>
     public sealed partial class HapticRetargetingPlate : NativeObject
     {

@@ -5,7 +5,7 @@ namespace Hrt
 {
     /// <summary>
     /// One user, one plate, and the assumptions of the controller about both. Add targets. For each reach, begin it, pass
-    /// samples of the finger, and end it. Dispose of the session, which ends its reach and its recording.
+    /// samples of the finger, and end it. Dispose of the session, which cancels its reach and ends its recording.
     ///
     /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>, <see cref="TryUpdate"/> and
     /// <see cref="EndReach"/> allocate no managed memory, unless they throw.

@@ -5,7 +5,7 @@ namespace Hrt
     /// <summary>
     /// An object of the library, which exists until it is disposed of or collected, or until the scripts are unloaded. If
     /// the library refuses a call, the method throws a <see cref="HapticRetargetingException"/>, unless its name begins
-    /// with Try. If two threads call the same object, the second call fails with <see cref="Result.Busy"/>.
+    /// with Try. If two threads call the same object at the same time, one call fails with <see cref="Result.Busy"/>.
     /// </summary>
     public abstract class NativeObject : IDisposable
     {

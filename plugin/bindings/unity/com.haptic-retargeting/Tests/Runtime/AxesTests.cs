@@ -4,7 +4,6 @@ using UnityEngine;
 
 namespace Hrt.Tests
 {
-    // Expected values are derived by hand: mirroring z keeps x and y of a position, and z and w of a rotation.
     public sealed class AxesTests
     {
         [Test]

@@ -363,7 +363,8 @@ namespace Hrt.Tests
             return sample;
         }
 
-        // Converts a position in metres from the start, which is 5 cm from the centre towards the user, to the world.
+        // Converts a position to the world: metres to the right of the start and ahead of it. The start is 5 cm from
+        // the plate's centre towards the user.
         Vector3 OnPlate(double right, double away) =>
             component.plate.position + component.plate.rotation * new Vector3((float)right, 0, (float)(away - 0.05));
 

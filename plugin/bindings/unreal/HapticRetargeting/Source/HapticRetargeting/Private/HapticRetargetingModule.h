@@ -1,6 +1,6 @@
 #pragma once
 
-/** Returns true if the plugin's library is loaded. If it is not, a call of the library would end the game. */
+/** Returns false if the plugin's libraries are not loaded: calls of the libraries would then end the game. */
 bool HapticLibraryIsLoaded();
 
 /** Makes a call in a member of UHapticRetargetingComponent. False if the library is missing or the call fails. */

@@ -1,4 +1,4 @@
-// Targets of the component, their feasible gaps, and scenes.
+// Targets of the component, their gaps, and scenes.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"

@@ -127,7 +127,7 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	bool IsReaching() const { return bReaching; }
 
-	/** Returns the last command of the running reach, or else of the previous one. */
+	/** Returns the last command. From BeginReach until the first update, all fields are 0, except PaperStep, -1. */
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
@@ -164,7 +164,7 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool OpenPlate(const FString& Device);
 
-	/** True if the plate accepts commands. It stops after 0.3 s without this call, UpdateFinger or UpdateJoint. */
+	/** True if the plate accepts commands. The plate stops after 0.3 s without this call, UpdateFinger or UpdateJoint. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool IsPlateReady();
 
@@ -178,7 +178,7 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool LoadProfile(const FString& Json);
 
-	/** Records all calls to a file that is created or replaced. */
+	/** Records reaches and set-ups to a file, which is created or replaced. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool StartRecording(const FString& Path);
 
@@ -195,7 +195,8 @@ public:
 	/** For C++: returns the session for calls of the C headers, with the value 0 on failure. After a call that changes the
 	 *  configuration, call TakeFromSession(). */
 	hrt_session GetSession();
-	/** Copies changes that C calls made in the session's configuration to Settings, and moves the component to the plate. */
+	/** Copies changes that C calls made in the session's configuration to Settings. If they changed the plate's pose, moves
+	 *  the component. */
 	void TakeFromSession();
 
 	virtual void OnComponentDestroyed(bool bDestroyingHierarchy) override;
