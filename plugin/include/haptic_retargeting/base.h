@@ -136,7 +136,7 @@ typedef int32_t hrt_result;
 /** `struct_size` is smaller than the size that this library knows, larger than 4096, or not a multiple of the struct's
  *  alignment; or bytes beyond the known size are not zero. */
 #define HRT_ERROR_STRUCT_SIZE (-3)
-/** A value is outside its range, not a number or infinite, or values that do not fit each other were given. */
+/** A value is outside its range or not finite, or values do not fit each other. */
 #define HRT_ERROR_OUT_OF_RANGE (-4)
 /** The call is not allowed in the present state, for example an update while no reach is in progress. */
 #define HRT_ERROR_WRONG_STATE (-5)
@@ -168,7 +168,7 @@ typedef int32_t hrt_result;
  *  @threadsafety [any-thread] */
 HRT_API const char* hrt_result_string(hrt_result result) HRT_NOEXCEPT;
 
-/** Returns the text of this thread's last failed call: one line of English, empty if no call has failed.
+/** Returns the text of this thread's last failed call: one line, empty if no call has failed.
  *
  *  @return Text in UTF-8. Never null; valid until this thread's next failed call.
  *  @threadsafety [any-thread] */

@@ -1,7 +1,7 @@
 /*
- * Gap: the angle between a real and a virtual target, seen from the start. The plate must shift the perceived direction
- * by this angle. hrt_gap_query() compares the gap with the largest shift that the plate can cause for this user;
- * hrt_gap_assign() assigns real targets to virtual ones.
+ * Gap: the angle between a real and a virtual target, seen from the start. hrt_gap_query() compares the gap with the
+ * largest shift of the perceived direction that the plate can cause for this user; hrt_gap_assign() assigns real
+ * targets to virtual ones.
  *
  * Example: can a real target 6 degrees to the right represent a virtual target 5 degrees to the left?
  *

@@ -172,8 +172,8 @@ typedef struct hrt_plate_report {
  *  @param device     Name of the plate; see the beginning of this file.
  *  @param options    Options, copied. Null: the defaults.
  *  @param out_plate  Handle of the plate.
- *  @return OUT_OF_RANGE for a malformed name or file; LIMIT_REACHED for more than 16 plates; OUT_OF_MEMORY; SYSTEM if
- *          the file cannot be read or no thread can be started.
+ *  @return OUT_OF_RANGE for a malformed name or file, or naming a field of `options`; LIMIT_REACHED for more than 16
+ *          plates; OUT_OF_MEMORY; SYSTEM if the file cannot be read or no thread can be started.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                                                       hrt_plate* out_plate) HRT_NOEXCEPT;
@@ -208,8 +208,7 @@ HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_
  *  @threadsafety [one-thread] */
 HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
 
-/** Returns the text of this thread's last failed call of this library: one line of English, empty if no call has
- *  failed.
+/** Returns the text of this thread's last failed call of this library: one line, empty if no call has failed.
  *
  *  @return Text in UTF-8. Never null; valid until this thread's next failed call.
  *  @threadsafety [any-thread] */

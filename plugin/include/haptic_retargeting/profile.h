@@ -29,9 +29,9 @@
  *   "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
  * Fields and ranges are those of hrt_session_config with the tag @profile. If the session has contacts
- * (hrt_reach_touched()), they are stored with the pose of the plate. hrt_profile_load() replaces the session's contacts
- * by those of the profile, if there are any. It discards them if the profile has another pose than the session;
- * otherwise, it adds 0.002 squared to the variances of registration.contact_correction, because trackers drift.
+ * (hrt_reach_touched()), they are stored with the pose of the plate. If the profile has contacts, hrt_profile_load()
+ * discards those of the session. It uses the contacts of the profile only if their pose is that of the session, and
+ * then adds 0.002 squared to the variances of registration.contact_correction, because trackers drift.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
@@ -97,8 +97,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t 
  *
  *  @param text    Profile in UTF-8.
  *  @param length  Bytes of the profile.
- *  @return BAD_FORMAT naming the position in the text; OUT_OF_RANGE naming the field; WRONG_STATE during a reach or a
- *          set-up.
+ *  @return BAD_FORMAT naming the field, or the position of a mistake in the JSON; OUT_OF_RANGE naming the field;
+ *          WRONG_STATE during a reach or a set-up; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 

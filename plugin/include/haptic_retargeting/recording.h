@@ -51,8 +51,9 @@ typedef struct hrt_recording_status {
  *  not the recordings: its calls are not recorded until it starts a recording by this call.
  *
  *  @param path  Name of the file.
- *  @return SYSTEM if the file cannot be created, is not a regular file, or another recording is written to it, in this
- *          process or another; WRONG_STATE during a reach or a set-up, or while recording; OUT_OF_MEMORY.
+ *  @return SYSTEM if the file cannot be written, is not a regular file, or another recording is written to it, in this
+ *          process or another, or if no thread can be started; WRONG_STATE during a reach or a set-up, or while
+ *          recording; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;
 
@@ -111,8 +112,8 @@ typedef struct hrt_replay_report {
   uint32_t complete;
   /** Number of rows that were replayed. */
   uint64_t rows;
-  /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows are equal,
-   *  bit for bit. */
+  /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all replayed rows are
+   *  equal, bit for bit. */
   uint64_t first_different_line;
   /** Hash (FNV-1a, 64 bits) of the replayed commands, equal on all machines: it covers the fields of HRT_HASHED_FIELDS
    *  for each successful row "update", each field as 8 bytes, least significant byte first. */

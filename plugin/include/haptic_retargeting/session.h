@@ -82,13 +82,13 @@ typedef uint32_t hrt_session_flags;
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 /** The user finds start_position_m by touch, for example by a dimple. A finger that rests before a reach is then
  *  assumed to be at the start, even if the tracker reports another position, and positions are measured relative to
- *  this rest: a shift of the tracker's coordinate system does not rotate a reach. Under FIXED_DIRECTION, the flag
- *  does not change commands. HRT_SETUP_GUIDES sets this flag. */
+ *  this rest: a shift of the tracker's coordinate system does not rotate a reach. The controller of FIXED_DIRECTION
+ *  ignores the flag. HRT_SETUP_GUIDES sets it. */
 #define HRT_SESSION_START_FELT UINT32_C(4)
 
 /* Indices of the user's parameters (traits) in hrt_session_config::person.mean. */
 /** Slope w of the illusion curve: the perceived direction is shifted by w t - b t (t / 75)^2 degrees, where t is the
- *  angle between the normal of the ridges and the motion, in degrees. HRT_PERSON_FADING reduces the shift.
+ *  angle between the normal of the ridges and the motion, in degrees. A positive HRT_PERSON_FADING reduces the shift.
  *  @range 0.01 to 0.6 @unit 1 */
 #define HRT_PERSON_WEIGHT 0
 /** Curvature b of the illusion curve, in the formula of HRT_PERSON_WEIGHT; 0: linear. @range -0.1 to 0.5 @unit 1 */
@@ -97,7 +97,7 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_GAIN 2
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
-/** Habit, a curvature of the path: half of the aimed direction at the start minus that at the end; mean over reaches.
+/** Habit, a curvature of the path: aimed direction at the start minus that at the end, divided by 2; mean over reaches.
  *  @range -45 to 45 @unit deg @ccw */
 #define HRT_PERSON_HABIT 4
 /** Speed profile of the motion, from 0: minimum jerk, to 1: constant speed. @range 0 to 1 @unit 1 */
@@ -136,8 +136,8 @@ typedef struct hrt_session_plate {
   double lower_stop_deg;
   /** Upper mechanical stop, at least 180 degrees above the lower one. @range -3600 to 3600 @default 0 @ccw */
   double upper_stop_deg;
-  /** Radius of the plate. Positions beyond it get HRT_COMMAND_OFF_PLATE, and a set-up places its default marks on the
-   *  rim. The radius does not change commands. @range 0.02 to 1 @default 0.075 */
+  /** Radius of the plate. Positions beyond it get HRT_COMMAND_OFF_PLATE. Set-ups derive their default marks and the
+   *  length of slides from it. @range 0.02 to 1 @default 0.075 */
   double radius_m;
   /** Centre of the plate in the engine's world. A set-up writes position and rotation; for a fixed plate, the host may
    *  set both. @range -1000 to 1000 @default (0, 0, 0) @profile registration.contact_covariance */
@@ -152,8 +152,8 @@ typedef struct hrt_session_plate {
   double scale;
   /** Covariance of the plate's pose in its plane: rotation about the normal (radians, counter-clockwise) and position
    *  of the centre to the right and away (metres). Lower triangle, row by row; positive semidefinite. All 0: the pose
-   *  is exact. A set-up writes it. Under GUIDANCE_ARRIVAL, it contributes to UNREACHABLE, OFF_TARGET and miss_sd_deg;
-   *  it does not change commands. @unit mixed @range -1 to 1 @default 0 */
+   *  is exact. A set-up writes it. Under GUIDANCE_ARRIVAL, it contributes to UNREACHABLE, OFF_TARGET and miss_sd_deg,
+   *  but not to the plate orientation. @unit mixed @range -1 to 1 @default 0 */
   double covariance[6];
 } hrt_session_plate;
 
@@ -175,8 +175,8 @@ typedef struct hrt_session_tracker {
    *  (SETUP.md): latency that is not configured makes fast reaches miss. @range 0 to 0.5 s @default 0 */
   int64_t latency_ns;
   /** SD of the tracker's error in the bearing of a reach. The error is constant within a reach, so the samples do not
-   *  show it, and differs from reach to reach. The SD contributes to miss_sd_deg, OFF_TARGET and hrt_gap::miss_share,
-   *  and does not change commands. SETUP.md describes how to measure it. @range 0 to 45 @default 0 */
+   *  show it, and differs from reach to reach. The SD contributes to hrt_gap::miss_share and, under GUIDANCE_ARRIVAL,
+   *  to miss_sd_deg and OFF_TARGET. SETUP.md describes how to measure it. @range 0 to 45 @default 0 */
   double bearing_sd_deg;
 } hrt_session_tracker;
 
@@ -288,8 +288,9 @@ typedef struct hrt_session_config {
    *  multiples of 180 degrees, the plate turns to the one nearest to its present orientation. @range -180 to 180
    *  @default 0 @ccw */
   double fixed_plate_orientation_deg;
-  /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gap of
-   *  every pair. The default is on the mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
+  /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gaps of
+   *  targets that are given by positions. The default is on the mid-line, 5 cm towards the user. @range -10 to 10
+   *  @default (0, 0, 0.05) */
   double start_position_m[3];
   /** A finger that is tracked higher than this above the plate is assumed to be lifted. If the value is too low, noise
    *  of the tracker interrupts reaches; if it is too high, a hovering finger is assumed to touch the plate.

@@ -1,6 +1,5 @@
 /*
- * Set-ups determine the pose of the plate, the offset of the fingertip and the parameters of the user, before the first
- * reach.
+ * Set-ups determine the pose of the plate, the offset of the fingertip and the parameters of the user.
  *
  * A set-up is a second frame loop: hrt_setup_update() replaces hrt_reach_update(). It instructs the user, detects when
  * each instruction is completed, and repeats failed attempts. In each frame, display step.text and step.place_m, and
@@ -54,7 +53,7 @@ typedef uint32_t hrt_setup_parts;
 #define HRT_SETUP_REGISTRATION UINT32_C(2)
 /** Checks the registration by one touch, for example before each reach, and by a second touch if the first disagrees.
  *  If a touch agrees, sets registration.time_ns; otherwise, clears HRT_SESSION_REGISTERED. Requires
- *  HRT_SESSION_REGISTERED. Cannot be combined with REGISTRATION. */
+ *  HRT_SAMPLE_WORLD_POSITION and HRT_SESSION_REGISTERED. Cannot be combined with REGISTRATION. */
 #define HRT_SETUP_CHECK UINT32_C(4)
 /** Corrects the error that remains after registration. A guide is a strip on the plate from a dimple at the start to a
  *  real object. For each of the first 8 real targets, in the order of their addition, the user makes six slides along
@@ -69,9 +68,9 @@ typedef uint32_t hrt_setup_parts;
 /** As CALIBRATION; in addition, hrt_setup_result::differing compares the result with the values before the set-up.
  *  Cannot be combined with CALIBRATION. */
 #define HRT_SETUP_RETEST UINT32_C(32)
-/** Those parts of FINGERTIP, REGISTRATION and CALIBRATION for which the session has no result yet, the samples have the
- *  required fields, and (for CALIBRATION) at least 50 mm of the plate are ahead of the start. Cannot be combined with
- *  other parts. */
+/** FINGERTIP if fingertip_offset_m is 0, REGISTRATION without HRT_SESSION_REGISTERED, and CALIBRATION if
+ *  person.covariance is 0 and the plate leaves at least 50 mm for slides ahead of the start. Parts whose required
+ *  fields the samples lack are skipped. Cannot be combined with other parts. */
 #define HRT_SETUP_ALL_MISSING UINT32_C(64)
 
 /** Maximum number of marks. */
@@ -87,10 +86,10 @@ typedef struct hrt_setup_config {
   /** Number of marks; 0: the start and five points on the rim. More marks give a better pose and take more touches.
    *  @range 0 or 3 to 8 @default 0 */
   uint32_t mark_count;
-  /** Touches of each mark. Four touches halve the error of the pose, and take four times as long. @range 1 to 5
-   *  @default 1 */
+  /** Touches of each mark in REGISTRATION. Four touches halve the error of the pose, and take four times as long.
+   *  @range 1 to 5 @default 1 */
   uint32_t touches_per_mark;
-  /** Index of the mark that CHECK uses. A mark far from the start reveals a rotation of the plate best. @range 0 to 7
+  /** Index of the mark that CHECK uses. A mark on the rim reveals a rotation of the plate best. @range 0 to 7
    *  @default 1 */
   uint32_t check_mark;
   /** 1: the registration also estimates plate.scale. Set it if the tracker's unit of length may be wrong by more than 1
@@ -110,11 +109,10 @@ typedef struct hrt_setup_config {
    *  not checked; if left and right marks are confused, the fit then accepts the pose of a plate that is upside down.
    *  @range -1000 to 1000 @unit 1 @default (0, 1, 0) */
   double up[3];
-  /** Lower end of the plate orientations in slides. With a narrower range, the illusion curve is less certain.
-   *  @range -89 to 89 @default -75 @ccw */
+  /** Lower end of the range of plate orientations for slides, which use the middle 80 % of the range. With a narrower
+   *  range, the illusion curve is less certain. @range -89 to 89 @default -75 @ccw */
   double lower_plate_deg;
-  /** Upper end of the plate orientations in slides, at least 40 above the lower end. @range -89 to 89 @default 75
-   *  @ccw */
+  /** Upper end of the range that begins at lower_plate_deg; at least 40 above it. @range -89 to 89 @default 75 @ccw */
   double upper_plate_deg;
   /** Width of the 95 % interval of the tactile weight at which a calibration ends. A smaller value takes more slides.
    *  @range 0.001 to 0.5 @unit 1 @default 0.04 */
@@ -145,8 +143,8 @@ typedef uint32_t hrt_setup_problem;
 #define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< touches fit an upside-down or mirrored plate: check marks and axes */
 #define HRT_PROBLEM_UNDETERMINED UINT32_C(10) /**< the data do not determine the result: more are needed */
 
-/** @enumeration HRT_OBSERVED Likely mistake of the application. It is reported if no instruction is completed for 20 s;
- *  TIME and WRONG_WAY are reported earlier. hrt_setup_step::text has the numbers. */
+/** @enumeration HRT_OBSERVED Likely mistake of the application. It is reported if no touch or slide is completed for
+ *  20 s; TIME and WRONG_WAY are reported earlier. hrt_setup_step::text has the numbers. */
 typedef uint32_t hrt_setup_observed;
 #define HRT_OBSERVED_NONE UINT32_C(0)      /**< no mistake was detected */
 #define HRT_OBSERVED_NO_FINGER UINT32_C(1) /**< every sample is a dropout: the tracker does not see the finger */
@@ -225,13 +223,14 @@ typedef struct hrt_setup_result {
   /** Patterns that the model does not explain; the estimates of the user are then not applied. 0: no pattern. If the
    *  model fits, each pattern is reported for 1 % of users. */
   hrt_setup_lack_of_fit lack_of_fit;
-  /** Number of completed slides in the last CALIBRATION or RETEST. */
+  /** Number of completed slides in CALIBRATION or RETEST. */
   uint32_t slides;
   /** Number of slides that the fit uses. */
   uint32_t slides_used;
   /** Parts that ended without a result, for example after three rejected fits of touches, after two touches that
-   *  disagree (CHECK), after six unusable slides in succession, because the plate did not turn for a minute, or because
-   *  max_slides did not suffice. Parts that depend on a dropped part are dropped too. */
+   *  disagree (CHECK), after six unusable slides in succession, because the plate did not report the commanded
+   *  orientation for a minute, or because max_slides did not suffice. Parts that depend on a dropped part are dropped
+   *  too. */
   hrt_setup_parts dropped;
   /** Root mean square distance of the touches from their marks. */
   double registration_residual_m;
