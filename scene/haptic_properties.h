@@ -16,7 +16,7 @@ struct HapticProperties {
   std::optional<std::string> name;        ///< 1 to 255 bytes, no control characters
   std::optional<double> radius_m;         ///< 0.001 to 10; always set for a plate
   std::optional<double> max_speed_deg_s;  ///< 0.001 to 1e5
-  std::optional<std::string> served_by;   ///< name of a real target
+  std::optional<std::string> served_by;   ///< name of a real target, which may not exist
 };
 
 /// True if `extras` has haptic properties: nested in `haptic`, or flat as `haptic_role` and so on.

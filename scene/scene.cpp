@@ -52,7 +52,7 @@ Quaternion quaternion_of(const Transform& axes) {
   return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
 }
 
-// Walks the default scene of a model and fills a Scene.
+// Walks the default scene of a model, or its only scene, and fills a Scene.
 class SceneReader {
  public:
   SceneReader(const tinygltf::Model& model, const std::string& file)

@@ -18,8 +18,9 @@ namespace hrt {
 struct ScenePlate {
   Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
   double radius_m;
-  std::optional<double> max_speed_deg_s;  ///< of the servo; unset: not in the file
-  std::string node_path;                  ///< names of the nodes from the root to the plate, joined with '/'
+  std::optional<double> max_speed_deg_s;  ///< maximum speed of the servo; unset: not in the file
+  /// names of the nodes from the root to the plate, joined with '/'; a node without a name: its index in brackets
+  std::string node_path;
 };
 
 enum class TargetKind {
@@ -44,7 +45,7 @@ struct Scene {
   std::vector<SceneTarget> targets;       ///< in the order of the file's node tree
 };
 
-/// Returns the direction of a target from the start, in degrees counter-clockwise from the mid-line, in (-180, 180].
+/// Returns the direction of a target from the start, in degrees counter-clockwise from the mid-line, in [-180, 180].
 double direction_deg(const Scene& scene, const SceneTarget& target);
 
 /// Returns the distance of a target from the start along the plate; at least min_distance_m.

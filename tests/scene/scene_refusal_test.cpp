@@ -88,7 +88,7 @@ constexpr Change refused[] = {
     {"/nodes/2/extras/haptic/role", R"("start")", "node \"Left\": "},
 };
 
-// Changes of a node without a role, of the plate's radius, and of members of the file that the loader does not need.
+// Changes of a node without a role, of the plate's radius, of skipped sections, and of the required extensions.
 constexpr Change accepted[] = {
     {"/nodes/3/rotation", "[0,0,0,2]"},
     {"/nodes/3/scale", "[0,0,0]"},

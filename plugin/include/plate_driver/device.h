@@ -23,8 +23,7 @@ struct DeviceLimits {
   std::chrono::nanoseconds latency;  ///< time from a command to the start of the motion
 };
 
-/// Purpose of opening a device. `hold`: to move it; the device holds its position. `passive`: for queries and settings;
-/// the device exerts no force.
+/// Purpose of opening a device. `hold`: to move it. `passive`: for queries and settings.
 enum class Start { hold, passive };
 
 /// Settings that a board with the line protocol stores (samples/plate/firmware/README.md). All functions throw
@@ -72,7 +71,7 @@ class Device {
   /// Waits up to `limit` for the device's next bytes, processes them, and sends the messages that are due. Call it at
   /// least every 50 ms, so that the watchdog of the device does not stop the plate.
   virtual void wait(std::chrono::milliseconds limit) = 0;
-  /// Turns the plate. @p orientation_deg must be within the limits. A command equal to the last one is not sent again.
+  /// Turns the plate to an orientation within limits(). A command equal to the last one is not sent again.
   virtual void turn_to(double orientation_deg) = 0;
   /// Stops the plate, which then holds its present orientation.
   virtual void stop() = 0;
@@ -86,7 +85,7 @@ class Device {
 
   /// Settings of a board with the line protocol; null for any other device.
   virtual BoardSettings* board_settings() { return nullptr; }
-  /// Returns lines of text: the settings, each of which begins with "setting ", and the result of a self-test. The
+  /// Returns lines of text: the settings, each of which begins with "setting ", and the condition of the device. The
   /// plate does not move.
   virtual std::vector<std::string> details() = 0;
   /// Position of orientation 0 on the device's own scale, in degrees, counter-clockwise positive.

@@ -45,7 +45,7 @@ uint8_t line_encode(char* out, const char* body);
  *  towards 0: 123 for "1.239". Returns false if the word is not such a number or has more than 12 characters. */
 bool line_parse_hundredths(const char* word, int32_t* out);
 
-/** Parses an angle of SET and AT: sign, three digits, point, two digits. The fixed width exposes a lost or doubled
+/** Parses an angle of SET, HOME or AT: sign, three digits, point, two digits. The fixed width exposes a lost or doubled
  *  character. Sets `*out` to the angle in hundredths of a degree. Returns false for any other text. */
 bool line_parse_angle(const char* word, int32_t* out);
 

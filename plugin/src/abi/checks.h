@@ -89,7 +89,8 @@ inline hrt_result check_zero(const char* field, std::uint32_t value) {
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; allowed: 0");
 }
 
-/// Writes a text into a caller's buffer. `what` names the text in the error for a buffer that is too small.
+/// Writes a text into a caller's buffer; if `capacity` is 0, only its length. `what` names the text in the error for a
+/// buffer that is too small.
 inline hrt_result write_text(const char* what, std::string_view text, std::uint64_t capacity, char* out_text,
                              std::uint64_t* out_length) {
   if (!out_length) return fail_of_null("out_length");
@@ -147,7 +148,7 @@ hrt_result check_fields(const S& values) {
   return result;
 }
 
-/// Checks a name in a struct of the host: UTF-8 without control characters. Sets the bytes after the name to 0.
+/// Checks a name in a struct of the host: UTF-8 without ASCII control characters. Sets the bytes after the name to 0.
 inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
   const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
   if (!end)

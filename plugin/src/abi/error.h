@@ -1,5 +1,5 @@
-// Errors: a code for the caller, and a text for hrt_last_error(). Real-time calls report errors too, so that setting
-// them uses no heap and no lock.
+// Errors: a code for the caller, and a text for hrt_last_error(). Setting an error uses no heap and no lock, because
+// real-time calls report errors too.
 #pragma once
 
 #include <algorithm>

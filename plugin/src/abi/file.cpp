@@ -30,7 +30,7 @@ constexpr int to_write = _O_WRONLY | _O_CREAT | _O_BINARY | _O_NOINHERIT;
 
 int open_descriptor(const char* path, int flags) {
   int descriptor = -1;
-  // With _SH_DENYWR, Windows does not let a second program open the file for writing.
+  // With _SH_DENYWR, further attempts to open the file for writing fail.
   _wsopen_s(&descriptor, path_of(path).c_str(), flags, flags == to_write ? _SH_DENYWR : _SH_DENYNO,
             _S_IREAD | _S_IWRITE);
   return descriptor;
@@ -69,7 +69,7 @@ bool lock(int) { return true; }
 void unlock(int) {}
 int truncate(int) { return 0; }
 #else
-// Opening a pipe does not block, and a terminal does not become the controlling terminal.
+// O_NONBLOCK: opening a pipe does not block. O_NOCTTY: a terminal does not become the controlling terminal.
 constexpr int common_flags = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 constexpr int to_read = O_RDONLY | common_flags;
 constexpr int to_write = O_WRONLY | O_CREAT | common_flags;

@@ -11,8 +11,8 @@
 
 namespace hrt::plugin {
 
-/// Converts a path in UTF-8. On Windows, where std::filesystem would interpret char by the code page of the machine,
-/// throws std::system_error if `utf8` is not UTF-8.
+/// Converts a path in UTF-8; std::filesystem would interpret a `char*` on Windows by the code page of the machine.
+/// On Windows, throws std::system_error if `utf8` is not UTF-8.
 inline std::filesystem::path path_of(const char* utf8) { return reinterpret_cast<const char8_t*>(utf8); }
 
 /// A regular file, in binary mode and without a buffer. Programs that the process starts do not inherit it.

@@ -1,4 +1,4 @@
-// Names of plate and tracker, and time, of the measurement of a user, and their comparison with the present ones.
+// The plate and the tracker with which a user was measured, and their comparison with the present ones.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// The object behind a session's handle: its calls take and return the structs of the C headers, and are recorded while
-// a recording is in progress.
+// The object behind a session's handle. Its calls are recorded while a recording is in progress.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@
 
 namespace hrt::plugin {
 
-/// Each call checks and converts its structs, calls the session and writes the results. If a call fails, session and
+/// A call converts the structs of the C headers, calls the session and writes the results. If a call fails, session and
 /// outputs are unchanged. Calls of a reach take the pointers of the caller; a call whose struct is null or has a wrong
 /// size is not recorded.
 class RecordedSession {

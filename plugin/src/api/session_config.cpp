@@ -43,7 +43,7 @@ static_assert(static_cast<int>(Adaptation::carried) == HRT_ADAPTATION_CARRIED &&
               static_cast<int>(Adaptation::reach) == HRT_ADAPTATION_REACH);
 static_assert(HRT_CONTROL_MPC == 0 && HRT_GUIDANCE_FIXED_DIRECTION == 0);
 
-// Calls visit(a, b) for each number that the struct and the model both have in the same unit.
+// Calls visit(a, b) for each pair of members that are converted by assignment.
 template <class Config, class Model, class Visit>
 void visit_pairs(Config& config, Model& model, Visit&& visit) {
   auto& control = model.control;
