@@ -197,7 +197,7 @@ class Session {
     this.#native.call("hrt_reach_cancel");
     this.#log();
   }
-  /** Writes the log lines that the reach has stored, because update() may not block. */
+  /** Writes the log lines that updates have stored because they may not block. */
   #log() {
     this.#native.call("hrt_host_set_log", 0);
   }

@@ -1,6 +1,6 @@
 // Checks numbers, and reads and writes them in the module's memory.
 
-// Size and DataView methods of each type of field. Integers are allowed from `least` to `most`.
+// Size and DataView methods of each type of number. Integers are allowed from `least` to `most`.
 export const types = {
   u32: { size: 4, least: 0, most: 2 ** 32 - 1, get: "getUint32", set: "setUint32" },
   i32: { size: 4, least: -(2 ** 31), most: 2 ** 31 - 1, get: "getInt32", set: "setInt32" },

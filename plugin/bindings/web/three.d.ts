@@ -13,7 +13,7 @@ export interface HapticPlateOptions {
   ridgeHeight_m?: number;
   discMaterial?: Material;
   ridgeMaterial?: Material;
-  /** Material of the notch on the rim, which marks the normal of the ridges: ridges look the same after a half turn. */
+  /** Material of the mark on the rim, at the normal of the ridges: the ridges alone look the same after a half turn. */
   markMaterial?: Material;
 }
 

@@ -195,8 +195,8 @@ public:
 	/** For C++: returns the session for calls of the C headers, with the value 0 on failure. After a call that changes the
 	 *  configuration, call TakeFromSession(). */
 	hrt_session GetSession();
-	/** Copies changes that C calls made in the session's configuration to Settings. If they changed the plate's pose, moves
-	 *  the component. */
+	/** Copies changes that C calls made in the session's configuration to Settings. If they changed the plate's pose,
+	 *  moves the component. */
 	void TakeFromSession();
 
 	virtual void OnComponentDestroyed(bool bDestroyingHierarchy) override;
