@@ -240,7 +240,7 @@ def test_population():
 def test_whole_studies():
     """Studies of twelve simulated people with set-up, reaches and export: coverage of the effect and of the mean tactile weight.
 
-    HRT_EXPERIMENT_SET_UPS: number of studies for each distribution of weights [1]. The true effect is the mean over all studies."""
+    HRT_EXPERIMENT_SET_UPS: number of studies for each distribution of weights [1]. Their mean effect is taken as the true one."""
     studies = int(os.environ.get("HRT_EXPERIMENT_SET_UPS", "1"))
     reach = {"virtual_deg": 6, "real_deg": 0}
     study = {"title": "recovery", "participants": 12, "practice_trials": 0, "repeats": 2, "pairs": [{"name": "left", **reach}],
@@ -302,7 +302,7 @@ def power_of_a_design(design):
     assert printed.endswith(hashlib.sha256(design.read_bytes()).hexdigest() + "\n"), printed
     rows = [line.split() for line in printed.splitlines()]
     levels = [float(share) for row in rows if row and row[0] == "1" and row[-1] == "%" for share in row[3:-1]]
-    # The rows of margin 1 and ratio 1 have false positive rates, nominally 5 %. Three SDs over 200 studies are 4.6 %; skewed data add to this.
+    # The rows of margin 1 and ratio 1 have false positive rates, nominally 2.5 and 5 %. Three SDs over 200 studies are at most 4.6 %; skewed data add to this.
     assert len(levels) == 2 * 3 and max(levels) < 5 + 6, printed
 
 
@@ -356,7 +356,7 @@ def test_a_whole_study():
         assert all(f"\t{name}\t" in events for name in names), events
         answers = pandas.read_csv(data / "export/questionnaires.csv")
         assert len(answers) == 8 * (2 + 2) and set(answers.when) == {"before", "block 1", "block 2"} and "By Hand" in report, answers
-        # The plate rotates at least as much without a gap.
+        # The reach without a gap runs under the controller `people`, which rotates the plate at least as much as `paper`.
         still, bent = (float(re.search(f"{name} a gap (\\d+)°", report)[1]) for name in ("without", "with"))
         assert still >= bent > 20 and f"bend in condition {names[1]}: " in report, (still, bent)
         every = analysis.read_table(data / "export/trials.csv")

@@ -69,7 +69,8 @@ TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
   }
 }
 
-// Expects every pair of each condition as often as planned, no pair 3 times in a row, and no 2 catch trials in a row.
+// Expects every pair of each condition as often as planned, no pair 3 times in a row, and no catch trial first or after
+// another one.
 void expect_legal(const Design& design, const Block& block, std::size_t conditions) {
   std::map<std::pair<unsigned, unsigned>, unsigned> cells;
   std::size_t catches = 0;
@@ -189,7 +190,7 @@ TEST(ExperimentDesign, ErrorsNameTheField) {
             "study.json: \"seed\" occurs twice in one object; remove one of the two");
 }
 
-// The plan: 5 minutes for consent, 6 for the set-up, 6 items, 3 trials of 12 s, a break of a minute.
+// The plan: 5 minutes for consent, 6 for the set-up, 6 items of 9 s, 3 trials of 12 s, a break of a minute.
 TEST(ExperimentDesign, TheProtocolHasTheTimePlan) {
   const std::string text = protocol_text(read_design(HRT_EXPERIMENT_SOURCE "/example.json"));
   EXPECT_EQ(text.find_first_of("{}"), std::string::npos) << text;

@@ -180,7 +180,7 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
     EXPECT_TRUE(plate::eventually([&] { return session.device.is_following(); }));
     session.quit();
     if (state.name == "set-up") continue;
-    // Checks that the key arrived in this state: the plate returns to 0 before the recording of a reach begins.
+    // Checks that the key arrived in this state: the plate returns to 0 before the recording has the row `begin`.
     const std::string journal = journal_of(session.folder), name = "\"recording\":\"";
     std::size_t at = 0;
     for (std::size_t i = 0; i < state.count; ++i) at = journal.find(name, at) + name.size();
@@ -293,7 +293,8 @@ struct Person : AtPlate {
   std::size_t heard = 0;
 };
 
-// Each state that waits for a person asks by terminal and speech, and can stop the plate; no text names a condition.
+// Each state that waits for a person asks by terminal and speech, and the plate can be stopped in it. No text names a
+// condition.
 TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
   using reach::marks, reach::Path;
   const auto study = [](nlohmann::json& s) {

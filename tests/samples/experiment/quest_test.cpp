@@ -45,7 +45,7 @@ void expect_as_published(Published run) {
   }
 }
 
-// The grid of hrt-experiment. Observers have thresholds of 8° and 20°, below and above the mean of the prior.
+// The grid of hrt-experiment. Observers have thresholds of 8° and 20°, below and above the median of the prior.
 TEST(ExperimentQuest, AgreesWithAPublishedImplementation) {
   expect_as_published({QuestPlus(1, 30),
                        {24, 23, 22, 22, 21, 20, 24, 24, 23, 23, 23, 22, 22, 20, 19, 18, 18, 22, 22, 22,

@@ -384,7 +384,8 @@ TEST(ExperimentSession, TablesHaveAllDataOfTheJournal) {
   }
 }
 
-// The stimulus is the delivered bend; no gap exceeds the feasible gap of the set-up. Two QUEST+ runs are interleaved.
+// Delivered bends are near their gaps; no gap exceeds the feasible gap of the set-up. Each of two QUEST+ runs has half
+// of the trials.
 TEST(ExperimentSession, NoticeabilityUsesTheDeliveredBend) {
   const Design design = small_design(1, [](json& study) {
     study["participants"] = 2;
