@@ -38,7 +38,7 @@ async function rest(page, tip, frame_ms = 100) {
   }, [tip, frame_ms]);
 }
 
-/** Places the plate by a pinch of two seconds. */
+/** Places the plate by a pinch of two seconds, then rests the fingertip, so that a slide begins. */
 async function pinch(page, tip) {
   await page.evaluate(() => globalThis.headset.pinch(true));
   await rest(page, tip);

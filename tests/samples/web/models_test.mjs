@@ -185,7 +185,7 @@ test("an hour of rest is not recorded", () => {
   assert.equal(library.replay(hand.recording).first_different_line, 0n);
 });
 
-// The simulated observer has a threshold of 9 degrees, and answers with the probabilities of the psychometric function.
+// The simulated observer has a threshold of 9 degrees, a slope of 3 and no lapses.
 test("six answers estimate the threshold with a wide interval, sixty answers precisely", () => {
   let seed = 1;
   const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;

@@ -1,5 +1,5 @@
-// The page in headless Chromium, used by mouse, touch and keyboard, in windows 390, 820 and 1440 pixels wide, light,
-// dark and with forced colours. Screenshots are saved in FOLDER_OF_SCREENSHOTS, for inspection by people.
+// The page in headless Chromium, used by mouse and keyboard, in windows 390, 820 and 1440 pixels wide, light, dark and
+// with forced colours. Screenshots are saved in FOLDER_OF_SCREENSHOTS, for inspection by people.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
@@ -87,7 +87,7 @@ test("each of the six figures follows a drag and keys, and describes its state",
     await page.locator(`#see-${i}`).press("ArrowLeft");
     assert.notEqual(await figure.innerHTML(), drawings.at(-1));
   }
-  // The ridges, at 40 degrees, push along their normal, which the arrow shows.
+  // The arrow shows the push of the ridges, which is along their normal.
   const turned = await page.locator("#figure-2").evaluate((figure) => {
     const [x, y] = figure.querySelector("path.touch").getAttribute("d").match(/-?[\d.]+/g).slice(2).map(Number);
     return [Math.atan2(x, -(y - 50)) * 180 / Math.PI, Number(/rotate\((.*)\)/.exec(figure.querySelector(".ridge").getAttribute("transform"))[1])];
@@ -145,7 +145,7 @@ test("the hand is hidden during the slide, then shown at the cylinder under the 
   assert.equal(await hidden(page), false);
   assert.ok(await skin(page) > unseen + 3000, `the hand is seen: ${unseen} pixels like skin before`);
   await shoot(page, "hand_arrived");
-  // The replay shows the three arrows, beside a slide with the plate off.
+  // The replay shows the three arrows; no slide with the plate off has been made.
   const text_on = await text(page, "#moment-text"), path = () => page.locator("#slide-on path.real").first().getAttribute("d"), whole = await path();
   await page.locator("#moment").press("Home");
   for (let i = 0; i < 50; ++i) await page.keyboard.press("ArrowRight");
@@ -266,7 +266,7 @@ test("the first screen has a title, a mark and two controls; a thumb scrolls bes
       return getComputedStyle(document.elementFromPoint(box.x + right * box.width, box.y + down * box.height)).touchAction;
     }, [x, y]);
     assert.deepEqual([await touch(0.5, 0.5), await touch(0.02, 0.02), await touch(0.98, 0.98)], ["none", "pan-y pinch-zoom", "pan-y pinch-zoom"]);
-    // The caption does not cover the picture, and no label covers a target.
+    // The caption does not cover the picture, and the plate fills the width of a phone.
     const boxes = await page.evaluate(() => ["caption", "view"].map((id) => document.getElementById(id).getBoundingClientRect()).map(({ top, bottom }) => [top, bottom]));
     assert.ok(boxes[0][1] <= boxes[1][0]);
     const disc = await page.locator("#grip").boundingBox();
@@ -359,7 +359,7 @@ test("a dropped scene is shown with its feasible gaps", () => visit(async (page)
     [true, true, true, true, true], [false, true, true, true, true], [false, false, true, true, true]]);
   assert.equal(rows[0][5], "30° left");
   assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["hand", "felt here", "pawn", "bottle", "cylinder", "goblet"]);
-  // Reaches lead to the targets of the file: the bottle at 6 degrees, the goblet at 8 degrees on the other side.
+  // Reaches lead to the targets of the file: the bottle with a gap of 6 degrees, the goblet with one of -8 degrees.
   const bottle = await newest(page);
   assert.ok(Math.abs(bottle.gap_deg - 6) < 1e-6 && arrived(bottle) && bottle.feltToGlass_mm < 8, JSON.stringify(bottle));
   await page.selectOption("#scene-pair", { label: "goblet; the hand ends at cylinder" });
