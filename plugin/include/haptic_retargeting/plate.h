@@ -180,7 +180,8 @@ HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const 
 
 /** Turns the plate to the orientation that is nearest to the present one and has the same ridges as the given one: they
  *  repeat every 180 degrees. If the stops allow no such orientation, turns the plate to the nearest stop. The plate
- *  holds its orientation until the next command. The command is sent within 5 ms, unless the computer is busy.
+ *  holds its orientation until the next command. The command is sent within 5 ms, to a Dynamixel servo within 20 ms,
+ *  unless the computer is busy.
  *
  *  @param orientation_deg  Plate orientation. @range -1e6 to 1e6 @ccw
  *  @return OUT_OF_RANGE naming orientation_deg; WRONG_STATE if the plate is not READY, or if it is UNHOMED and
