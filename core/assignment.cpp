@@ -7,7 +7,7 @@ namespace hrt {
 namespace {
 
 /// Maximum matching of the pairs whose cost is within a limit, by the algorithm of Hopcroft and Karp: each round
-/// augments along a maximal set of disjoint shortest paths.
+/// augments along several disjoint paths, which a breadth-first search has found.
 class Matching {
  public:
   Matching(std::span<const double> costs, std::size_t columns, double limit)

@@ -38,6 +38,8 @@ void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
 // change from prior to posterior, is
 //
 //   deviations = K (learnt - before),   K = D P^-1,   P: prior covariance of the traits in a reach, including D
+//
+// The expected square of the bias's deviation updates the scatter.
 PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
   using Pair = Eigen::Matrix<double, 2, 2>;
   using Rows = Eigen::Matrix<double, 2, T::traits>;

@@ -1,5 +1,5 @@
-// Converts tracked positions of the fingertip to plate orientations, one reach after another, with the controller for
-// people (person_reach) or the paper's (paper_reach).
+// Converts samples of the fingertip to plate orientations, one reach after another, with the controller for people
+// (person_reach) or the paper's (paper_reach).
 #pragma once
 
 #include <cstdint>
@@ -63,8 +63,8 @@ class Retargeter {
   Reach reach_{};  // argument of begin(), or result of the last retarget()
   ReachEnd end_;
   PlateCommand command_;
-  // Position of the finger at begin() or at the last retarget() that was over Tuning::min_leg_mm from the position
-  // before, and the position that the person perceived then.
+  // Start or, after a retarget() more than Tuning::min_leg_mm from the waypoint before, position of the finger then;
+  // and the position that the person perceived there.
   PlatePoint waypoint_;
   PlatePoint perceived_waypoint_;
   std::optional<std::variant<PersonReach, PaperReach>> controller_;  // nullopt before begin()

@@ -21,7 +21,7 @@ enum class ControlMode {
   fixed_plate,  ///< no control: the plate stays at RetargeterConfig::fixed_plate_orientation_deg (paper Fig. 8)
 };
 
-/// Configuration of a Retargeter; defaults: the paper's controller. Its reaches use the fields marked [reach] only in
+/// Configuration of a Retargeter; defaults: the paper's controller. Reaches use the fields marked [reach] only in
 /// ControlMode::reach.
 struct RetargeterConfig {
   Participant participant;  ///< model of the participant; adaptation starts at its tactile weight
@@ -30,7 +30,7 @@ struct RetargeterConfig {
   double fixed_plate_orientation_deg = 0.0;   ///< finite
   EstimatorConfig estimator;                  ///< prior of the paper's controller; tracker noise for both controllers
   PlateDynamics plate;                        ///< latency at most `max_lead` model steps
-  std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
+  std::int64_t step_period_ns = 100'000'000;  ///< period of the paper's model steps, 1 ms to 10 s
   PersonBelief person = unknown_person();     ///< [reach] prior of the person
   ReachControlConfig reach;                   ///< [reach] limits of plate and perceived direction
   std::int64_t tracker_latency_ns = 0;        ///< [reach] age of a position at the time of its sample, 0 to 0.5 s

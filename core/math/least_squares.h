@@ -31,7 +31,7 @@ class Descent {
  public:
   /// `problem` must outlive the descent and must not change.
   Descent(const LeastSquares& problem, Eigen::VectorXd first);
-  /// Computes the derivatives of some groups or, when all are computed, tries one change of the parameters. Returns
+  /// Computes the derivatives of some groups and, when all are computed, tries one change of the parameters. Returns
   /// true when the descent is finished; do not call step() after that.
   bool step();
   const LeastSquaresFit& fit() const { return fit_; }

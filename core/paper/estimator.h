@@ -64,7 +64,7 @@ class Estimator {
   void observe_direction(double direction_deg);
 
   /// Processes a position. Returns false for an outlier: NIS above 25, at most `max_outliers` in succession. After
-  /// these, the next position replaces the estimated one.
+  /// these, the next position with such a NIS replaces the estimated one.
   bool observe_position(const PlatePoint& position);
 
   void set_tracker_noise(double white_mm) { noise_mm2_ = white_mm * white_mm; }

@@ -1,5 +1,5 @@
 // The controller of paper section III: chooses the plate orientations over a short window that keep the perceived
-// direction near the virtual target and the finger near the real target.
+// direction near the goal, and the finger's direction near that of the real target.
 #pragma once
 
 #include <array>

@@ -99,7 +99,7 @@ void ActiveSet::optimise() {
 }
 
 // Moves the path towards the target path as far as the bounds allow. If a bound blocks the path, holds this bound and
-// returns false; otherwise returns true. Bounds of steps that the held constraints determine are not considered.
+// returns false; otherwise returns true. Bounds on values that the held constraints determine are not considered.
 bool ActiveSet::advance() {
   double fraction = 1.0;
   std::int8_t* blocking = nullptr;

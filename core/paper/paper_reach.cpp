@@ -12,7 +12,7 @@ namespace {
 PlateLimits limits_of(const PaperReachConfig& config, bool plans_turns, double real_deg, double goal_deg,
                       double present_deg) {
   const double bound_deg = config.mpc.plate_bound_deg;
-  // A fixed plate is commanded once and needs no limits.
+  // A fixed plate needs no limits: initial_plate() respects the stops.
   if (config.fixed_plate_orientation_deg) return {{}, goal_deg, bound_deg, goal_deg, goal_deg};
   if (!plans_turns) return {config.plate.stops, goal_deg};
   const double holding_deg =
@@ -120,7 +120,7 @@ PlateHandover PaperReach::handover() const {
           dropped_before_ + counts.dropped_samples};
 }
 
-// If w_T is adapted and the gap is not feasible, the aim is the nearest feasible direction: an aim nearer to the target
+// If w_T is adapted and the gap is unreachable, the aim is the nearest feasible direction: an aim nearer to the target
 // would increase the perceived-direction error without bringing the finger nearer to the target.
 inline PaperReach::Aim PaperReach::aim() const {
   const double bound_deg = config_.mpc.plate_bound_deg;

@@ -1,4 +1,4 @@
-// A reach under the paper's controller. Each sample passes through
+// A reach under the paper's controller. An accepted sample passes through
 //   estimate (reach_estimator), aim (participant), plan (paper_control), limit (plate_limits), command.
 #pragma once
 
@@ -34,7 +34,7 @@ class PaperReach {
   /// Processes a sample, not earlier than the previous one.
   const PlateCommand& update(const FingerSample& sample);
 
-  /// Changes the real target to `real`. `now`: the remaining reach, as seen from the finger.
+  /// Moves the targets. `real`: position of the real target. `now`: the remaining reach, from Retargeter::retarget().
   void retarget(const PlatePoint& real, const Reach& now);
 
   /// Advances by one model step without a clock; `finger_direction_deg` is finite. Do not use both step() and update().

@@ -83,8 +83,8 @@ inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
   return plate_bound_deg * tactile_weight / (1.0 - tactile_weight);
 }
 
-/// Computes the largest feasible gap of a participant, whether the given gap is feasible, and the plate orientation
-/// that sustains the gap. Directions: finite. Other ranges: see max_gap_deg().
+/// Compares the gap from the real to the virtual direction with the largest feasible gap of a participant. With a bias,
+/// pass the goal as `virtual_direction_deg`. Directions: finite. Other ranges: see max_gap_deg().
 GapFeasibility paper_gap_feasibility(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                                      double plate_bound_deg);
 

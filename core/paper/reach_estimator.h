@@ -83,10 +83,10 @@ class ReachEstimator {
   std::optional<std::int64_t> first_ns_;     // time of the first position
   std::optional<std::int64_t> position_ns_;  // time of the last position
   std::int64_t now_ns_ = 0;                  // time to which the estimate is advanced
-  double unseen_s_ = 0.0;                    // time of predicted motion since the last sample
+  double unseen_s_ = 0.0;                    // time of predicted motion since the last accepted observation
   bool paused_ = false;                      // the finger rests or is lifted
-  bool sampled_ = false;                     // the current step has a sample
-  bool missed_ = false;                      // the previous step had no sample
+  bool sampled_ = false;                     // the current step has an accepted observation
+  bool missed_ = false;                      // the previous step had no accepted observation
 };
 
 }  // namespace hrt

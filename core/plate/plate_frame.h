@@ -7,7 +7,7 @@ namespace hrt {
 inline constexpr double mm_per_m = 1000.0;
 
 /// A point in the plane of the plate: `right_mm` to the user's right, `away_mm` along the mid-line away from the
-/// user. The origin is the plate's centre of rotation.
+/// user. The origin is the plate's centre of rotation, unless a field or argument names another one.
 struct PlatePoint {
   double right_mm = 0.0;
   double away_mm = 0.0;

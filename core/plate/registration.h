@@ -34,7 +34,7 @@ enum class RegistrationVerdict {
   too_few,       ///< fewer than 3 touches
   degenerate,    ///< the marks are within 1 cm (RMS) of a line, so the rotation about the line is unknown
   inconsistent,  ///< no pose fits the touches, and no single wrong touch was found
-  upside_down,   ///< the plate's normal is not upward: marks on opposite sides were swapped
+  upside_down,   ///< the plate's normal is not upward: marks on opposite sides were probably swapped
 };
 
 /// Result of fit_registration(). With the verdict `accepted`, all fields are valid. With `inconsistent` or

@@ -40,7 +40,7 @@ struct FingerPosition {
 };
 
 struct Contact {
-  PlatePoint finger;    ///< tracked position of the finger, corrected by the frame before the contact
+  PlatePoint finger;    ///< estimated from tracked positions that the frame before the contact has corrected
   PlatePoint place;     ///< known position of the contact
   double variance_mm2;  ///< variance of each coordinate of `finger` - `place` without error of the frame, > 0
 };

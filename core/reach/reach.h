@@ -80,8 +80,10 @@ struct PlateCommand {
   /// time until the end of the motion; 0 once the model expects the end; otherwise -1 before the motion, while
   /// `resting`, and under the paper's controller
   double time_to_go_s = -1.0;
-  double felt_error_deg = 0.0;      ///< estimated present perceived-direction error; 0 under the paper's controller
-  double predicted_miss_deg = 0.0;  ///< predicted bearing of the position of arrival minus that of the real target
+  double felt_error_deg = 0.0;  ///< estimated present perceived-direction error; 0 under the paper's controller
+  /// predicted bearing of the end of the reach minus that of the real target; while the finger rests: its bearing minus
+  /// that of the real target
+  double predicted_miss_deg = 0.0;
   /// SD of the true position of the finger across the line to the real target, as an angle from the start; includes the
   /// uncertainty of filter, registration and tracker. 180 before the motion and under the paper's controller
   double bearing_error_sd_deg = unknown_miss_sd_deg;

@@ -135,11 +135,12 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   const double window_s = places_[0].time_s - places_[count - 1].time_s;
   const double limit_mm = expected_mm_s ? std::min(allowed_mm, *expected_mm_s * window_s - noise_mm)
                                         : std::max(allowed_mm, tuning_.max_creep_mm_s * window_s);
-  // Most windows of a motion are recognised without a fit.
+  // Rejects most windows of a motion without a fit.
   if (limit_mm <= 0.0 ||
       square_distance_mm2(places_[0].position, places_[count - 1].position) > square(clearly_moving_limits * limit_mm))
     return false;
-  // Least-squares parabola with orthogonal polynomials: each coefficient is a moment divided by a sum of squares.
+  // Least-squares parabola over the index of a position, with orthogonal polynomials: each coefficient is a moment
+  // divided by a sum of squares.
   const Point zero = 0.0 * places_[0].position;
   Point moment = zero;
   Point bend = zero;

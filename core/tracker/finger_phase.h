@@ -1,4 +1,4 @@
-// Phase of a tracked finger: waiting at the start, moving, paused, or lifted.
+// Phase of a tracked finger: waiting before the first motion, moving, paused, or lifted.
 //
 //   waiting --left--> moving --still--> paused --left--> moving
 //   any --lift()--> lifted --next position--> waiting, or paused after a motion
@@ -8,7 +8,7 @@
 //   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this limit in 1
 //            of 10^7 means. If the noise is estimated, sigma is at least 1 + 2 / n times the SD that n differences of
 //            successive positions show.
-//   still    Over the last T seconds, with at least 10 positions, all later than the detection of the motion, the
+//   still    Over the last T seconds, with at least 10 positions, none before the detection of the motion, the
 //            displacement d along the least-squares line is below a limit, and the sagitta of the least-squares
 //            parabola is at most four times this limit: a finger that turns back has no displacement. If the speed v of
 //            the motion is known: T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma /
@@ -43,7 +43,7 @@ struct PhaseTuning {
   double still_deviations = 2.5;    ///< limit of the displacement in the test "still"
   double slow_mm_s = 15.0;  ///< mm/s: a motion at this speed fails the test "still"; a slower motion may pass as a rest
   double max_creep_mm_s = 8.6;          ///< mm/s: upper limit of the drift of a resting hand
-  double max_start_speed_mm_s = 600.0;  ///< mm/s: upper limit of the speed of a first motion from rest
+  double max_start_speed_mm_s = 600.0;  ///< mm/s: upper limit of the speed of a motion from rest
   double outlier_deviations = 5.7;      ///< [model] 4 SDs of the difference of two positions
   double max_outliers = 2;              ///< number of successive outliers that are ignored
   double rest_place_deviations = 3.0;   ///< [model] positions further from the rest position do not change it
@@ -95,11 +95,11 @@ class PhaseDetector {
   Phase phase() const { return phase_; }
   bool at_rest() const { return phase_ == Phase::waiting || phase_ == Phase::paused; }
   bool has_moved() const { return moved_; }
-  /// Position of the present rest, or of the rest before the motion.
+  /// Position of the present rest, or of the last one if the finger does not rest.
   const Point& rest_place() const { return rest_.place; }
   /// SD of a coordinate of the rest position.
   double rest_place_sd_mm() const;
-  /// Mean of the last three positions.
+  /// Mean of the last three positions, or of all if there are fewer. Requires a position.
   Point smoothed() const { return places_.mean_of_last(std::min(3, places_.count())); }
   /// Duration of the rest; 0 unless at_rest().
   double rest_s() const { return at_rest() && places_.count() > 0 ? places_[0].time_s - rest_.since_s : 0.0; }

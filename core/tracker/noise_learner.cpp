@@ -12,7 +12,7 @@ namespace {
 // few time constants hardly shows correlated noise.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
-// If the observed noise is below the assumed noise, the assumed correlated part is reduced to this fraction at least.
+// If the observed noise is below the assumed noise, the assumed correlated part is reduced, at most to this fraction.
 constexpr double min_assumed_share = 0.6;
 constexpr int steps_per_estimate = 8;
 // Upper limit of each part of the noise: larger differences are a motion.

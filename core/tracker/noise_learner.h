@@ -1,5 +1,5 @@
-// Estimates the white and the correlated noise of a tracker from differences between positions of a finger at rest.
-// Model of each coordinate:
+// Estimates the white and the correlated noise of a tracker from differences between positions of a finger.
+// Model of each coordinate at rest:
 //
 //   position = rest position + n + e,   dn/dt = -n / tau + noise (stationary, variance c),   e white, variance w
 //
@@ -72,7 +72,7 @@ class NoiseLearner {
 
   /// Processes the last of `places` of a resting finger; the last `rested` + 1 positions belong to the same rest.
   void learn(const RecentPlaces<Point>& places, int rested);
-  /// Processes the last of `places` of a moving finger, which shows the white noise only.
+  /// Processes the last three of `places` of a moving finger, which show the white noise only.
   void learn_moving(const RecentPlaces<Point>& places);
 
   /// The known noise, or a mean of assumed and estimated noise; the weight of the estimate grows with steps().

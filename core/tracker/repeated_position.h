@@ -14,7 +14,8 @@ namespace hrt {
 template <class Point>
 class RepeatedPosition {
  public:
-  /// Returns true if `position` equals the last measurement exactly, less than 50 ms after it. Times must not decrease.
+  /// Returns true if `position` equals the previous one exactly, less than 50 ms after the first of these equal
+  /// positions. Times must not decrease.
   bool is_copy(std::int64_t time_ns, const Point& position) {
     if (last_ && last_->position == position) return elapsed_ns(last_->time_ns, time_ns) < max_copy_ns;
     last_ = {time_ns, position};
