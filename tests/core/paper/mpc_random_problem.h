@@ -1,5 +1,5 @@
-// Random problems for the controller: every quantity varies over its whole range, and values sometimes coincide
-// exactly. The random draws are the same on every host.
+// Random problems for the controller: quantities vary over most of their ranges, and values sometimes coincide exactly.
+// The random numbers are the same on every host.
 #pragma once
 
 #include <algorithm>

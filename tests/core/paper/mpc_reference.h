@@ -29,7 +29,8 @@ DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem);
 
 /// Residuals of the Karush-Kuhn-Tucker conditions.
 struct KktResidual {
-  long double stationarity;   ///< |gradient of half the cost + multipliers of the rows|, minimal over multipliers >= 0
+  /// largest entry of |gradient of half the cost + rows^T multipliers|, for the least-squares multipliers >= 0
+  long double stationarity;
   long double violation_deg;  ///< largest violation of a bound
 };
 KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate);

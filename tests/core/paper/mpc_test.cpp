@@ -99,7 +99,7 @@ TEST(Mpc, AStepWithoutGain_RotatesTowardsTheNextPerceivedStep) {
 }
 
 // w_T = 0.1 and a gap of 10 require 0.9 / 0.1 * 10 = 90 degrees: in the steady state every step is at the bound of 90
-// with a multiplier of 0. Here, methods that depend on rounding run in cycles.
+// with a multiplier of 0. Here, methods that depend on rounding may run in cycles.
 TEST(Mpc, AGapAtTheLimit_SettlesAtTheBound) {
   for (const double real : {-10.0, 10.0}) {
     for (const double rate : {std::numeric_limits<double>::infinity(), 45.0, 40.0}) {

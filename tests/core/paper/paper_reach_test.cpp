@@ -105,12 +105,12 @@ TEST(PaperReach, PositionsAfterDirections_SetTheDistanceToGo) {
   EXPECT_EQ(controller.summary().dropped_samples, 0);
 }
 
-// The reach begins at the smallest time, and the lift lasts until the largest time, of std::int64_t.
 TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
   PaperReach controller({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
   const auto sample = [](std::int64_t time_ns, Observation observation) {
     return FingerSample{.time_ns = time_ns, .observation = observation, .direction_deg = 2.0};
   };
+  // The lift lasts from almost the smallest to the largest time.
   constexpr std::int64_t start_ns = std::numeric_limits<std::int64_t>::min();
   controller.update(sample(start_ns, Observation::direction));
   controller.update(sample(start_ns + 50 * ms, Observation::lifted));
@@ -126,7 +126,8 @@ TEST(PaperReach, ALiftedOrRestingFinger_SuspendsTheSteps) {
 }
 
 // Without samples, the predicted finger follows the model, P_k+1 = P_k - K (w_T t + (1 - w_T) p), from 3 degrees, with
-// the plate at rest. Step 2 is the first step without a sample, so commands are `predicted` from step 3 on.
+// the plate at rest; t and p are the directions of ridge normal and finger, relative to the goal. Step 2 is the first
+// step without a sample, so commands are `predicted` from step 3 on.
 TEST(PaperReach, MissingSamples_GiveThePredictedFinger) {
   PaperReach controller({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
   for (int k = 0; k < 2; ++k) controller.update(direction(k * 100 * ms, 3.0 * k));
@@ -179,13 +180,13 @@ TEST(PaperReach, DuplicateSamples_CountOnce) {
   EXPECT_EQ(run(1), run(3));
 }
 
-// Between stops at 90 and 270 degrees, the orientation with the same ridges as 0 is 180.
 TEST(PaperReach, StopsWithoutTheCommand_GiveAnEquivalentOrientation) {
   PaperReachConfig config{.plate = {.max_speed_deg_s = 400.0, .stops = {90.0, 270.0}}};
   const Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 0.0};
   PaperReach stays(config, reach);
   EXPECT_EQ(stays.update({.time_ns = 0}).plate_orientation_deg, 90.0);
 
+  // Between the stops, the orientation with the same ridges as 0 is 180.
   config.fixed_plate_orientation_deg = 0.0;
   PaperReach fixed(config, reach);
   for (int i = 0; i < 3; ++i) {
@@ -225,7 +226,6 @@ TEST(PaperReach, ARestingFinger_LeavesThePlateAtRest) {
   }
 }
 
-// A lift before the motion has the same effect on the clock of the steps as a dropout.
 TEST(PaperReach, ALiftBeforeTheMotion_DoesNotDelayTheSteps) {
   std::vector<std::int64_t> steps;
   for (const Observation before : {Observation::none, Observation::lifted}) {

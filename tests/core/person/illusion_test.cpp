@@ -63,7 +63,7 @@ TEST(Illusion, ADecayingCue_HasItsMaximumBelowTheBound) {
   EXPECT_GT(max.felt.shift_deg, felt_shift(fading, max.offset_deg + 1.0).shift_deg);
 }
 
-// The maximum is at t = 75 sqrt(0.3 / 0.36) = 68.465, where the shift is 0.3 t * 2 / 3.
+// The maximum of `curved` is at t = 75 sqrt(0.3 / 0.36) = 68.465, where the shift is 0.3 t * 2 / 3.
 TEST(Illusion, TheMaximum_IsAtZeroSlopeOrAtTheBound) {
   EXPECT_NEAR(max_shift(curved, 75.0).offset_deg, 68.4653, 1e-4);
   EXPECT_NEAR(max_shift(curved, 75.0).felt.shift_deg, 13.69306, 1e-5);

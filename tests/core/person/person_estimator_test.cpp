@@ -49,8 +49,8 @@ TEST_F(PersonEstimatorTest, WithoutASample_ThePositionIsTheStart) {
   EXPECT_EQ(distance_mm(estimator.place(), {30.0, -20.0}), 0.0);
 }
 
-// The tracker is precise, because noise would hide the first millimetres. The speed peaks at half of the time, later
-// than with the estimator's Tuning::pace_skew.
+// The tracker is precise, because noise would hide the first millimetres. The finger's speed peaks at half of the time,
+// later than with the estimator's Tuning::pace_skew.
 TEST_F(PersonEstimatorTest, PrecisePositions_DateTheOnsetWithin40Ms) {
   PersonBelief belief = unknown_person();
   belief.mean(PersonState::evenness) = 0.0;
@@ -93,7 +93,7 @@ TEST_F(PersonEstimatorTest, AnOutlierIsRejectedAndAJump_IsFollowed) {
   watch(finger, 0.0, 0.9);
   EXPECT_FALSE(estimator_.observe(0.905, {80.0, -40.0}, plate_));
   EXPECT_NEAR(estimator_.place().right_mm, 0.0, 2.0);
-  finger.start.right_mm = 60.0;  // tracking of another finger
+  finger.start.right_mm = 60.0;  // the tracker takes another finger for this one
   watch(finger, 0.92, 1.15);
   EXPECT_NEAR(estimator_.place().right_mm, 60.0, 3.0);
 }

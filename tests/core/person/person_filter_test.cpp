@@ -69,8 +69,8 @@ TEST(PersonFilter, APersonWithoutIllusion_MovesByTheClosedForm) {
   EXPECT_EQ(filter.mean(X::away), end_mm);
 }
 
-// With a variance in one trait only, cov(x, trait) / var(trait) after some steps is the derivative of x by the trait.
-// The test compares this derivative with difference quotients of whole motions.
+// With a variance in one trait only, cov(x, trait) / var(trait) of a state x after some steps is the derivative of x by
+// the trait. The test compares this derivative with difference quotients of whole motions.
 TEST(PersonFilter, Covariances_FollowTheDerivativesOfTheMotion) {
   const struct {
     X::Index trait;
@@ -123,7 +123,6 @@ TEST(PersonFilter, ARejectedPosition_LeavesTheStateUnchanged) {
   EXPECT_EQ(filter.covariance(), covariance);
 }
 
-// While the finger rests, 1/e of the correlated noise remains after one time constant.
 TEST(PersonFilter, ARestingFinger_LosesCorrelatedNoiseWithItsTimeConstant) {
   for (const double correlation_s : {0.03, 0.3}) {
     PersonFilter filter(unknown_person(), 5.0, 100.0, {0.1, 3.0, correlation_s});

@@ -29,7 +29,7 @@ PersonFilter under_way(double sign) {
   return filter;
 }
 
-// Returns a plan for a plate that has been at `plate_deg` for a long time.
+// Returns a plan. `plate_deg`: plate orientation whose effect the person perceives in the dead time.
 ReachPlan plan(const ReachControlConfig& config, const PersonFilter& filter, double plate_deg,
                const PlatePoint& target = {0.0, 100.0}, double dead_s = 0.09) {
   return plan_reach(
@@ -74,7 +74,7 @@ TEST(ReachControl, FarTargets_KeepThePlateWithinTheBound) {
   }
 }
 
-// The people have known traits and no noise.
+// The filter itself is the person, with known traits and no noise.
 TEST(ReachControl, PeopleOfTheModel_ArriveAtTheTarget) {
   for (const double duration_s : {1.0, 1.5, 3.0}) {
     for (const double virtual_deg : {-gap_deg, 0.0, gap_deg, 2.0 * gap_deg}) {
@@ -106,7 +106,6 @@ TEST(ReachControl, TheReadyOrientation_IsThatOfTheFirstPlan) {
   EXPECT_GT(ready_deg, 20.0);
 }
 
-// Without a gap and a bias, the ridges are across the motion.
 TEST(ReachControl, NoGap_KeepsTheRidgesAcrossTheMotion) {
   const PersonFilter filter(unknown_person(), 0.0, 100.0, {});
   EXPECT_NEAR(ready_orientation_deg({}, filter, {0.0, 100.0}), 0.0, 1e-9);

@@ -22,7 +22,6 @@ TEST(PlateLimits, AnOrientationAtTheBound_IsUnchanged) {
   }
 }
 
-// 94.5 and -85.5 degrees have the same ridges; -85.5 is nearer to 0.
 TEST(PlateLimits, EquivalentOrientations_GiveTheNearest) {
   EXPECT_DOUBLE_EQ(nearest_equivalent_deg(94.5, 0.0, {}), -85.5);
   EXPECT_DOUBLE_EQ(nearest_equivalent_deg(80.0, 0.0, {}), 80.0);
@@ -42,10 +41,9 @@ TEST(PlateLimits, EquivalentOrientations_GiveTheNearest) {
   }
 }
 
-// The range from 30 to 80 fits between stops at +-90 only without a half turn. Between stops at +-360, the range also
-// fits after 1, -1 or -2 half turns: the number that brings it nearest to the present orientation is used.
 TEST(PlateLimits, Stops_GiveTheHalfTurnsThatFit) {
   const PlateStops half{.lower_deg = -90.0, .upper_deg = 90.0};
+  // The range from 30 to 80 fits only without a half turn.
   for (const double current : {-90.0, 0.0, 90.0}) EXPECT_EQ(half_turns_between_stops(30.0, 80.0, current, half), 0.0);
   // The upper stop cuts 20 degrees off 40 to 110; the lower stop cuts 50 degrees off -140 to -70.
   EXPECT_EQ(half_turns_between_stops(40.0, 110.0, -90.0, half), 0.0);
@@ -54,6 +52,8 @@ TEST(PlateLimits, Stops_GiveTheHalfTurnsThatFit) {
   EXPECT_EQ(half_turns_between_stops(60.0, 120.0, 80.0, half), 0.0);
   EXPECT_EQ(half_turns_between_stops(60.0, 120.0, -80.0, half), -1.0);
 
+  // The range from 30 to 80 also fits after 1, -1 or -2 half turns: the number that brings it nearest to the present
+  // orientation is used.
   const PlateStops two{.lower_deg = -360.0, .upper_deg = 360.0};
   EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 0.0, two), 0.0);
   EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 180.0, two), 1.0);

@@ -153,7 +153,7 @@ TEST(PlateTrace, EqualTimes_UseTheLastEntry) {
   EXPECT_NEAR(trace.at(5.05), 4.5, 1e-9);
 }
 
-// The plate rotates at 100 deg/s. At any sample rate, at least the last second is stored.
+// The plate rotates at 100 deg/s.
 TEST(PlateTrace, AnyRate_KeepsOneSecond) {
   for (const double rate_hz : {90.0, 240.0, 1000.0, 2000.0}) {
     PlateTrace trace;

@@ -46,7 +46,7 @@ std::vector<MarkTouch> exact_touches(const Matrix3d& rotation, const Vector3d& p
 }
 
 double turn_rad(const Matrix3d& found, const Matrix3d& truth) {
-  // R = R_true (1 + [w]x): w_y is half of the difference of two elements.
+  // found = truth (1 + [w]x); w_y, the rotation about the normal, is half of the difference of two elements.
   const Matrix3d error = truth.transpose() * found;
   return 0.5 * (error(0, 2) - error(2, 0));
 }
@@ -145,7 +145,7 @@ TEST(Registration, InconsistentTouches_AreRejected) {
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::inconsistent);
 }
 
-// Left and right are swapped on a flat plate: an upside-down plate fits the touches, unless up is known.
+// Left and right are swapped on a flat plate: an upside-down plate fits the touches, so only `up` reveals the error.
 TEST(Registration, SwappedMarks_AreRejectedAsUpsideDown) {
   const Vector3d position(100.0, 700.0, -300.0);
   const Matrix3d level = AngleAxisd(0.4, Vector3d::UnitY()).toRotationMatrix();
@@ -155,7 +155,6 @@ TEST(Registration, SwappedMarks_AreRejectedAsUpsideDown) {
   std::swap(touches[2].touched_mm, touches[4].touched_mm);
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::accepted);
   EXPECT_EQ(fit_registration({.up = up}, touches).verdict, RegistrationVerdict::upside_down);
-  // A plate that leans by 50 degrees is accepted; a plate that leans by 70 degrees is rejected.
   const auto leaning = [&](double by_deg) {
     const Matrix3d lean = AngleAxisd(by_deg * rad_per_deg, Vector3d::UnitX()).toRotationMatrix();
     return fit_registration({.up = up}, exact_touches(lean, position)).verdict;

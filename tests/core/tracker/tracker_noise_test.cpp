@@ -126,7 +126,7 @@ TEST(TrackerNoise, AnotherPositionAndUnit_ScalesTheNoise) {
   EXPECT_NEAR(there.correlation_s.value, here.correlation_s.value, 1e-6);
 }
 
-// The SD of n values of white noise has a relative error of 1 / sqrt(2 n), to which the interval must correspond.
+// The SD of n values of white noise has a relative error of 1 / sqrt(2 n), which gives the width min_mm.
 TEST(TrackerNoise, WhiteNoise_HasAnIntervalOfTheExpectedWidth) {
   const SimulatedTracker tracker{"white", 1.2, 0.0, 0.1, 90.0};
   const Rests rests = simulate_rests(tracker, 1, 20.0, 0);
