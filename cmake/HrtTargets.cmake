@@ -100,9 +100,9 @@ else()
   set(HRT_COMPATIBILITY SameMajorVersion)
 endif()
 
-# hrt_make_loadable(name MAP): configures a shared library that any process can load. It exports only the names in MAP,
-# and contains the C++ runtime. On Windows, import libraries for MinGW (.dll.a) and MSVC (.lib) and a .def file for other
-# compilers are written to the folder of the DLL.
+# hrt_make_loadable(name MAP): configures a shared library that any process can load. It exports only the names in MAP, or
+# on Windows those that the sources export, and contains the C++ runtime. On Windows, import libraries for MinGW (.dll.a)
+# and MSVC (.lib) and a .def file for other compilers are written to the folder of the DLL.
 function(hrt_make_loadable name map)
   set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${HRT_ABI_VERSION})
   if(WIN32)

@@ -64,7 +64,7 @@ class Caller {
         &Caller::list,   &Caller::gap,     &Caller::begin,      &Caller::end,        &Caller::retarget,
         &Caller::cancel, &Caller::state,   &Caller::assign,     &Caller::residual,   &Caller::set_up};
     const auto chosen = bytes_.ConsumeIntegralInRange<size_t>(0, 20);
-    chosen < std::size(calls) ? (this->*calls[chosen])() : update();  // most calls are updates
+    chosen < std::size(calls) ? (this->*calls[chosen])() : update();  // the most frequent call
   }
 
  private:

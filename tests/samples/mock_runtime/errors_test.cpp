@@ -1,5 +1,4 @@
-// Error codes of the functions, called without a loader, which would check some arguments itself. Each call has one
-// mistake.
+// Error codes of the functions, called without a loader, which would check some arguments itself.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>

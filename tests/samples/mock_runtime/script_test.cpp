@@ -242,7 +242,7 @@ TEST_F(MockScript, FixingOneTraitDoesNotChangeTheRandomDrawOfAnother) {
   EXPECT_NE(weights[0], weights[1]);
 }
 
-// Therefore an application can continue an interrupted run: it sets the seed and the number of the next reach.
+// An application can thus continue an interrupted run, by the seed and the number of the next reach.
 TEST_F(MockScript, SeedAndNumberDetermineTheReach) {
   begin_with(R"({"seed": 9})");
   const std::array<double, 3> whole{final_direction(), final_direction(), final_direction()};

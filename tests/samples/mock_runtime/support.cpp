@@ -13,7 +13,7 @@ extern "C" __attribute__((visibility("default"))) const char* __lsan_default_sup
 namespace hrt::mock {
 namespace {
 
-// Sets the environment before the first test, since the loader and the runtime read it for every instance.
+// Selects the runtime, and removes the variables of the calling shell, before the first test.
 const bool environment_is_set = unsetenv("HRT_MOCK_SCRIPT") == 0 && unsetenv("HRT_MOCK_CALL_LOG") == 0 &&
                                 setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1) == 0;
 
