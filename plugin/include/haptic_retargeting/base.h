@@ -19,8 +19,8 @@
  *  - Calls return hrt_result, except those that return a text, the version or a struct with its defaults. HRT_OK is 0;
  *    every error is negative. After an error, the session and the outputs are unchanged, and hrt_last_error() names
  *    the call and what is wrong.
- *  - No call throws, aborts or terminates the process, including when memory is exhausted. Exception: hrt_scene_load()
- *    may terminate the process if memory is exhausted.
+ *  - No call throws, aborts or terminates the process, including when memory is exhausted. Exceptions (PROCESS.md):
+ *    hrt_scene_load() if memory is exhausted, and hrt_recording_start() beyond the process's limit of file sizes.
  *  - The comment of a call lists its errors, except NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE, BUSY and INTERNAL.
  *  - Comments omit the prefixes of constants: WRONG_STATE is HRT_ERROR_WRONG_STATE, and ARRIVAL or GUIDANCE_ARRIVAL is
  *    HRT_GUIDANCE_ARRIVAL.

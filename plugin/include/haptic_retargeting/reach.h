@@ -119,7 +119,7 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_MISFIT UINT32_C(128)
 /** Under ARRIVAL: the bearing of the end of the motion, predicted or actual, probably differs by more than 1.5 degrees
  *  from that of the real target. Under either guidance: after three tenths of the path, the finger is more than 60
- *  degrees off the bearing of the target, or it has ended far from the target (see HRT_COMMAND_ARRIVED). */
+ *  degrees off the bearing of the target, or the motion has ended, but not near the target (HRT_COMMAND_ARRIVED). */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
 /** Under ARRIVAL: the finger has stopped or was lifted after the onset of the motion; the last command is repeated. */
 #define HRT_COMMAND_RESTING UINT32_C(512)
@@ -134,9 +134,9 @@ typedef uint32_t hrt_command_flags;
  *  hrt_host_set_log(), hrt_session_set(), hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load(),
  *  hrt_profile_reset() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
-/** The motion has ended; hrt_reach_retarget() may continue the reach. The finger was at the start or has moved; then it
- *  has rested for 0.4 s near the real target, after nine tenths of the path, or for 2 s at most 60 degrees off the
- *  target's bearing, after three tenths of the path. If the finger is not near the target, OFF_TARGET is set. "Near" is
+/** The motion has ended; hrt_reach_retarget() may continue the reach. A finger that was at the start, or has moved, has
+ *  then rested: for 0.4 s near the real target, after nine tenths of the path; or for 2 s within 60 degrees of the
+ *  target's bearing, after three tenths of the path. OFF_TARGET is set if the finger is not near the target. "Near" is
  *  within a quarter of the target's distance from the start, or within 15 mm if this is more. A lift, a dropout of more
  *  than 0.2 s, or a move of the real target by 2 mm or more restarts the time. Not set in a reach with directions only:
  *  use a time limit there. */

@@ -109,8 +109,8 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_FADING 7
 /** SD of the bias from reach to reach: how steadily the user aims. @range 0 to 10 @unit deg */
 #define HRT_PERSON_SCATTER 8
-/** Natural logarithm of the SD, in degrees, of the path's random deviation from the line to the target.
- *  @range -1.5 to 3 @unit 1 */
+/** Natural logarithm of the SD, in degrees, of the random deviation of the motion from the direction in which the user
+ *  steers. @range -1.5 to 3 @unit 1 */
 #define HRT_PERSON_LOG_WANDER 9
 /** Number of traits. */
 #define HRT_PERSON_TRAITS 10

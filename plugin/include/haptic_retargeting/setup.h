@@ -217,8 +217,8 @@ typedef struct hrt_setup_result {
   hrt_setup_parts done;
   /** Parts that are not finished: continue to call hrt_setup_update(). 0: the set-up is over. */
   hrt_setup_parts left;
-  /** Values that a RETEST found to be different, by Holm's procedure. If nothing has changed, 5 % of retests report a
-   *  difference. */
+  /** Values that a RETEST found to be different, by Holm's procedure. If nothing has changed, at most 5 % of retests
+   *  report a difference. */
   hrt_setup_difference differing;
   /** Patterns that the model does not explain; the estimates of the user are then not applied. 0: no pattern. If the
    *  model fits, each pattern is reported for 1 % of users. */
@@ -245,7 +245,7 @@ typedef struct hrt_setup_result {
   hrt_interval tactile_weight;
   /** Bias: direction at which the user aims, minus the direction of the target. @ccw */
   hrt_interval bias_deg;
-  /** Largest feasible gap (hrt_gap::max_gap_deg), on the side on which it is smaller. */
+  /** Largest feasible gap with the plate within 75 degrees of the motion, on the side on which it is smaller. */
   hrt_interval max_gap_deg;
   /** Reason for which the last dropped part was dropped, in one line of UTF-8; empty if no part was dropped. */
   char reason[HRT_TEXT_SIZE];
