@@ -57,7 +57,7 @@ typedef struct hrt_host {
  *
  *  @param host  Functions, copied. Null: the defaults.
  *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of
- *          allocate and release is given.
+ *          allocate and release is given; OUT_OF_RANGE if `reserved` is not 0.
  *  @threadsafety [any-thread], but while the allocator changes no other thread may be in a call of this library. */
 HRT_NODISCARD HRT_API hrt_result hrt_host_set(const hrt_host* host) HRT_NOEXCEPT;
 
