@@ -75,7 +75,7 @@ inline std::string little_endian(std::size_t value) {
   return bytes;
 }
 
-/// Converts a file to binary glTF, with `data` as its binary chunk, whose size is a multiple of 4 bytes.
+/// Converts a file to binary glTF. `data`: the binary chunk, of a multiple of 4 bytes; empty: no chunk.
 inline std::string glb(const Json& document, const std::string& data = "") {
   std::string json = document.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');

@@ -15,8 +15,8 @@
 namespace hrt::plugin {
 
 /// A call converts the structs of the C headers, calls the session and writes the results. If a call fails, session and
-/// outputs are unchanged. Calls of a reach take the pointers of the caller; a call whose struct is null or has a wrong
-/// size is not recorded.
+/// outputs are unchanged. Calls of a reach take the pointers of the caller; a call whose struct cannot be read is not
+/// recorded.
 class RecordedSession {
  public:
   explicit RecordedSession(const SessionModel& valid_model) : session_(valid_model) {}
