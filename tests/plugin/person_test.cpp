@@ -228,8 +228,8 @@ TEST_F(PersonTest, ReachThatEndsEarlyChangesNoEstimate) {
   EXPECT_FALSE(is_unknown(config_of(session)));
 }
 
-// With the plate at 75 degrees, a weight of 0.2 gives a shift of 15 degrees: a gap of 30 is not feasible. If the weight
-// of the person is half of the configured one, the target is missed.
+// With the plate at 75 degrees to the motion, a weight of 0.2 gives a shift of 15 degrees: a gap of 30 is not feasible.
+// If the weight of the person is half of the configured one, the target is missed.
 TEST_F(PersonTest, UnreachableAndMissedTargetsAreFlagged) {
   create(servo_config());
   PersonCondition condition = steady_person();

@@ -98,7 +98,6 @@ TEST_F(SceneAbiTest, LoadsFromMemory) {
                "half a desk");
 }
 
-// The plate's radius is 0.1 m.
 TEST_F(SceneAbiTest, TargetsBeyondTenPlateRadiiLogAWarning) {
   const auto log_of = [](const char* far_z) {
     const std::string text = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,1,2]}],"nodes":[

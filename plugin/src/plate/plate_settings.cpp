@@ -1,4 +1,4 @@
-// The functions of PlateLink for the settings of a board, its self-test and measurements.
+// Functions of PlateLink for the settings of a board, its self-test and measurements.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -5,9 +5,9 @@
 
 namespace hrt::plate {
 
-/// The pattern of the ridges repeats every 180 degrees. Returns, of the orientations in [min_deg, max_deg] with the
-/// same pattern as `orientation_deg`, the one nearest to `from_deg`. If the range has none, returns the limit that is
-/// nearest to an orientation with this pattern.
+/// The pattern of the ridges repeats every 180 degrees. Returns the orientation in [min_deg, max_deg] that has the same
+/// pattern as `orientation_deg` and is nearest to `from_deg`. If the range has none, returns the limit that is nearest
+/// to an orientation with this pattern.
 inline double nearest_with_same_ridges(double min_deg, double max_deg, double orientation_deg, double from_deg) {
   const double half_turns = std::ceil((min_deg - orientation_deg) / 180.0);
   const double lowest_deg = orientation_deg + 180.0 * half_turns;  // lowest orientation that is not below the range

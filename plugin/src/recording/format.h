@@ -122,7 +122,7 @@ inline constexpr std::string_view end_comment = "# end ";
 /// Writes the last line, with the checksum of all lines before it.
 void write_end(std::uint64_t checksum, RecordText& out);
 
-/// Fails unless the line is the line with the names of the columns.
+/// Fails unless `line` has the names of the columns.
 hrt_result check_column_names(std::string_view line);
 
 /// Reads the input columns and the result of a row, not the output columns.

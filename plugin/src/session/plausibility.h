@@ -38,7 +38,8 @@ class Plausibility {
   void skip_directions() { skips_directions_ = true; }
   /// Checks a sample. Pass every sample of the reach in order, before outliers are removed.
   void observe(const FingerSample& sample);
-  /// Returns the first finding other than far_away. Without one, returns far_away while all positions are far away.
+  /// Returns the first finding other than far_away. Without one, returns far_away if all of 20 or more
+  /// positions are far away.
   const Implausible& found() const { return found_.kind != Implausible::Kind::none || !is_far() ? found_ : far_; }
 
  private:

@@ -55,7 +55,7 @@ class Session {
   hrt_result touched(const ContactReport& report);
   hrt_result cancel();
   hrt_result end(ReachSummary* out);
-  /// Makes end() discard estimates and contact of the present reach. Call it after a value that was not finite.
+  /// Makes end() discard estimates and contact of the present reach. Call it if a value of a command was not finite.
   void mark_faulty();
 
   /// The likely mistake in the current reach, or in the last one.

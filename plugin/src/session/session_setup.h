@@ -38,7 +38,7 @@ class SessionSetup {
   static hrt_result check(const SessionModel& model, const Targets& targets, std::uint32_t parts,
                           const SetupConfig& asked);
 
-  /// `asked` has the fields of hrt_setup_config. If it has no marks, the default marks are used.
+  /// Reads the fields of hrt_setup_config from `asked`. If it has no marks, the default marks are used.
   SessionSetup(const SessionModel& model, const Targets& targets, std::uint32_t parts, const SetupConfig& asked,
                double plate_orientation_deg);
 

@@ -45,8 +45,8 @@ void apply_registration(const Registration& found, std::int64_t time_ns, Session
 }
 
 // Writes the determined parameters of the user and of the tracker's noise into the model. A determined weight or bias
-// replaces the estimates from reaches by a prior with this value; if slope, curve, bias and
-// habit are determined, the calibration replaces all estimates.
+// replaces the estimates from reaches by a prior with this value; if slope, curve, bias and habit are determined, the
+// calibration replaces all estimates.
 void apply_calibration(const Calibration& calibration, SessionModel* model) {
   const Interval& weight = calibration.tactile_weight;
   Participant& participant = model->control.participant;

@@ -98,7 +98,6 @@ TEST_F(PlateWatchTest, ASlowPlateIsNotStuck) {
   EXPECT_NEAR(watch.speed_deg_s().value(), 2.0, 1e-6);
 }
 
-// 100 degrees a second from 0 to 80 degrees, reported every 20 ms.
 TEST_F(PlateWatchTest, MeasuresTheSpeed) {
   PlateWatch watch(greeting, start);
   watch.note_report(start, 0.0);
