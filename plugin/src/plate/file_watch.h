@@ -18,8 +18,8 @@ class FileWatch {
 
   /// Call it after each Device::wait(). `command_deg` is nullopt while the plate has no command.
   void update(Time now, const Device& device, std::optional<double> command_deg);
-  /// True if the plate has less than 80 % of the speed in the file, rests for a second with more than the error in the
-  /// file, or follows its commands more than 40 ms later than with the latency in the file.
+  /// True if the plate has less than 80 % of the file's speed, rests for a second with more than the file's error, or
+  /// follows its commands more than 40 ms later than the file's latency.
   bool deviates() const { return deviates_; }
 
  private:
