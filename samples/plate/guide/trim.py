@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Cuts the empty margin off a picture, and keeps 64 colours: trim.py PICTURE..."""
+"""Reduces the empty margin of each picture to 40 pixels, and its colours to 64: trim.py PICTURE..."""
 import sys
 
 from PIL import Image, ImageChops, ImageOps

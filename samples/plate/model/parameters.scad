@@ -105,11 +105,11 @@ fuse_hole_mm = 12.4;
 board_ties_mm = 58;
 
 /* [Hidden] */
-// Number of corners of a large circle (a multiple of 4 for exact diameters along X and Y), and of a hole.
+// Numbers of corners of a large circle and of a hole. A multiple of 4 gives exact diameters along X and Y.
 facets = 120;
 hole_facets = 16;
 
-// Screws M3, in plastic: hole for the shaft, hole that the thread cuts into, hole for the head.
+// Screws M3 and M2: free hole for the shaft, pilot hole in plastic that the thread cuts into, hole for the head.
 m3_free_mm = 3.4;
 m3_pilot_mm = 2.6;
 m3_head_mm = 6.6;

@@ -21,7 +21,7 @@ module ridges() {
   }
 }
 
-// Cap of a sphere, for subtraction. Its lowest point is dimple_depth_mm below the origin.
+// Cap of a sphere. Its lowest point is dimple_depth_mm below the origin.
 module dimple() {
   radius_mm = dimple_diameter_mm / 2;
   sphere_mm = (radius_mm * radius_mm + dimple_depth_mm * dimple_depth_mm) / (2 * dimple_depth_mm);

@@ -46,7 +46,8 @@ struct Found {
   std::string description;
 };
 
-// Returns the first device that answers at `path`. Tries all kinds of devices, unless `path` begins with a kind.
+// Returns the first device that answers at `path`. Tries all kinds of devices, unless `path` begins with a kind or
+// cannot be opened.
 std::optional<Found> find_at(const std::string& path, const Environment& env) {
   std::vector<std::string> names;
   if (path.find(':') != std::string::npos) {

@@ -20,7 +20,7 @@ constexpr double max_limit_deg = 95.0;
 constexpr double scale_error = 0.007;  // relative standard error of 60 degrees on the scale, read to whole degrees
 constexpr double min_readings = 20.0;  // smallest difference of the sensor's readings at the two angles
 constexpr double stop_step_deg = 3.0;  // step of the search for a stop
-// A plate that lags more in the last step is at a stop. A count of the sensor is 0.3 degrees.
+// A plate that lags more in the last step is at a stop. The resolution of the sensor is 0.3 degrees.
 constexpr double max_lag_deg = 0.5;
 constexpr int bends = 9;                 // number of the settings bend_0 to bend_8: the nonlinearity of the sensor
 constexpr double max_bend_deg = 5.0;     // a larger nonlinearity shows that the sensor is mounted wrongly
@@ -69,7 +69,7 @@ double read_scale(Device& device, const Dialogue& dialogue, double orientation_d
   return *read_deg;
 }
 
-// Finds the direction and the span of the servo, and the relation between orientation and reading of the sensor.
+// Finds and sets direction, span and zero of the servo. Returns the relation between orientation and sensor reading.
 SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue& dialogue) {
   ask(device, dialogue,
       "Keep your hands off the plate: it is homed slowly, then turns to two orientations. Press Enter to start.");
@@ -119,7 +119,7 @@ double orientation_after_step(Device& device, double orientation_deg) {
 }
 
 // Steps from first_limit_deg towards limit_deg, and returns the orientation stop_margin_deg before the first stop. A
-// stop is detected by a lag of half a step or, in the last step, of max_lag_deg.
+// stop is detected by a lag of half a step or, in the last step, of max_lag_deg. Without one, returns about limit_deg.
 double find_stop(Device& device, double limit_deg) {
   const double sign = limit_deg < 0.0 ? -1.0 : 1.0;
   const int count = static_cast<int>(std::ceil((std::abs(limit_deg) - first_limit_deg) / stop_step_deg));
@@ -146,7 +146,7 @@ void with_board(const Opener& open, Action action) {
   board.save_settings();
 }
 
-// Sets up a hobby servo. Opens the plate again after each change of its limits, which the driver reads at that time.
+// Sets up a hobby servo. Opens the plate again after each change of its limits, which the driver reads on opening.
 void set_up_servo(const Opener& open, const Dialogue& dialogue) {
   SensorLine sensor{};
   with_board(open, [&](Device& device, BoardSettings& board) {

@@ -10,7 +10,7 @@
 
 namespace hrt::plate {
 
-/// Input of the operator since the last read.
+/// Result of one read of the operator's input.
 struct Input {
   std::optional<std::string> line;  ///< entered line; nullopt if no line was entered
   bool ended = false;               ///< the input has ended

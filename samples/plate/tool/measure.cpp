@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double max_slip_deg = 0.4;  // largest error of the return from the sweep; a count of the sensor is 0.3 deg
+constexpr double max_slip_deg = 0.4;  // largest error of the return from the sweep; the sensor's resolution is 0.3 deg
 constexpr double near_deg = 5.0;      // a plate that is nearer to its command than this has arrived
 constexpr double still_deg = 0.6;     // largest change of the reports of a plate at rest, due to noise
 constexpr auto rest_time = 200ms;
@@ -86,7 +86,7 @@ void measure_steps(Device& device, Measurements& found) {
   for (int i = 0; i < steps; ++i) {
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     settle_at(device, -sign * half_deg);
-    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // each step starts between other counts of the sensor
+    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // averages the rounding of the sensor's readings
     const double from_deg = settle_at(device, -sign * (half_deg - run_up_deg - aside_deg));
     while ((device.now() - first) % frame > 1ms) device.wait(1ms);
     for (const auto begin = device.now() + frame * i / steps; device.now() < begin;) device.wait(1ms);
@@ -108,7 +108,7 @@ std::vector<SweepPoint> sweep(Device& device) {
   const double min_deg = low_deg, max_deg = high_deg;
   const int count = std::max(4, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
   const auto visit = [&](int i, bool upwards) {
-    // The distances are unequal, so that the points are spread over the counts of the sensor.
+    // The distances are unequal, so that rounding of the sensor's readings averages out.
     const double aside = i == 0 || i == count ? 0.0 : 0.5 * (std::fmod(0.618 * i, 1.0) - 0.5);
     const double commanded_deg = min_deg + (max_deg - min_deg) * (i + aside) / count;
     found.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});

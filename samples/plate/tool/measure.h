@@ -25,7 +25,7 @@ std::vector<SweepPoint> sweep(Device& device);
 struct Measurements {
   std::string device;                ///< result of Device::description()
   std::vector<std::string> details;  ///< result of Device::details()
-  DeviceLimits limits{};             ///< limits of the device, with the speed that commission() has set
+  DeviceLimits limits{};             ///< limits of the device; for a hobby servo, commission() sets the speed
   std::chrono::nanoseconds round_trip{};
   std::vector<SweepPoint> sweep;
   Measured error_deg;     ///< mean of reported minus commanded orientation in the sweep; `deviation`: SD of a point
@@ -36,7 +36,7 @@ struct Measurements {
   Measured latency_ms;  ///< time from the arrival of a command at the device to the motion
 };
 
-/// Turns the plate, and waits for the time that this takes.
+/// Turns the plate, and waits for the longest time that this may take.
 void turn_and_wait(Device& device, double orientation_deg);
 
 /// Turns the plate, and waits until it has rested near the command for 0.2 s. Returns its mean orientation in that
@@ -44,13 +44,12 @@ void turn_and_wait(Device& device, double orientation_deg);
 double settle_at(Device& device, double orientation_deg);
 
 /// Measures a plate, which moves through its range for up to three minutes: keep hands off. Passes a line to `print` at
-/// each stage. Throws PlateFailure if the plate fails, has no sensor, or does not come to rest.
+/// each stage. Throws PlateFailure if the plate fails, has no sensor, or cannot be measured.
 Measurements measure(Device& device, const std::function<void(const std::string&)>& print);
 
-/// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, and saves in the
-/// plate: direction and span of the servo, readings and nonlinearity of the sensor, stops, speed and latency. `open`
-/// opens the device, and may be called several times. Throws PlateFailure if a quantity cannot be measured, and
-/// InputEnded.
+/// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, and saves the
+/// settings that it finds in the plate. `open` opens the device, and may be called several times. Throws PlateFailure
+/// if a quantity cannot be measured, and InputEnded.
 Measurements commission(const std::function<std::unique_ptr<Device>()>& open, const Dialogue& dialogue);
 
 std::string text_of(const Measurements& found);

@@ -41,9 +41,9 @@ std::optional<Ramp> ramp_of(const Step& step) {
   return Ramp{speed_deg_s, (t - x / speed_deg_s) / n};
 }
 
-// Log likelihood of an onset and an acceleration, for an unknown SD of the noise. The model is the filtered response to
-// a constant acceleration minus the response to an equal one that starts when the plate has reached its full speed. The
-// likelihood counts fewer than n samples, because the filter correlates successive samples.
+// Log likelihood of a step's onset and acceleration, for an unknown SD of the noise. The model is the filtered response
+// to a constant acceleration minus the response to an equal one that starts when the plate has reached its full speed.
+// The likelihood counts fewer than n samples, because the filter correlates successive samples.
 double likelihood(const Step& step, const Ramp& ramp, double onset_s, double acceleration_deg_s2, double filter_s) {
   const double full_s = ramp.speed_deg_s / acceleration_deg_s2;
   double n = 0.0, squares = 0.0, last_s = 0.0;
