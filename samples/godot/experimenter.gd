@@ -1,4 +1,4 @@
-## The experimenter's view from above: the true path of the finger, and the controller's estimate of the perceived path.
+## The experimenter's view from above: the tracked path of the finger, and the estimate of the perceived path.
 class_name Experimenter
 extends Node3D
 

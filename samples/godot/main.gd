@@ -2,7 +2,7 @@
 ##
 ##     godot --path . -- --person       a simulated person instead of the user of a headset
 ##     godot --path . -- --mouse        a finger that follows the mouse
-##     godot --path . -- --out=FOLDER   writes results.csv, experimenter.png and wearer.png to FOLDER and ends
+##     godot --path . -- --out=FOLDER   writes the results and pictures to FOLDER, and ends the program
 ##     godot --path . -- --reaches=20   sets a property of this node: a number, a text, or texts separated by commas
 extends Node3D
 
@@ -19,7 +19,8 @@ const REOPENING_S := 3.0
 
 ## Name of the device that turns the plate, such as serial:/dev/ttyACM0; empty: the plate is only drawn.
 @export var device := ""
-## Parts of the set-up. Without parts, the plate has the pose of the scene's file. --mouse always includes Registration.
+## Parts of the set-up. Without parts, the plate has the pose of the scene's file. --mouse replaces all parts except
+## Guides by Registration.
 @export_flags("Fingertip:1", "Registration:2", "Guides:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]

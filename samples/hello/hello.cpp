@@ -123,7 +123,7 @@ struct Headset {
     return sample;
   }
 
-  // Asks the simulated user to slide the fingertip from the start to the virtual target.
+  // Asks the simulated user to slide the fingertip from the start towards the virtual target.
   void instruct(const Reach& reach) {
     XrVector3f start = pose(reach.scene.start_position_m, {0, 0, 0, 1}).position;
     start.y += 0.008f;  // the tracked joint is inside the fingertip, 8 mm above the plate

@@ -29,8 +29,8 @@
 namespace hrt::reach {
 namespace {
 
-constexpr int losses_allowed = 3;      // lost sessions or instances in a row
-constexpr int unfinished_allowed = 3;  // unfinished reaches in a row
+constexpr int losses_allowed = 3;      // lost sessions or instances without a finished reach or slide in between
+constexpr int unfinished_allowed = 3;  // the run ends at this number of unfinished reaches in a row
 
 // Thrown during a reach when the person requests another reach.
 struct OtherReach : std::exception {
@@ -184,10 +184,10 @@ class Run {
       instructed->seed(options_.seed, static_cast<std::uint32_t>(next_));
     } else {
       prompt_.listen();
-      // place_of() may wait for an answer. An open plate, which needs service() in each frame, would stop meanwhile.
       if (touch_)
         scene_place_ = {session.floor_space(), targets_.plate_pose,
                         "The position of the plate relative to the touch frame is that of the option --finger."};
+      // place_of() may wait for an answer. An open plate, which needs service() in each frame, would stop meanwhile.
       if (!is_registered() && !scene_place_) scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
     }
     const std::unique_ptr<Plate> plate =

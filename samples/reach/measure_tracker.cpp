@@ -14,8 +14,8 @@ constexpr std::size_t reaches = 20;
 constexpr double still_m = 0.003, apart_m = 0.03;
 constexpr XrDuration rest_ns = 700'000'000;
 
-// Waits until the finger has stayed within 3 mm for 0.7 s, at least 30 mm from `last` (null: anywhere), and returns its
-// mean position.
+// Waits until the finger has stayed within 3 mm for 0.7 s, at least 30 mm from `last`, and returns its mean position.
+// If `last` is null, the finger may rest anywhere.
 Point next_rest(RunContext& context, const Point* last) {
   Point first{}, sum{};
   int count = 0;
@@ -43,7 +43,7 @@ double share_within(double sd_deg) { return 100.0 * std::erf(1.5 / (sd_deg * std
 }  // namespace
 
 std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_distance_m) {
-  constexpr double low = 0.7605, high = 1.4606;  // sqrt(19 / q), where q is the 97.5 or 2.5 % quantile of chi squared
+  constexpr double low = 0.7605, high = 1.4606;  // sqrt(19 / q); q: 97.5 and 2.5 % quantiles of chi squared, 19 degrees
   const auto count = static_cast<double>(bearings_deg.size());
   double sum = 0.0, squares = 0.0;
   for (const double bearing_deg : bearings_deg) {

@@ -15,7 +15,7 @@ using namespace app;
 std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_distance_m);
 
 /// Asks the user to touch two dimples in turn, 20 times each, and returns bearing_sd_text(). Throws Failure
-/// (ExitCode::no_hand) if a dimple is not touched within the time limit.
+/// (ExitCode::no_hand) if the finger does not rest in a dimple within the time limit.
 std::string measure_tracker(RunContext& context);
 
 }  // namespace hrt::reach

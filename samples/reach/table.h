@@ -12,15 +12,15 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Largest bearing error of a reach that counts as reached, if the scene gives no radius.
+/// Largest bearing error within the tolerance.
 inline constexpr double tolerance_deg = 1.5;
 bool is_within_tolerance(const ReachResult& result);
 
 /// True if the reach ended inside the real target's radius, or within the tolerance if the scene gives no radius.
 bool is_reached(const TargetPair& pair, const ReachResult& result);
 
-/// Progress of a reach on standard error: one line that is rewritten, if it is a terminal; with `verbose`, a line per
-/// frame instead.
+/// Progress of a reach on standard error: on a terminal, one line that is rewritten; with `verbose`, a line per frame
+/// instead.
 class StatusLine {
  public:
   explicit StatusLine(bool verbose);

@@ -6,7 +6,7 @@
 
 namespace hrt::app {
 
-/// Thrown when a signal has requested that the program end.
+/// Thrown when a signal, or a key of the user, has requested that the program end.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(const char* why = "interrupted") : std::runtime_error(why) {}
