@@ -42,7 +42,7 @@ inline std::string damaged(const std::string& line, std::mt19937& random) {
         for (std::size_t i = 0, count = 1 + below(8); i < count; ++i) bad.insert(0, 1, static_cast<char>(random()));
         break;
     }
-    // A flipped bit may have made a line end, so that there would be two lines.
+    // The damage may have made a line end, so that there would be two lines.
     std::replace(bad.begin(), bad.end(), '\n', '\v');
     bad += '\n';
     if (bad != line && bad != line.substr(0, line.size() - 1) + "\r\n") return bad;

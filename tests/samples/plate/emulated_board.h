@@ -27,7 +27,7 @@ struct Pulse {
 /// Board of a plate in simavr, in simulated time: runs the ELF file of the firmware, with its serial line and its pins.
 class EmulatedBoard {
  public:
-  /// Powers the board on with this content of the EEPROM (empty: erased) and the contact of the emergency stop closed.
+  /// Powers the board on, with the contact of the emergency stop closed. An empty `eeprom` is an erased one.
   explicit EmulatedBoard(const std::vector<std::uint8_t>& eeprom = {});
   ~EmulatedBoard();
   EmulatedBoard(const EmulatedBoard&) = delete;
@@ -54,7 +54,7 @@ class EmulatedBoard {
   /// Returns all pulses that have ended so far.
   const std::vector<Pulse>& pulses() const { return pulses_; }
 
-  /// Resets the board, which keeps the content of its memory, as a brown-out or the opening of the serial line does.
+  /// Resets the board, which keeps its EEPROM, as a brown-out or the opening of the serial line does.
   void reset();
   /// Simulates a main loop that hangs: jumps to an endless loop, in which interrupts still run.
   void hang();

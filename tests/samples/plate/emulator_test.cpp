@@ -148,7 +148,7 @@ TEST_F(Firmware, DamagedLinesMoveNothing) {
     })) << i;
   }
   for (std::size_t i = before; i < board_.pulses().size(); ++i)
-    EXPECT_NEAR(board_.pulses()[i].width_us(), held_us, 0.45);  // a count of the timer is 0.5 us
+    EXPECT_NEAR(board_.pulses()[i].width_us(), held_us, 0.45);  // the timer's step is 0.5 us
   board_.receive_line("TEST");
   board_.run_for(30ms);
   const auto lines = board_.take_lines();
@@ -205,7 +205,7 @@ TEST_F(FirmwareWithoutSensor, IsHomedByOnePulseInEight) {
   EXPECT_GT(pulses.size(), 60U);
 }
 
-// The watchdog ends the pulses after a complete pulse, and resets the board once, which then waits for a greeting.
+// The watchdog ends the pulses after a complete pulse, and resets the board once.
 TEST_F(Firmware, AMainLoopThatHangsLosesItsPulsesAndIsReset) {
   set(90.0, 100ms);
   board_.take_lines();

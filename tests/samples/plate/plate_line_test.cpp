@@ -41,7 +41,6 @@ TEST(PlateLine, IsRefusedIfDamagedOrIncomplete) {
     EXPECT_FALSE(decode(line)) << line;
 }
 
-// The examples of protocol.md.
 TEST(PlateLine, DocumentedExamplesAreValid) {
   std::ifstream page(HRT_PLATE_PAGES "/protocol.md");
   int lines = 0;

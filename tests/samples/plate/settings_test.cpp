@@ -41,7 +41,7 @@ TEST(PlateSettings, HaveRanges) {
   EXPECT_FALSE(valid(SETTING_MAX_DEG, -1));
   EXPECT_FALSE(valid(SETTING_SPEED_DEG_S, 0));
   EXPECT_FALSE(valid(SETTING_SPEED_DEG_S, 100100));
-  EXPECT_FALSE(valid(SETTING_ADC_AT_MAX, 4900));  // less than 50 counts between the limits
+  EXPECT_FALSE(valid(SETTING_ADC_AT_MAX, 4900));  // readings less than 50 apart
   EXPECT_TRUE(valid(SETTING_ADC_AT_MAX, 5000));
   EXPECT_FALSE(valid(SETTING_EMERGENCY, 200));
   for (int i = 0; i < SETTING_COUNT; ++i) {

@@ -195,7 +195,7 @@ TEST(PlateTool, FindsShowsAndTrimsADynamixel) {
   EXPECT_EQ(servo.get(20, 4), 23);
 }
 
-// Onset at 40 ms, constant acceleration in 25 ms to 250 degrees a second, sampled every 5 ms through a filter.
+// Onset at 40 ms, then 25 ms of constant acceleration to 250 degrees a second, sampled every 5 ms, also with a filter.
 TEST(PlateStep, IsFitted) {
   for (const double filter_s : {0.0, 0.007}) {
     std::vector<StepSample> samples;
@@ -401,7 +401,7 @@ TYPED_TEST(PlateCommissionOf, MeasuresTwoHundredPlatesWithinTheirStatedErrors) {
               100.0 * covered / numbers, accuracy.max_ms, longest_s);
 }
 
-// A supply that dips, or a sensor that slips or skips every second count: the plate is refused, or measured correctly.
+// A supply that dips, a sensor that slips, or (hobby servo only) a converter that returns even readings only.
 TYPED_TEST(PlateCommissionOf, ADefectivePlateIsRefusedOrMeasuredCorrectly) {
   Uniform between;
   Accuracy accuracy;

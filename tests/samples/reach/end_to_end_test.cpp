@@ -29,7 +29,7 @@ TEST(ReachEndToEnd, ReachesEveryTargetOfTheDesk) {
   }
 }
 
-// The paper's controller assumes a tactile weight of 0.15 for every user.
+// By default, the paper's controller assumes a tactile weight of 0.15.
 TEST(ReachEndToEnd, ThePapersControllerMissesIfTheUsersWeightDiffers) {
   const std::string strong = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.3}]})";
   EXPECT_EQ(run_scripted(strong, {desk, "--controller", "paper"}).exit_code, 1);
@@ -44,8 +44,7 @@ TEST(ReachEndToEnd, ReachesForChosenTargetsInTheGivenOrder) {
 }
 
 // With a tactile weight of 0.10, gaps up to 7.5 degrees are feasible with the plate within 75 degrees of the motion,
-// and up to 9.4 with the paper's bound. The pawn's gap is 12. The paper's controller is given the weight; the default
-// one estimates it.
+// and up to 9.4 with the paper's bound. The pawn's gap is 12.
 TEST(ReachEndToEnd, DoesNotCountInfeasibleTargets) {
   const std::string light = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.1}]})";
   for (const std::vector<std::string>& arguments :

@@ -131,7 +131,7 @@ TEST(ReachFault, ASessionThatIsAlwaysLostIsGivenUp) {
   }
 }
 
-// Calls are counted per instance: the same call loses the second session too, and the third has only one reach left.
+// Calls are counted per instance, so that the same call may lose the next session, too.
 TEST(ReachFault, ACallFindsTheSessionLost) {
   for (const std::string function : {"xrWaitFrame", "xrBeginFrame", "xrEndFrame", "xrLocateHandJointsEXT"}) {
     const std::string script = failing_call(function, 400, "XR_ERROR_SESSION_LOST");
@@ -224,7 +224,7 @@ TEST(ReachFault, WithoutAFloorThePlateIsPlacedInLocal) {
   }
 }
 
-// Each script has one fault in the first reach; the summary counts it.
+// Each script has one fault in the first reach; a line on standard error counts it.
 TEST(ReachFault, ImpossibleTimesAndPosesAreLeftOut) {
   const std::pair<const char*, const char*> faults[] = {
       {R"("events": [{"frame": 60, "do": "frame_time", "at_ms": 0}])", "1 frames without a time"},

@@ -31,7 +31,7 @@ TEST(ReachRecording, IsTheSameForTheSameSeedAndReplays) {
   EXPECT_GE(expect_replays(folder + "/a.csv"), 3U * (144U + 2U));
 }
 
-// A reach of half a second in real time gives at most ten status lines: a pseudo-terminal buffers only 4096 bytes.
+// A short reach in real time gives few status lines: a pseudo-terminal buffers only 4096 bytes.
 const std::string half_a_second = R"({"clock": "real-time", "participants": [{"reaction_ms": 0, "duration_ms": 300}]})";
 
 TEST(ReachStatusLine, IsOverwrittenAndErasedAtTheEnd) {

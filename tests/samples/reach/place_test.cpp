@@ -93,7 +93,7 @@ TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
   EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end "));
 }
 
-// Recentring occurs between the touches, which are fixed in the room; the file has the pose in the new space.
+// Recentring occurs during the touches, which are fixed in the room; the file has the pose in the new space.
 TEST(ReachRecentring, WhileRegistering) {
   const std::string file = scratch_folder() + "/plate.txt";
   const Outcome outcome =

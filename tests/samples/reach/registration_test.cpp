@@ -37,7 +37,7 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
   EXPECT_TRUE(rows_of(outcome)[0].reached);
-  // The pose is in STAGE, whose floor is 1.2 m below the origin of LOCAL.
+  // The pose is in STAGE, whose origin is 1.2 m below that of LOCAL.
   const auto kept = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(kept["space"], "STAGE");
   EXPECT_NEAR(kept["position_m"][0], PlatePose{}.x_m, 1e-4);
