@@ -1,8 +1,8 @@
 // Detects the end of a reach, under either controller, from the positions of the finger.
 //
-// A reach can end once the finger has been at the start or has moved. The reach ends after a rest
-//   of 0.4 s near the real target, that is, within a quarter of the target's distance from the start (or within 15 mm,
-//            if that is more), if the finger has covered nine tenths of the path or the path is at most 15 mm long
+// A finger is near the real target if it is within a quarter of the target's distance from the start, or within 15 mm
+// if this is more. A reach can end once the finger has been at the start or has moved. The reach ends after a rest
+//   of 0.4 s near the target, if the finger has covered nine tenths of the path or the path is at most 15 mm long
 //   of 2 s   if the finger has covered three tenths of the path, at most 60 degrees off the direction of the target;
 //            the reach has missed if the finger is not near the target
 // The path begins at the start or, after a jump of the target, at the position of the finger at that time. Near the

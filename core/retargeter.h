@@ -63,10 +63,10 @@ class Retargeter {
   Reach reach_{};  // argument of begin(), or result of the last retarget()
   ReachEnd end_;
   PlateCommand command_;
-  // Start or, after a retarget() more than Tuning::min_leg_mm from the waypoint before, position of the finger then;
-  // and the position that the person perceived there.
+  // The waypoint is the start, then the position of the finger at each retarget() that is more than Tuning::min_leg_mm
+  // from the waypoint before.
   PlatePoint waypoint_;
-  PlatePoint perceived_waypoint_;
+  PlatePoint perceived_waypoint_;  // where the person perceived the finger at the waypoint
   std::optional<std::variant<PersonReach, PaperReach>> controller_;  // nullopt before begin()
 };
 

@@ -34,7 +34,7 @@ struct RetargeterConfig {
   PersonBelief person = unknown_person();     ///< [reach] prior of the person
   ReachControlConfig reach;                   ///< [reach] limits of plate and perceived direction
   std::int64_t tracker_latency_ns = 0;        ///< [reach] age of a position at the time of its sample, 0 to 0.5 s
-  double tracker_bearing_sd_deg = 0.0;  ///< [reach] SD, from reach to reach, of the tracker's bearing error, 0 to 45
+  double tracker_bearing_sd_deg = 0.0;  ///< [reach] SD of the tracker's bearing error from reach to reach, 0 to 45
   bool plate_waits = false;             ///< [reach] the plate does not turn before the motion
   bool start_is_felt = false;           ///< the first rest of the finger is at the start, as in a dimple
   FrameCovariance frame = FrameCovariance::Zero();  ///< [reach] covariance of the plate's pose

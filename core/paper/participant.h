@@ -77,8 +77,9 @@ inline ParticipantSlopes participant_slopes(const ParticipantInput& input) {
           .by_weight = -input.gain * (input.plate_orientation_deg - input.finger_direction_deg)};
 }
 
-/// Returns the largest feasible gap between the goal G and the real direction for a plate within `plate_bound_deg`, in
-/// (0, 90], of G. In the steady state the person perceives G = w_T T + (1 - w_T) P. `tactile_weight` in (0, 0.5).
+/// Returns the largest feasible gap between the goal G and the real direction for a plate within `plate_bound_deg` of
+/// G. In the steady state the person perceives G = w_T T + (1 - w_T) P. `tactile_weight` in (0, 0.5), `plate_bound_deg`
+/// in (0, 90].
 inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
   return plate_bound_deg * tactile_weight / (1.0 - tactile_weight);
 }

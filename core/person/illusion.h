@@ -42,8 +42,8 @@ struct MaxShift {
   FeltShift felt;
 };
 
-/// Returns the largest shift for ridge normals within `bound_deg` > 0 of the motion; a bound above 89 degrees counts as
-/// 89. Requires weight > 0.
+/// Returns the largest shift for ridge normals within `bound_deg` of the motion; a bound above 89 degrees counts as 89.
+/// Requires weight > 0 and bound_deg > 0.
 MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
 /// Inverts g on its rising branch: returns the offset that causes `shift_deg`, clamped to +-max.offset_deg. `max`: from

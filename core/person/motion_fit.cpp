@@ -15,7 +15,7 @@ constexpr int rates_to_a_side = 3;  // number of rates in the grid below, and ab
 
 }  // namespace
 
-// For each candidate rate, the path covered so far determines the onset. The candidate with the least cost is selected:
+// For each candidate rate, the path covered so far determines the onset. The selected candidate has the least cost:
 // the sum of the squared differences between observed and predicted distances along the path, in SDs of the noise, plus
 // the squared deviation from the mean of the prior, in SDs.
 MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& origin, const PersonBelief& belief,

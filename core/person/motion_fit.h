@@ -11,9 +11,9 @@ struct MotionFit {
   double onset_s;
 };
 
-/// Returns the most probable log rate and onset, searched over a grid of rates, of a motion over `path_mm` that began
-/// at rest at `origin`. Requires at least three positions. `noise_variance_mm2`: variance of the tracker noise of one
-/// coordinate. Uses no heap, lock or exception.
+/// Returns the most probable log rate of a grid, and its onset, for a motion over `path_mm` from rest at `origin`.
+/// Requires at least three positions. `noise_variance_mm2`: variance of the tracker noise of one coordinate. Uses no
+/// heap, lock or exception.
 MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& origin, const PersonBelief& belief,
                      double path_mm, double noise_variance_mm2, const Tuning& tuning);
 

@@ -4,11 +4,11 @@
 // whose log_wander differs by -eps, 0 and eps (Tuning::wander_step) from the mean of its prior, process the stored
 // positions. With the normalised innovation squared (nis) and the covariance S of innovations, log likelihoods are
 //   l = beta sum over the positions of -(nis + log det S) / 2
-// From l, the posterior of log_wander is approximated by a normal distribution with precision 1 / var - l'' and a mean
-// that is l' / precision above that of the prior, within limits of both. var is the variance of the prior, l' and l''
-// are finite differences over eps, and beta (Tuning::wander_evidence) is below 1 because successive positions are
-// correlated. If the log was not closed, a fourth filter with the mean of the posterior then processes the positions,
-// and estimates the other traits.
+// From l, the posterior of log_wander is approximated by a normal distribution with precision 1 / var - min(l'', 0) and
+// a mean that is l' / precision above that of the prior (at most Tuning::max_wander_change). var is the variance of the
+// prior, l' and l'' are finite differences over eps, and beta (Tuning::wander_evidence) is below 1 because successive
+// positions are correlated. If the log was not closed, a fourth filter with the mean of the posterior then processes
+// the positions, and estimates the other traits.
 #pragma once
 
 #include <array>

@@ -20,12 +20,12 @@ struct PersonReachConfig {
   PersonBelief person;  ///< prior of the person; is_valid()
   ReachControlConfig control;
   PlateDynamics plate;
-  std::optional<TrackerNoise> noise;          ///< noise of the tracker; nullopt: estimated while the finger rests
-  std::int64_t tracker_latency_ns = 0;        ///< age of a position at the time of its sample, 0 to 0.5 s
-  double tracker_bearing_sd_deg = 0.0;        ///< SD, from reach to reach, of the tracker's bearing error, 0 to 45
-  std::int64_t step_period_ns = 100'000'000;  ///< period of the steps that PlateCommand::step counts
-  bool plate_waits = false;                   ///< the plate does not turn before the motion
-  bool start_is_felt = false;                 ///< the first rest of the finger is at the start, as in a dimple
+  std::optional<TrackerNoise> noise;                ///< noise of the tracker; nullopt: estimated while the finger rests
+  std::int64_t tracker_latency_ns = 0;              ///< age of a position at the time of its sample, 0 to 0.5 s
+  double tracker_bearing_sd_deg = 0.0;              ///< SD of the tracker's bearing error from reach to reach, 0 to 45
+  std::int64_t step_period_ns = 100'000'000;        ///< period of the steps that PlateCommand::step counts
+  bool plate_waits = false;                         ///< the plate does not turn before the motion
+  bool start_is_felt = false;                       ///< the first rest of the finger is at the start, as in a dimple
   FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; is_frame_covariance()
   TouchedFrame touched;                             ///< correction of the tracker's frame by contacts
   Tuning tuning;

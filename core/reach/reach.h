@@ -23,7 +23,7 @@ struct GapFeasibility {
 
 /// A pair of targets seen from the start of the reach; directions in degrees from the mid-line.
 struct Reach {
-  /// direction of the real target, finite; within 90 degrees of the goal, the virtual direction plus the bias
+  /// direction of the real target: finite, less than 90 degrees from the goal (virtual direction plus bias)
   double real_direction_deg;
   double virtual_direction_deg;        ///< finite
   double plate_orientation_deg = 0.0;  ///< plate orientation before the reach

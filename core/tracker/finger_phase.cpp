@@ -10,8 +10,8 @@
 namespace hrt {
 namespace {
 
-// Upper limit, in a rest, of the distance between the first and last position of the window and of the sagitta, as a
-// multiple of the limit of the displacement.
+// In a rest, neither the distance between first and last position of the window nor the sagitta exceeds this multiple
+// of the limit of the displacement.
 constexpr double clearly_moving_limits = 4.0;
 
 }  // namespace

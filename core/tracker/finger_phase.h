@@ -8,10 +8,10 @@
 //   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this limit in 1
 //            of 10^7 means. If the noise is estimated, sigma is at least 1 + 2 / n times the SD that n differences of
 //            successive positions show.
-//   still    Over the last T seconds, with at least 10 positions, none before the detection of the motion, the
-//            displacement d along the least-squares line is below a limit, and the sagitta of the least-squares
-//            parabola is at most four times this limit: a finger that turns back has no displacement. If the speed v of
-//            the motion is known: T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma /
+//   still    Uses the positions of the last T seconds, at least 10, and none before the detection of the motion. Their
+//            displacement d along the least-squares line is below a limit. The sagitta of the least-squares parabola is
+//            at most four times this limit, since a finger that turns back has no displacement. If the speed v of the
+//            motion is known: T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma /
 //            (15 mm/s), so that a slow motion is not mistaken for a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a
 //            resting hand drifts.
 //   outlier  At rest, a position further from the last one than 600 mm/s * elapsed time + 5.7 sigma (4 SDs of a

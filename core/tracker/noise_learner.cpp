@@ -17,7 +17,8 @@ constexpr double min_assumed_share = 0.6;
 constexpr int steps_per_estimate = 8;
 // Upper limit of each part of the noise: larger differences are a motion.
 constexpr double max_noise_mm = 4.0;
-// Limit, in SDs, of the distance of a position from the line through the previous and the next one during a motion.
+// During a motion, the distance of a position from the line through the positions before and after it counts as at most
+// this many SDs.
 constexpr double max_departure_deviations = 3.0;
 // Lower limit of each part, since without noise a filter would attribute every deviation to the person.
 constexpr double min_part_mm = 0.02;

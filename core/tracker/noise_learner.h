@@ -57,7 +57,7 @@ struct NoiseParts {
   double correlated_mm2;  ///< c
   double cost;            ///< weighted sum of squared relative errors
 };
-/// Fits w >= 0 and c >= 0 to D for a given tau, `correlation_s`, by least squares of relative errors. The weight of a
+/// Fits w >= 0 and c >= 0 to D for tau = `correlation_s`, by least squares of relative errors. The weight of a
 /// lag is the number of its differences that do not overlap.
 NoiseParts separate(const StructureFunction& differences, double correlation_s);
 
