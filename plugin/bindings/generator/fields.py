@@ -12,8 +12,8 @@ _CPP = {"char": "char", "int32_t": "std::int32_t", "uint32_t": "std::uint32_t", 
         "uint64_t": "std::uint64_t", "double": "double"}
 
 
-# Columns of a recording after "call" and "result", in their order. The columns of a struct have the names of its fields,
-# except those given here.
+# Columns of a recording after "call" and "result", in their order. The columns of a struct have the names of its
+# fields, except those given here.
 _RECORDED = (
     ("", ("time_ns",)),
     ("hrt_sample", {"flags": "sample_flags", "finger_direction_deg": "sample_direction_deg", "finger_position_m": "sample_{}_m",

@@ -9,8 +9,8 @@ export * from "./abi.js";
 /** A struct that the library returns, as an object. 64-bit integers are bigint, except ids of targets; in JSON they are
  *  numbers up to 2^53, and decimal text above. */
 type Output<Struct> = Omit<Struct, "struct_size" | "reserved">;
-/** A struct that is passed to the library. Omitted fields have their defaults or, in `changes`, keep their values. Integers
- *  may be numbers. */
+/** A struct that is passed to the library. Omitted fields have their defaults or, in `changes`, keep their values.
+ *  Integers may be numbers. */
 type Input<Struct> = {
   [Field in Exclude<keyof Struct, "struct_size" | "reserved">]?: Struct[Field] extends bigint ? bigint | number : Struct[Field];
 };
@@ -24,8 +24,8 @@ type Frame<Struct> = {
 /** Identifier of a target within its session. */
 export type TargetId = number;
 
-/** Error of a call of the library, or of a call on a destroyed object. Arguments of the wrong type cause a TypeError or a
- *  RangeError instead. */
+/** Error of a call of the library, or of a call on a destroyed object. Arguments of the wrong type cause a TypeError or
+ *  a RangeError instead. */
 export class HapticRetargetingError extends Error {
   /** Result code, one of HRT_ERROR_*. */
   readonly code: number;
@@ -87,9 +87,9 @@ export interface Session {
   /** Computes the gap between two targets, and the largest feasible gap. Needs no reach. */
   gap(realTarget: TargetId, virtualTarget: TargetId): Output<hrt_gap>;
 
-  /** Assigns real targets to as many virtual ones as possible, so that the largest ratio of a gap to the largest feasible
-   *  gap is minimal. If `exclusive`, a real target is used at most once. A virtual target without a real one has
-   *  `reachable` 0. */
+  /** Assigns real targets to as many virtual ones as possible, so that the largest ratio of a gap to the largest
+   *  feasible gap is minimal. If `exclusive`, a real target is used at most once. A virtual target without a real one
+   *  has `reachable` 0. */
   assign(virtualTargets: TargetId[], realTargets: TargetId[], exclusive?: boolean): Output<hrt_gap>[];
 
   /** Input of the next update() or updateSetup(). Besides `time_ns`, only fields that `flags` names are read. */
@@ -110,8 +110,8 @@ export interface Session {
   reachTouched(contact?: Input<hrt_contact>): void;
   /** Ends the reach without a summary and discards its estimates. */
   cancelReach(): void;
-  /** Writes the joint's pose in the world, or a dropout, to `sample`, and replaces its flags. `time_ms`: finite time of the
-   *  frame, as passed to the callback of requestAnimationFrame(). */
+  /** Writes the joint's pose in the world, or a dropout, to `sample`, and replaces its flags. `time_ms`: finite time of
+   *  the frame, as passed to the callback of requestAnimationFrame(). */
   setFinger(pose: FingerPose, time_ms: number): void;
   /** Reads `sample` and writes `command`. Call it once a frame. */
   update(): void;
@@ -127,8 +127,8 @@ export interface Session {
 
   /** Begins a set-up of the parts HRT_SETUP_*; by default, of all missing parts. */
   beginSetup(what?: number, config?: Input<hrt_setup_config>): void;
-  /** Reads `sample`. Call it once a frame, show `text` and `place_m` of the result, and send `plate_orientation_deg` to the
-   *  plate. */
+  /** Reads `sample`. Call it once a frame, show `text` and `place_m` of the result, and send `plate_orientation_deg` to
+   *  the plate. */
   updateSetup(): Output<hrt_setup_step>;
   /** Continues the fit of a part, as hrt_setup_finish() does, and applies a complete fit. Call it in each frame whose step is
    *  HRT_STEP_FINISH. The set-up is over when `left` is 0. */
@@ -147,8 +147,8 @@ export interface Session {
 
 /** A simulated finger for first programs and tests: a model, not a measurement of people. */
 export interface Person {
-  /** Begins a reach: the finger rests at the session's start for 0.6 s, and then slides towards the virtual target. Without
-   *  a target, the person follows the session's set-up. */
+  /** Begins a reach: the finger rests at the session's start for 0.6 s, and then slides towards the virtual target.
+   *  Without a target, the person follows the session's set-up. */
   begin(session: Session, virtualTarget?: TargetId): void;
   /** Commands the simulated servo, advances the simulation to `time_ns`, and writes the sample of tracker and servo. */
   move(sample: Session["sample"], time_ns: number, plateOrientationDeg: number): void;

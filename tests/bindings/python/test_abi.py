@@ -1,4 +1,4 @@
-"""Compares the declarations with api.json, which libclang reads from the headers."""
+"""Compares the declarations with api.json, which update_api makes from the headers."""
 
 import ctypes
 import importlib

@@ -124,7 +124,7 @@ def test_samples_are_made_of_columns() -> None:
 
 def test_unknown_numbers_are_dropouts_in_every_call(session: hrt.Session, straight: np.ndarray) -> None:
     real, virtual, nan = session.target("cylinder"), session.target("cup"), np.nan
-    straight["finger_position_m"][100:130, 0] = nan  # an array that samples() did not make
+    straight["finger_position_m"][100:130, 0] = nan  # after samples(), which would have cleared the flags
     record = session.run_reach(real, virtual, straight, plate_orientation_deg=0)
     expected = hrt.samples(straight["time_ns"], position_m=straight["finger_position_m"])
     assert record.commands.tobytes() == session.run_reach(real, virtual, expected, plate_orientation_deg=0).commands.tobytes()

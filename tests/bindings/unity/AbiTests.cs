@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Hrt.HostTests
 {
-    // Compares the declarations with api.json, which libclang reads from the headers.
+    // Compares the declarations with api.json, which update_api makes from the headers.
     public sealed class AbiTests
     {
         static readonly Assembly package = typeof(HapticRetargetingSession).Assembly;

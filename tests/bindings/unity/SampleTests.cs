@@ -46,7 +46,7 @@ namespace Hrt.HostTests
             desk.Message("Reset")();
             desk.Message("Awake")();
             HapticRetargeting retargeting = desk.Retargeting;
-            retargeting.virtualTargets.RemoveAt(2); // its gap is not feasible
+            retargeting.virtualTargets.RemoveAt(2); // its gap is not feasible for this person
             var simulated = retargeting.gameObject.AddComponent<HrtSamples.SimulatedReach>();
             int ended = 0;
             retargeting.ReachEnded += summary =>

@@ -97,7 +97,7 @@ TEST_F(Component, DirectionsToTheRightArePositive) {
   EXPECT_NEAR(gap.GapYaw, std::atan2(1.0, 10.0) * 180 / std::numbers::pi - 90, 1e-9);
 }
 
-// The same samples in the component's terms and by the C interface give the same commands.
+// The same samples in the component's terms and by the C interface give the same last command.
 TEST_F(Component, UsesTheMeasuredOrientation) {
   add_pair();
   const auto run = [&](const std::function<bool(const FVector&, double, double)>& update) {

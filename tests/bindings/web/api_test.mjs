@@ -323,7 +323,7 @@ test("a scene is registered", async () => {
 
 sessionTest("a session continues when the memory grows", ({ session, real, virtual }) => {
   const others = Array.from({ length: 12 }, () => library.createSession());
-  others.forEach((other) => other.startRecording());  // a few MB each, more than the initial memory of the module
+  others.forEach((other) => other.startRecording());  // a few MB each, together more than the module's initial memory
   session.beginReach(real, virtual);
   slide(session, 30);
   assert.equal(session.endReach().samples, 30n);

@@ -1,4 +1,4 @@
-// Runs pages in Chromium and Firefox, without a display.
+// Runs pages in Chromium and Firefox, on a machine without a display.
 import { spawn } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -14,8 +14,9 @@ export const browserNames = Object.keys(browsers);
 const quiet = ["browser.aboutwelcome.enabled", "browser.shell.checkDefaultBrowser", "datareporting.policy.dataSubmissionEnabled", "app.normandy.enabled",
                "extensions.update.enabled", "network.captive-portal-service.enabled", "browser.safebrowsing.downloads.remote.enabled"];
 
-/** Opens a page in the browser `name`, and returns the text that the page posts. `answer`: a function that returns { type, body } of
- *  the page's files, or nothing; or the address of a running server, whose page posts to the address in its query. */
+/** Opens a page in the browser `name`, and returns the text that the page posts, or an error. `answer`: a function that
+ *  returns { type, body } of the page's files, or nothing; or the address of a running server, whose page posts to the
+ *  address in its query. */
 export async function shownBy(answer, name) {
   let onShown;
   const shown = new Promise((resolve) => { onShown = resolve; });

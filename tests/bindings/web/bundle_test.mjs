@@ -1,5 +1,6 @@
-// Tests the package without a bundler, and bundled by esbuild, Vite (also its development server) and webpack, configured as in the
-// README, without warnings or node modules. Runs the README's example and the reach of all hosts in headless Chromium and Firefox.
+// Tests the package without a bundler, and bundled by esbuild, Vite (also its development server) and webpack,
+// configured as in the README, without warnings or imports of node's modules. Runs the README's example and the reach
+// of all hosts in Chromium and Firefox.
 //   usage: node bundle_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLE reach.hash FOLDER_TO_WORK_IN
 import assert from "node:assert/strict";
 import { cp, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";

@@ -50,7 +50,7 @@ func test_names() -> void:
 	check(refused("Plate", plate.callv.bind("add_real_target", [&"Plate", 0.0, 0.1])) == 0, "that name again, untyped")
 
 # Godot's axes are the plate's: x right, y up, -z away. A plate that is rotated and moved together with the finger
-# gives the same commands as a plate at the origin.
+# gives the same commands as a plate at the origin, except for the rounding of floats.
 func test_axes() -> void:
 	var plate := new_plate()
 	var left := plate.add_real_target_at("left", Vector3(-0.1, 0.02, 0.05))

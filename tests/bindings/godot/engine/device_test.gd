@@ -1,7 +1,8 @@
 # Tests the plate's device with emulated plates: HRT_PLATE_DEVICE is the firmware on a board, HRT_PLATE_FILE is a Dynamixel servo.
 extends "res://tests/checks.gd"
 
-# Waits up to 30 s until `key` of the report is `wanted`, and returns the report. While waiting, turns the device to the orientation.
+# Waits up to 30 s until `key` of the report is `wanted`, and returns the report. While waiting, turns the device to the
+# orientation, if it is given.
 func eventually(plate: HapticRetargeting, key: String, wanted: Variant, orientation_deg := NAN) -> Dictionary:
 	for i in 3000:
 		if not is_nan(orientation_deg):

@@ -1,5 +1,5 @@
-# Draws a session (the child Main, or the project's scene) only in the few frames after each 500th. The mock runtime
-# stores each 500th frame as a picture.
+# Draws a session (the child Main, or the project's scene) only in a few frames after each 500th, which the mock runtime
+# stores as a picture, and when the session is finished.
 extends Node
 
 const EVERY := 500

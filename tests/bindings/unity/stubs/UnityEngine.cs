@@ -1,5 +1,6 @@
-// Stubs of the parts of Unity that the package uses, to compile and run it without Unity. Vectors, quaternions and Transforms
-// compute as Unity documents. OnEnable and OnDisable are called as in Unity; tests call LateUpdate and the other messages.
+// Stubs of the parts of Unity that the package uses, to compile and run it without Unity. Vectors, quaternions and
+// Transforms without scale compute as Unity documents. OnEnable and OnDisable are called as in Unity; tests call
+// LateUpdate and the other messages.
 using System;
 using System.Collections.Generic;
 using System.Reflection;
