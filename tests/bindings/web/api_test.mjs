@@ -182,7 +182,7 @@ sessionTest("fingertip and plate are set from poses", ({ session, real, virtual 
   for (const time of [NaN, undefined, Infinity]) {
     assert.throws(() => session.setFinger({ x: 0, y: 0, z: 0 }, time), /time_ms is (NaN|undefined|Infinity); a finite number is needed/);
   }
-  assert.throws(() => session.setFinger({}, 30), /neither transform.position nor position nor x, y, z/);
+  assert.throws(() => session.setFinger({}, 30), /no transform.position, no position, and no x, y, z/);
   session.cancelReach();
   for (const bad of [undefined, mount, { position: { ...mount, x: NaN }, quaternion: turned }]) {
     assert.throws(() => session.setPlate(bad), /the plate's pose lacks/);
@@ -288,7 +288,7 @@ sessionTest("bad arguments are refused by name", ({ session, real, virtual }) =>
   assert.equal(session.target(Number(JSON.parse(JSON.stringify({ real })).real)).name, "cylinder");
   throws(() => library.createSession({ horizon: 21 }), "HRT_ERROR_OUT_OF_RANGE", "horizon is 21; allowed: 1 to 20");
   throws(() => library.createSession({ tactile_weight: NaN }), "HRT_ERROR_OUT_OF_RANGE", "tactile_weight");
-  assert.throws(() => library.createSession().addTarget({ name: "ü".repeat(32) }), /64 bytes in UTF-8; up to 63/);
+  assert.throws(() => library.createSession().addTarget({ name: "ü".repeat(32) }), /64 bytes in UTF-8; allowed: up to 63/);
 });
 
 sessionTest("set-up calls in the wrong order are refused", ({ session }) => {
