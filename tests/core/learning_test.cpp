@@ -49,8 +49,8 @@ TEST(Learning, ACovarianceWithRoundingError_BecomesSymmetric) {
   EXPECT_TRUE(is_valid(carried(unknown_person(), learnt, true, unknown_person())));
 }
 
-// In a reach that missed, a weight of 0.28 +- 0.02 drops to 0.18, by 5 SDs: the illusion is reset, and the other traits
-// are kept. Nothing is reset after a hit, or after a drop by less than 1.2 SDs.
+// In a reach that missed, a weight of 0.28 +- 0.02 drops to 0.18, by 5 SDs: the illusion is reset, and the bias is not.
+// Nothing is reset after a hit, or after a drop by less than 1.2 SDs.
 TEST(Learning, ADropOfTheWeightAfterAMiss_ResetsTheIllusion) {
   const PersonBelief unknown = unknown_person();
   PersonBelief before = unknown;

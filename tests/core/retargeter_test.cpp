@@ -210,8 +210,8 @@ TEST(RegisteredReach, AnUncertainFrame_ReportsFewerUnreachableGaps) {
   EXPECT_GT(exact_flags, 5);
 }
 
-// The frame's rotation has the configured SD. The bounds are four binomial SDs about 95 % and some margin, since the SD
-// that the filter reports is larger than the error of its position.
+// The frame's rotation has the configured SD. The lower bound is 95 % minus four binomial SDs. The coverage may be
+// larger than 95 %, since the SD that the filter reports is larger than the error of its position.
 TEST(RegisteredReach, AnUncertainFrame_IsCoveredByTheBearingSd) {
   for (const double frame_sd_deg : {1.0, 2.0}) {
     int covered = 0;

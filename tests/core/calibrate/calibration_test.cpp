@@ -88,7 +88,6 @@ TEST(Calibration, ASampleCenturiesLater_IsIgnored) {
   EXPECT_NEAR(late.bias_deg.value, timely.bias_deg.value, 0.05);
 }
 
-// Estimates are unbiased, and intervals cover the truth, with tracker noise: 6 people, 15 slides each.
 TEST(Calibration, IntervalsCoverTheTruth) {
   constexpr int people = 6;
   int weight_covered = 0;
@@ -140,7 +139,7 @@ TEST(Calibration, PlateAnglesWithin3Degrees_CountOnce) {
   EXPECT_EQ(different_angles(slides), 4);
 }
 
-// Rotations of the plate before and after the motion of the finger do not count.
+// Rotations of the plate by less than 5 degrees, or before the motion of the finger, do not count.
 TEST(Calibration, ARotatingPlateDuringASlide_ExcludesTheSlide) {
   std::vector<CalibrationTrial> trials = simulate({}, 3);
   const Calibration at_rest = calibrated(trials);

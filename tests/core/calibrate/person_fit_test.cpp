@@ -1,4 +1,4 @@
-// Tests the fit, and the tests for lack of fit, with simulated people who differ from the model of the fit.
+// Tests the illusion curve and, with simulated people, the fit and its tests for lack of fit.
 #include "core/calibrate/person_fit.h"
 
 #include <gtest/gtest.h>
@@ -62,8 +62,7 @@ TEST(PersonFit, SlidesWithoutNoise_GiveTheTrueWeightAndBias) {
   }
 }
 
-// People whose illusion, habit or tracker differs from the model. With a probability of 99 %, at most 2 of 8 to 10
-// intervals of 95 % miss the truth. `hrt-study coverage` has more people.
+// With a probability of 99 %, at most 2 of 10 intervals of 95 % miss the truth. `hrt-study coverage` has more people.
 TEST(PersonFit, SimulatedPeople_LieWithinTheKnownIntervals) {
   int known = 0;
   int weight = 0;
@@ -131,7 +130,7 @@ TEST(PersonFit, AWeightThatFallsOverTheSession_IsReportedAsUnknown) {
   EXPECT_EQ(found, 3);
 }
 
-// The steering is unstable (gain too high for the delay), so that the direction oscillates across the ridges.
+// The gain is high for the delay, so that the direction oscillates, also across the direction of the ridges.
 TEST(PersonFit, AnUnstablePerson_IsReportedAsUnknown) {
   PersonCondition condition = drawn("linear", 3);
   condition.person.illusion.tactile_weight = 0.3;
@@ -139,7 +138,7 @@ TEST(PersonFit, AnUnstablePerson_IsReportedAsUnknown) {
   condition.person.delay_s = 0.15;
   const auto result = calibrate(slides(condition, 3, grid(4)));
   const auto* calibration = std::get_if<Calibration>(&result);
-  if (!calibration) return;  // rejected: the interval of w_T is not within 0.02 to 0.48
+  if (!calibration) return;  // rejected, which is correct too
   EXPECT_LT(calibration->lack_of_fit.angle_p, min_fit_p);
   EXPECT_FALSE(calibration->tactile_weight.known);
   EXPECT_FALSE(calibration->max_gap_deg.known);

@@ -108,7 +108,7 @@ TEST(Estimator, AnOutlierIsRejected_AndARunOfThemIsAccepted) {
   EXPECT_NEAR(estimator.estimate().position.right_mm, 50.0, 1.0);
 }
 
-// The predicted direction has the variance V = 0.5. An exact direction differs by 1.5, and reduces V by D = V. The
+// The predicted direction has the variance 0.5. An exact direction differs by 1.5, and reduces the variance to 0. The
 // score is (2.25 - 0.5) / (2 * 0.25) = 3.5, and the information 1 / (2 * 0.25) = 2, in addition to 4 of the prior.
 TEST(Estimator, OneStep_GivesTheHandCalculatedMotorVariance) {
   Estimator estimator({}, Participant{}, 0.0, {});

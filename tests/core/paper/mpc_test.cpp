@@ -34,7 +34,7 @@ double finger_after(const MpcProblem& problem, const MpcPlan& plan, int steps) {
   return finger_deg;
 }
 
-// Without active bounds e_k = g_N (p_k - p_R), where g_N is a ratio of Fibonacci numbers.
+// Without active bounds e_k = g_N (p_k - p_R) for the horizon N, where g_N is a ratio of Fibonacci numbers.
 TEST(Mpc, InactiveBounds_GiveRatiosOfFibonacciNumbers) {
   const MpcProblem problem{1.0, -0.5, 0.15, 0.0, gains.data()};
   const double expected[] = {0.0, 1.0 / 2.0, 3.0 / 5.0, 8.0 / 13.0, 21.0 / 34.0};

@@ -42,7 +42,7 @@ TEST(Illusion, Derivatives_EqualDifferences) {
   }
 }
 
-// With f = 1 and A = 1, the shift is reduced by the factor |cos t| / (|cos t| + 1).
+// With a fading and a slowness of 1, the shift is multiplied by |cos t| / (|cos t| + 1).
 TEST(Illusion, ADecayingCue_ReducesTheShift) {
   const Illusion fading{.weight = 0.2, .curve = 0.0, .fading = 1.0, .slowness = 1.0};
   EXPECT_DOUBLE_EQ(felt_shift(fading, 60.0).shift_deg, 12.0 * 0.5 / (0.5 + 1.0));

@@ -70,7 +70,7 @@ TEST(PersonFilter, APersonWithoutIllusion_MovesByTheClosedForm) {
 }
 
 // With a variance in one trait only, cov(x, trait) / var(trait) of a state x after some steps is the derivative of x by
-// the trait. The test compares this derivative with difference quotients of whole motions.
+// the trait. The test compares this derivative with the difference quotient of two runs.
 TEST(PersonFilter, Covariances_FollowTheDerivativesOfTheMotion) {
   const struct {
     X::Index trait;

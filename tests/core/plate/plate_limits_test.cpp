@@ -71,7 +71,8 @@ TEST(PlateLimits, StopsLessThan180Apart_AreInvalid) {
   EXPECT_FALSE(is_valid(PlateStops{.lower_deg = std::nan("")}));
 }
 
-// With w_T = 0.15, a plate 56.7 degrees from the goal sustains a gap of 10: the range is 26.7 to 84.5 from the goal.
+// With w_T = 0.15, a plate 56.7 degrees from the goal sustains a gap of 10. The range that must fit between the stops
+// begins 30 degrees nearer to the goal: 26.7 to 84.5 degrees from the goal.
 TEST(PlateLimits, AReach_StaysWithinOneHalfTurn) {
   const PlateLimits below({-90.0, 90.0}, 5.0, 84.5, 61.7, -80.0);
   EXPECT_EQ(below.centre_deg(), 5.0);

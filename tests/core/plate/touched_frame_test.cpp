@@ -38,7 +38,7 @@ TEST(TouchedFrame, TimeBetweenContacts_WidensTheCovariance) {
 }
 
 // The registration's rotation has an SD of 0.04 rad about a centre 50 mm from the target: an SD of 2 mm to the right at
-// the target, in addition to the 2 mm of the prior of D at 100 mm from home.
+// the target, in addition to the 2 mm of the prior of the correction at 100 mm from home.
 TEST(TouchedFrame, TheFirstContact_UsesTheUncertaintyOfTheRegistration) {
   FrameCovariance registered = exact;
   registered(0, 0) = 0.04 * 0.04;

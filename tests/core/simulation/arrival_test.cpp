@@ -62,13 +62,13 @@ Watched watch(const PersonCondition& condition, std::uint32_t index) {
   return watched;
 }
 
-/// Numbers of reaches with an error, and mean error of the time to go in the middle half of the motion, as a fraction
-/// of the duration.
+/// Numbers of reaches with an error.
 struct Account {
   int began_early = 0;        // more than 60 ms before the onset
   int rested_in_motion = 0;   // PlateCommand::resting while the finger moves faster than 20 mm/s
   int arrived_in_motion = 0;  // PlateCommand::arrived more than 5 mm from the position of the stop
   int arrived_late = 0;       // PlateCommand::arrived more than 0.5 s after the stop, or never
+  /// sum over reaches of the mean error in the middle half of the motion, as a fraction of the duration
   double time_to_go_error = 0.0;
 };
 

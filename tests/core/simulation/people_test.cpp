@@ -132,7 +132,7 @@ TEST(SimulationPeople, EqualArguments_GiveEqualOutcomes) {
   EXPECT_NE(five[0].miss_mm, five[1].miss_mm);
 }
 
-// Without illusion the hand reaches the virtual target, 10 degrees from the real one, for any plate orientation.
+// The virtual target is 10 degrees from the real one.
 TEST(SimulationPeople, WithoutIllusion_TheHandReachesTheVirtualTarget) {
   const RetargeterConfig controller = people_controller();
   for (const double side : {1.0, -1.0}) {
@@ -151,7 +151,7 @@ TEST(SimulationPeople, WithoutIllusion_TheHandReachesTheVirtualTarget) {
   }
 }
 
-// Samples come at 90 Hz during the rest, 1.5 s of motion and 0.3 s after it.
+// Samples come at 90 Hz during a rest of 0.4 to 0.8 s, 1.5 s of motion, and 0.3 s after it.
 TEST(SimulationPeople, Trackers_HaveTheirRateAndLosses) {
   const auto summary = [](const char* family) { return guided(draw(family)); };
   const ReachSummary usual = summary("linear");
@@ -189,7 +189,7 @@ TEST(SimulationPeople, DrawFault_GivesOneFaultOrNone) {
     const PlateDynamics plate = with.plate;
     draw_fault(with, draws);
     const TrackerModel& now = with.tracker;
-    // The rate and jitter of slow-tracker, and size and time of noise-100, are one fault each.
+    // One criterion for each fault: slow-tracker also changes the jitter, and noise-100 the white noise.
     const bool has[] = {now.rate_hz != before.rate_hz,
                         now.correlated_mm != before.correlated_mm,
                         now.white_mm > before.white_mm,
@@ -268,7 +268,7 @@ TEST(SimulationPeople, FiveReaches_EstimateTheSdOfTheWander) {
   EXPECT_GT(learnt_wander_deg("recorded"), std::exp(unknown_person().mean(PersonState::log_wander)));
 }
 
-// The weight drops from 0.28 to 0.16, where a gap of 10 is still feasible: two reaches later, most end on target.
+// The weight drops from 0.28 to 0.16, with which a gap of 10 degrees is still feasible.
 TEST(SimulationPeople, AWeightThatDrops_IsEstimatedAgainWithinTwoReaches) {
   const RetargeterConfig controller = people_controller();
   int near = 0;
@@ -284,7 +284,7 @@ TEST(SimulationPeople, AWeightThatDrops_IsEstimatedAgainWithinTwoReaches) {
   EXPECT_GE(near, 70);
 }
 
-// The tracker's frame is rotated by 6 degrees. Contacts with the real target measure the rotation.
+// The tracker's frame is rotated by 6 degrees. Contacts after each reach measure the rotation.
 TEST(SimulationPeople, Contacts_CorrectARotatedFrame) {
   PersonCondition condition = draw("linear");
   condition.tracker.turned_deg = 6.0;

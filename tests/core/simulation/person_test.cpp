@@ -107,7 +107,8 @@ TEST(SimulationPerson, Illusions_GiveTheHandCalculatedLargestShift) {
     }
 }
 
-// The path has the requested length for any pace and curvature; with an overshoot by a tenth, 1.2 times this length.
+// The path is curved by ridges 30 degrees from the motion. With an overshoot by a tenth, its length is 1.2 times the
+// requested one.
 TEST(SimulationPerson, AnyPace_HasTheRequestedLengthAndDuration) {
   for (const Pace pace : paces) {
     Person person = linear();
@@ -225,7 +226,7 @@ TEST(SimulationPerson, BiasHabitAndDrift_GiveTheHandCalculatedDirections) {
   EXPECT_NEAR(biased.direction_deg(), virtual_deg - 3.0, 0.01);
   EXPECT_NEAR(biased.felt_error_deg(), 0.0, 0.01);
   person = numb();
-  person.habit_deg = 4.0;  // from +4 to -4: the path is curved, its chord is straight
+  person.habit_deg = 4.0;  // from +4 to -4: the path is curved, and its chord points to the target
   const Walk bent = walk_beside(person, 0.0);
   EXPECT_NEAR(bent.person.direction_deg(), virtual_deg - 4.0, 0.1);
   EXPECT_NEAR(bearing_deg({}, bent.person.position()), virtual_deg, 0.5);
@@ -249,7 +250,8 @@ TEST(SimulationPerson, SteeringToAPosition_ReducesTheMiss) {
   EXPECT_LT(std::abs(by_place_deg - virtual_deg), 0.5 * std::abs(by_direction_deg - virtual_deg));
 }
 
-// Ridges along the motion are never crossed; of ridges across the motion, one is crossed every 10 mm.
+// Ridges along the motion are never crossed. With the normal 40 degrees from the motion, the finger crosses a ridge
+// every 10 mm / cos(40 degrees) = 13 mm.
 TEST(SimulationPerson, RidgesAlongTheMotion_CauseNoShift) {
   Person person = linear();
   person.steering = Steering::crossings;

@@ -13,7 +13,7 @@ namespace {
 constexpr TrackerNoise half_a_millimetre{.white_mm = 0.3, .correlated_mm = 0.4};  // sigma 0.5
 constexpr double sample_period_s = 0.01;
 
-// Rests for 0.5 s, moves straight away from the user at 100 mm/s for 0.5 s, and rests again.
+// Rests for 0.5 s, moves straight away from the user at 100 mm/s for 0.5 s, rests for 1 s.
 PlatePoint straight_at(double time_s) { return {10.0, -50.0 + 100.0 * std::clamp(time_s - 0.5, 0.0, 0.5)}; }
 
 struct FingerWatch {
@@ -145,8 +145,7 @@ TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
   }
 }
 
-// Minimum-jerk motions over 100 mm, after a rest of 0.5 s. Of 40 motions, 2 may have a pause between 30 and 85 % of
-// their duration, and 2 may have an end that is not detected within 0.7 s.
+// Minimum-jerk motions over 100 mm, after a rest of 0.5 s. The last sample is 0.7 s after the stop.
 TEST(FingerPhase, AnySpeedAndNoise_GivesMotionAndPause) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
     for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {

@@ -1,4 +1,3 @@
-// An invalid argument gives one line that names the argument and what is allowed, exit code 2, and no file.
 #include <gtest/gtest.h>
 
 #include "tests/samples/study/process.h"

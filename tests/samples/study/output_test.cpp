@@ -44,7 +44,7 @@ TEST(StudyOutput, TextSaysThatItIsSimulationInLinesThatFit) {
   }
 }
 
-// Rows have the same values; a missing value is empty in CSV and null in JSON.
+// Compares the first rows. A missing value is empty in CSV and null in JSON.
 TEST(StudyOutput, CsvAndJsonHaveTheSameRows) {
   for (const Arguments& arguments :
        {Arguments{"table1", "--trials", "20"}, Arguments{"ridges"}, Arguments{"scene", HRT_SCENES "/desk.gltf"},

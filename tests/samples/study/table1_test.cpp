@@ -162,7 +162,7 @@ TEST(StudyRidges, PathsBendAwayFromTheRidges) {
     EXPECT_EQ(row["plate_deg"], plates_deg[i]);
     EXPECT_NEAR(row["rest_deg"].get<double>(), -0.15 * plates_deg[i] / 0.85, 1e-9);
     EXPECT_NEAR(row["mean_deg"].get<double>(), row["rest_deg"].get<double>(), 0.5);
-    EXPECT_NEAR(row["sd_deg"].get<double>(), 0.83, 0.2);  // noise of the last step and of the perception
+    EXPECT_NEAR(row["sd_deg"].get<double>(), 0.83, 0.2);  // from the noise of motor command and perception
   }
   EXPECT_TRUE(has(read_file(folder / "fig1c.svg"), "plate at −60°"));
 }
