@@ -73,7 +73,7 @@ TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayBitForBit) {
   expect_compared(text, {"\nretarget,0,", "\nretarget,-4,", "\nretarget,-5,", "\ncancel,0,", "\ncancel,-5,"});
 }
 
-// Contacts within a reach and after a reach, rejected ones, and ones whose struct cannot be read, which are not recorded.
+// Contacts within and after a reach, rejected ones, and ones whose struct cannot be read, which are not recorded.
 TEST_F(RecordingTest, ContactsReplayBitForBit) {
   create(session_config(), [](auto& c) { c.flags = HRT_SESSION_REGISTERED; });
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
