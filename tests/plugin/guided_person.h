@@ -96,7 +96,7 @@ class GuidedPerson {
   std::vector<Held> seen_;
 };
 
-/// Returns a person without noise, under a tracker without latency.
+/// Returns a person without noise of movement and touch, under a tracker without noise and latency.
 inline GuidedPerson quiet_person(bool in_plate = false) {
   GuidedPerson person(1);
   person.condition.person = Person{};
