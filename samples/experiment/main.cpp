@@ -40,7 +40,7 @@ void put(const std::filesystem::path& file, const std::string& content) {
                   "; free space, or check the permissions of the folder");
 }
 
-// Runs one session: through OpenXR if there is a scene, else with a simulated participant in this process.
+// Runs one session: in this process if --simulated is given without --scene, else through OpenXR.
 void run_one(const Options& options) {
   const Design design = read_design(options.study);
   SessionPlace place{options.data, options.participant, options.session};

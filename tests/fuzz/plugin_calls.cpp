@@ -1,5 +1,5 @@
-// Makes calls in any order with any arguments. Checks that results have names, that failed calls do not change their
-// outputs, and that the numbers of outputs are finite.
+// Makes calls in any order with any arguments. Checks that results have names, that numbers of outputs are finite, and
+// for some calls that a failure does not change the output.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <array>

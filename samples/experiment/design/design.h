@@ -104,7 +104,7 @@ struct Design {
   std::string direction;
   unsigned reference;  ///< index of the condition with which the others are compared
   double alpha;
-  double margin;  ///< of the hypotheses equivalence and below_margin, in the measure's unit
+  double margin;  ///< margin of the hypotheses equivalence and below_margin, in the measure's unit
   SimulatedTraits simulated;
   std::string text;  ///< content of study.json
   std::string sha256;

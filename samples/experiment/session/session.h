@@ -16,7 +16,7 @@ struct SessionPlace {
   unsigned participant;
   unsigned session = 1;
   std::string plate;         ///< content of the plate's file; empty: no file
-  std::string registration;  ///< content of the registration file; empty: the session registers the plate
+  std::string registration;  ///< content of the registration file; empty: no file
 };
 
 std::filesystem::path folder_of(const SessionPlace& place);
@@ -24,7 +24,7 @@ std::filesystem::path folder_of(const SessionPlace& place);
 /// Copies the design to a study's folder that has none. Throws Refusal if the folder has another design.
 void freeze(const Design& design, const std::filesystem::path& study, const Disk& disk);
 
-/// Runs or resumes the session; has no effect if the session has ended. Returns "done", "stopped", or "left" (the
+/// Runs or resumes the session; a session that has ended is not changed. Returns "done", "stopped", or "left" (the
 /// experimenter quit; the session can be resumed). Throws an exception with the reason of a failure.
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk);
 

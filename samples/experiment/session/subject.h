@@ -60,7 +60,7 @@ class Subject {
   virtual std::string boot() const = 0;
   /// Sets the fields of the configuration that describe plate, tracker, start and registration.
   virtual void plan(hrt_session_config&) const {}
-  /// Returns "simulated, seed 7", or a person and the tracker; the same in each run of a session.
+  /// Returns the kind of participant and the tracker, if there is one; the same in each run of a session.
   virtual std::string description() const = 0;
   /// Returns a description of the plate; may be empty.
   virtual std::string plate() const { return {}; }

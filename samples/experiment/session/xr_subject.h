@@ -23,7 +23,7 @@ class XrSubject : public Subject {
   /// Uses these options: scene, plugin, hands, finger, plate, speak_with, person, time_limit_s, runtime_limit and seed.
   /// `live`: page that displays the session, or null. Throws app::Failure, app::XrFailure and Refusal.
   XrSubject(const Design& design, unsigned participant, const app::Options& options, Live* live);
-  /// Waits until all sentences have been spoken.
+  /// Waits until all sentences have been spoken, for at most 30 s.
   ~XrSubject() override;
   XrSubject(const XrSubject&) = delete;
   XrSubject& operator=(const XrSubject&) = delete;
@@ -87,7 +87,7 @@ class XrSubject : public Subject {
   app::RunContext context_;
   std::vector<app::Mark> marks_;
   std::optional<app::RegisteredPlate> placed_;
-  std::optional<Live::Clock::time_point> registered_;  // time at which the pose was last set or checked
+  std::optional<Live::Clock::time_point> registered_;  // time at which the plate's pose was last set or checked
   Key pressed_ = Key::none;                            // last key that key() has not returned yet
   std::optional<char> typed_;                          // last key that answered a request
   std::string expected_keys_;                          // keys that answer the present request

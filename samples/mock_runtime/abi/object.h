@@ -1,5 +1,5 @@
 // Objects behind the application's handles. They form a tree: an instance owns its sessions and action sets, a session
-// its spaces, swapchains and hand trackers. Destroying an object destroys its descendants.
+// its spaces, swapchains and hand trackers, an action set its actions. Destroying an object destroys its descendants.
 #pragma once
 
 #include <openxr/openxr.h>

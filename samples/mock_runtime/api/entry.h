@@ -1,4 +1,5 @@
-// Wrapper of each function in functions.h: locks, injects faults, resolves handles, checks pointers, logs the call.
+// Wrapper of each function in functions.h: locks, injects faults, executes due events of the script, resolves handles,
+// checks pointers, logs the call.
 #pragma once
 
 #include <mutex>

@@ -14,7 +14,7 @@ namespace hrt::mock {
 
 inline constexpr XrSystemId the_system = 1;
 
-/// State of XR_KHR_vulkan_enable2 that xrCreateSession needs.
+/// State of XR_KHR_vulkan_enable2, which its functions set for later calls.
 struct GraphicsSetup {
   bool requirements_requested = false;
   PFN_vkGetInstanceProcAddr get_proc_addr = nullptr;  ///< vkGetInstanceProcAddr of the application

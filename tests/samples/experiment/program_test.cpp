@@ -39,7 +39,7 @@ std::string written(const TemporaryFolder& folder, const char* name, const std::
   return folder / name;
 }
 
-// A session with set-up and both kinds of blocks is the same when it is run twice; its output names no condition.
+// A session with set-up, reaches and noticeability is the same when it is run twice; its output names no condition.
 TEST(ExperimentProgram, ThroughTheMockRuntime) {
   const TemporaryFolder folder;
   const Design design = small_design(1, [](nlohmann::json& study) {

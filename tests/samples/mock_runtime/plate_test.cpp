@@ -105,7 +105,7 @@ TEST_F(MockPlate, ScriptedSlideEqualsAnInstructedReachAndRepeatsAfterItsRest) {
     place_plate();
     ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 40.0));
   };
-  constexpr int frames_of_a_slide = 98;  // 300 ms and 800 ms, at 90 Hz
+  constexpr int frames_of_a_slide = 98;  // almost 300 ms and 800 ms, at 90 Hz
   std::vector<float> instructed;
   begin("");
   instruct(5.0);
