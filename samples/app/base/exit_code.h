@@ -1,4 +1,4 @@
-// Exit codes of the programs that use the library hrt_app.
+// Exit codes of hrt-reach, which are also the kinds of failures in samples/app.
 #pragma once
 
 #include <stdexcept>
@@ -34,7 +34,7 @@ enum class ExitCode : int {
 #undef HRT_EXIT_CODE
 };
 
-/// Error that ends the program, unless a caller handles it: main() prints its sentence and returns its exit code.
+/// Error that ends the program, unless a caller handles it. hrt-reach prints its sentence and returns its exit code.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}

@@ -9,8 +9,8 @@ enum {
   EMERGENCY_MS = 2, /* a shorter opening is noise */
   SUPPLY_MS = 5,    /* a shorter dip is due to a starting motor */
   SUPPLY_ADC = 409, /* half of 4 V, on a scale of 5 V: servos for 5 to 6 V lose their force below 4 V */
-  /* A servo without a sensor is homed with one pulse in eight. Many servos drive their motor for 20 ms per pulse, so
-   * that they turn at an eighth of their speed. 180 degrees at an eighth of 200 degrees a second take 7.2 s. */
+  /* At first, one pulse in eight is sent. Many servos drive their motor for 20 ms per pulse, so that they turn at an
+   * eighth of their speed. Homing by 180 degrees at an eighth of 200 degrees a second takes 7.2 s. */
   HOME_MS = 8000,
   SETTLE_PERIOD_MS = 160,
   FRAME_MS = 20,
