@@ -319,7 +319,7 @@ struct Xl330 : Disturbed<EmulatedDynamixel> {
     const auto open = [&](const std::string&, int) { return line_to(*this); };
     const Measurements found = commission([&] { return device_named(name)(open, Start::hold); },
                                           {reader_of(entered({"", "y", ""})), [](const std::string&) {}});
-    // Closing the device has set the profile velocity of rest. The unit of the velocity is 1.374 degrees a second.
+    // Restores the speed, because closing the device has reduced the profile velocity, whose unit is 1.374 degrees/s.
     motor.limit_speed(std::round(std::round(speed_deg_s) / 1.374) * 1.374);
     return found;
   }

@@ -29,7 +29,7 @@ struct EmulatedFrame {
                                          {ABS_MT_TRACKING_ID, {0, 0, 65535, 0, 0, 0}},
                                          {ABS_MT_POSITION_X, {0, 0, 400, 0, 0, 2}},
                                          {ABS_MT_POSITION_Y, {0, 0, 300, 0, 0, 2}}};
-  std::map<int, std::array<int, 2>> state{{ABS_MT_TRACKING_ID, {-1, -1}}};  // of each slot
+  std::map<int, std::array<int, 2>> state{{ABS_MT_TRACKING_ID, {-1, -1}}};  // values of the axes, by slot
   std::atomic<int> error = 0, clock = -1;  // error of all calls except open(); clock that the program has set
   std::deque<input_event> events;
   std::mutex mutex;  // the handler has its own thread
