@@ -18,7 +18,7 @@ struct PlateGreeting {  // answer to HELLO
 };
 struct PlateReport {
   std::optional<double> orientation_deg;  ///< nullopt if the orientation is unknown
-  std::uint16_t sequence;                 ///< sequence number of the last line that the plate accepted
+  std::uint16_t sequence;                 ///< last sequence number that the plate accepted; 0 after HELLO
 };
 enum class StopReason { host, heartbeat, limit, fault, emergency, stuck, sensor, unhomed, supply };
 struct PlateStopped {

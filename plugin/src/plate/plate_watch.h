@@ -40,7 +40,7 @@ class PlateWatch {
   Time reported_;
   bool has_reported_ = false;
   std::optional<double> command_deg_;
-  std::deque<Position> motion_;    // positions of one motion towards the command, without a stop
+  std::deque<Position> motion_;    // recent positions of the motion towards the command, without a stop
   std::optional<Position> moved_;  // last position at which expect_motion() observed a motion
   std::optional<double> speed_deg_s_;
 };

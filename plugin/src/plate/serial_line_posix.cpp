@@ -118,7 +118,8 @@ class SerialLine : public Line {
   void set_up(speed_t speed) {
     if (tcgetattr(line_, &before_) != 0)
       throw PlateFailure(Fault::line, "is not a serial line; name a serial device, such as /dev/ttyACM0");
-    // TIOCEXCL does not exclude root or an earlier program. flock() excludes both if they also call flock().
+    // TIOCEXCL does not exclude root, or a program that has opened the line before. flock() excludes both if they also
+    // call flock().
     if (flock(line_, LOCK_EX | LOCK_NB) != 0 || ioctl(line_, TIOCEXCL) != 0)
       throw PlateFailure(Fault::line, "is in use by another program. Close that program");
     termios settings = before_;
