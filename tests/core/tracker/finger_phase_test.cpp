@@ -13,7 +13,7 @@ namespace {
 constexpr TrackerNoise half_a_millimetre{.white_mm = 0.3, .correlated_mm = 0.4};  // sigma 0.5
 constexpr double sample_period_s = 0.01;
 
-// Rests for 0.5 s, moves straight away from the user at 100 mm/s for 0.5 s, rests for 1 s.
+// Rests for 0.5 s, moves straight away from the user at 100 mm/s for 0.5 s, and rests again.
 PlatePoint straight_at(double time_s) { return {10.0, -50.0 + 100.0 * std::clamp(time_s - 0.5, 0.0, 0.5)}; }
 
 struct FingerWatch {
