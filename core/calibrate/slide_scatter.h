@@ -15,7 +15,7 @@ struct SlideScatter {
   int degree = 0;              ///< degree of the polynomials
 };
 
-/// Returns the number of different plate angles; angles within 3 degrees count once.
+/// Returns the number of different plate angles; angles less than 3 degrees apart count once.
 int different_angles(std::span<const SlideTrack> slides);
 
 /// Returns the degree, 1 to 5, of the polynomials over the plate angle that `slides` can determine.

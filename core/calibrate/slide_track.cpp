@@ -22,7 +22,7 @@ constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.7
 // A longer time without samples ends the slide.
 constexpr double max_gap_s = 5.0;
 // A position is an outlier if it is more than max_deviations SDs and more than min_outlier_mm from the median of the
-// `median_reach` positions on each side.
+// positions that are at most `median_reach` samples away.
 constexpr int median_reach = 5;
 constexpr double max_deviations = 6.0;
 constexpr double min_outlier_mm = 1.0;

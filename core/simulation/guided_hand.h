@@ -12,7 +12,7 @@ namespace hrt {
 
 class GuidedHand {
  public:
-  /// `touch_sd_mm`: SD of each coordinate of a touched position. A rest at a start has the height 0.
+  /// `touch_sd_mm`: SD of each coordinate of a touched position, and of a rest at a start, whose height is 0.
   GuidedHand(Person person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index);
 
   void set_person(const Person& person) { person_ = person; }

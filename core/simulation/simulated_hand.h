@@ -14,7 +14,8 @@ class SimulatedHand {
   /// Draws a person of the first family for a motion of `duration_s`.
   SimulatedHand(double duration_s, std::uint64_t seed);
 
-  /// Person, tracker and plate as drawn; may be changed before a begin. Of the tracker, only white_mm is used.
+  /// Person, tracker and plate as drawn; may be changed before begin() or begin_setup(). Of the tracker, only white_mm
+  /// is used.
   PersonCondition& condition() { return condition_; }
 
   /// Begins a reach at rest at `start`, over `distance_mm` towards the virtual target.
