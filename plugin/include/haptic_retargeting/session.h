@@ -77,8 +77,9 @@ typedef uint32_t hrt_session_flags;
  *  command already turns the plate to the orientation that the start of the motion requires, and more fast reaches end
  *  at the target. Under FIXED_DIRECTION, the plate waits in any case. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
-/** The plate's pose is from a registration made at registration.time_ns. HRT_SETUP_REGISTRATION sets this flag; a
- *  failed HRT_SETUP_CHECK and hrt_scene_register() clear it. All three discard contacts (hrt_reach_touched()). */
+/** The plate's pose is from a registration made or checked at registration.time_ns. HRT_SETUP_REGISTRATION sets this
+ *  flag; a failed HRT_SETUP_CHECK and hrt_scene_register() clear it. All three discard contacts
+ *  (hrt_reach_touched()). */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 /** The user finds start_position_m by touch, for example by a dimple. A finger that rests before a reach is then
  *  assumed to be at the start, even if the tracker reports another position, and positions are measured relative to
