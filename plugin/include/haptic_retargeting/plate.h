@@ -104,12 +104,12 @@ typedef uint32_t hrt_plate_fault;
 #define HRT_PLATE_FAULT_UNPLUGGED 3u /**< the serial port has disappeared, or accepts no data */
 #define HRT_PLATE_FAULT_SILENT 4u    /**< the device has sent nothing for half a second */
 #define HRT_PLATE_FAULT_NO_REPORT 5u /**< the device does not report its orientation */
-#define HRT_PLATE_FAULT_LIMITS 6u    /**< the device reports an angle beyond its limits, or rejected a command */
+#define HRT_PLATE_FAULT_LIMITS 6u    /**< the device reports an angle beyond its limits, or rejected such a command */
 #define HRT_PLATE_FAULT_STUCK 7u     /**< the plate has not moved towards its command for a second */
 #define HRT_PLATE_FAULT_RESTARTED 8u /**< the device restarted, or announced itself again */
 #define HRT_PLATE_FAULT_EMERGENCY 9u /**< the emergency stop is pressed, or its wire is broken */
 #define HRT_PLATE_FAULT_DEVICE 10u   /**< the device reports a fault, such as voltage, temperature or overload */
-#define HRT_PLATE_FAULT_PROTOCOL 11u /**< the device sends messages that the protocol does not allow */
+#define HRT_PLATE_FAULT_PROTOCOL 11u /**< the device does not follow the protocol, for example leaves out an answer */
 #define HRT_PLATE_FAULT_INTERNAL 12u /**< memory is exhausted, or this library has a defect */
 
 /** @flags HRT_PLATE_REPORT Content of a report, and warnings. */
