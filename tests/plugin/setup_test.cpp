@@ -240,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(
                   s.finger_position_m[0] *= -1.0;
                   s.finger_position_m[2] = 0.1 - s.finger_position_m[2];
                 },
-                HRT_OBSERVED_WRONG_WAY, HRT_SETUP_CALIBRATION, "axes may be swapped or mirrored"}),
+                HRT_OBSERVED_WRONG_WAY, HRT_SETUP_CALIBRATION, "check for swapped or mirrored axes"}),
     [](const auto& param) { return std::string(param.param.name); });
 
 TEST_F(SetupTest, ASimulatedPersonFollowsEveryPart) {

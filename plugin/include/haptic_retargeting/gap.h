@@ -54,7 +54,7 @@ typedef struct hrt_gap {
   double max_gap_deg;
   /** max_gap_deg minus the absolute value of gap_deg. Negative: the gap is not feasible. */
   double margin_deg;
-  /** Plate orientation that sustains the gap; at the bound if the gap is not feasible. @ccw */
+  /** Plate orientation that sustains the gap or, if the gap is not feasible, causes the largest shift. @ccw */
   double plate_orientation_deg;
   /** Direction in which the finger settles: that of the real target if the gap is feasible. @ccw */
   double settling_direction_deg;

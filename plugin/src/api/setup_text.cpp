@@ -54,7 +54,7 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
       break;
     case Kind::wrong_way:
       text << "The finger slid towards " << std::round(observed.first)
-           << " degrees, where 0 is straight ahead: axes may be swapped or mirrored. ";
+           << " degrees, where 0 is straight ahead: check for swapped or mirrored axes. ";
       break;
     case Kind::no_rest:
       text << "The finger has not rested at the requested position yet: keep it still there. ";
