@@ -19,7 +19,7 @@ namespace hrt::plate {
 struct DeviceLimits {
   double min_deg;                    ///< lower stop, or limit of the driver
   double max_deg;                    ///< upper stop, or limit of the driver
-  double speed_deg_s;                ///< speed that the device reports, or the observed one if that is lower
+  double speed_deg_s;                ///< speed by the settings of the device, or the observed one if that is lower
   std::chrono::nanoseconds latency;  ///< time from a command to the start of the motion
 };
 

@@ -54,7 +54,7 @@ class PacketReader {
   std::optional<Packet> next();
   /// Drops an incomplete packet. Call it when the time limit for the rest of the packet has passed.
   void drop_partial();
-  /// Number of packets with a wrong length or CRC so far.
+  /// Number of packets so far with a wrong length or CRC, or dropped by drop_partial().
   std::uint64_t damaged() const { return damaged_; }
 
  private:

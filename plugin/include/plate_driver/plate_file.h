@@ -14,7 +14,7 @@ struct PlateFile {
   double speed_deg_s = 0.0;
   double acceleration_deg_s2 = 0.0;
   double latency_ms = 0.0;  ///< time from a command to the motion, without the time on the serial line
-  double error_deg = 0.0;   ///< largest difference from the command at rest that is consistent with the measurements
+  double error_deg = 0.0;   ///< limit of the distance from the command at rest; beyond: HRT_PLATE_REPORT_DEVIATES
 };
 
 /// Returns the lines of Device::details() that are settings.
