@@ -157,7 +157,7 @@ def test_mixed_model():
     assert numpy.allclose(fit.df, [6.9666, 6.9724], rtol=1e-2) and numpy.allclose(fit.p, [3.39e-4, 1.8e-5], rtol=2e-2), fit
     one_sided = analysis.mixed_models([few_trials(7)], "abs_miss_deg", "c", "greater")[0]  # both estimates are above 0
     assert numpy.allclose(2 * one_sided.p, fit.p), one_sided
-    # With balanced data, the mixed model equals the paired t test of people's means.
+    # With balanced data, the mixed model agrees with the paired t test of people's means.
     balanced = few_trials(0)
     fit, means = analysis.mixed_models([balanced], "abs_miss_deg", "c")[0], analysis.means_of(balanced, "abs_miss_deg")
     for condition in "ab":

@@ -266,7 +266,7 @@ test("the first screen has a title, a mark and two controls; a thumb scrolls bes
       return getComputedStyle(document.elementFromPoint(box.x + right * box.width, box.y + down * box.height)).touchAction;
     }, [x, y]);
     assert.deepEqual([await touch(0.5, 0.5), await touch(0.02, 0.02), await touch(0.98, 0.98)], ["none", "pan-y pinch-zoom", "pan-y pinch-zoom"]);
-    // The caption does not cover the picture, and the plate fills the width of a phone.
+    // The caption does not cover the picture, and the plate has more than 90 % of the width of a phone.
     const boxes = await page.evaluate(() => ["caption", "view"].map((id) => document.getElementById(id).getBoundingClientRect()).map(({ top, bottom }) => [top, bottom]));
     assert.ok(boxes[0][1] <= boxes[1][0]);
     const disc = await page.locator("#grip").boundingBox();
