@@ -36,7 +36,7 @@ inline double felt_direction_deg(double tactile_weight, double plate_orientation
   return tactile_weight * plate_orientation_deg + (1.0 - tactile_weight) * finger_direction_deg;
 }
 
-/// Input of a step. T is the perceived ridge normal (ridge_normal_deg()). All angles are relative to one direction.
+/// Input of a step. T is the perceived ridge normal (ridge_normal_deg()). Angles are relative to a common direction.
 struct ParticipantInput {
   double tactile_weight;         ///< w_T
   double gain;                   ///< K, gain of the perception filter

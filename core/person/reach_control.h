@@ -18,7 +18,7 @@
 namespace hrt {
 
 struct ReachControlConfig {
-  /// Largest angle between ridge normal and motion, in (0, 90). Plans also stay below the angle of the largest shift.
+  /// Largest angle between ridge normal and motion, in (0, 90). Plans also stay within the angle of the largest shift.
   double bound_deg = 75.0;
   /// Limit of the perceived-direction error that the plate causes, > 0.
   double max_felt_error_deg = 5.0;

@@ -104,10 +104,10 @@ struct PlateCommand {
   // The caller of the controller sets the following fields.
   bool lifted = false;                 ///< the finger does not touch the plate
   bool off_plate = false;              ///< the finger is beyond the plate's rim
-  bool registration_doubtful = false;  ///< the registration is older or less accurate than allowed
+  bool registration_doubtful = false;  ///< the registration is missing, older or less accurate than allowed
   bool contacts_disagree = false;      ///< contacts contradict the registration
   bool implausible = false;            ///< times, units or axes are probably wrong
-  bool fault = false;                  ///< a computed value was not finite
+  bool fault = false;                  ///< the computed plate orientation was not finite
 };
 
 /// A reach is on target if the bearing of its end differs from that of the real target by at most this angle.
@@ -140,7 +140,7 @@ struct PersonEstimate {
 struct ReachSummary {
   std::int64_t steps = 0;               ///< model steps with an accepted observation
   std::int64_t predicted_steps = 0;     ///< model steps without an accepted observation
-  std::int64_t saturated_steps = 0;     ///< steps in which the plate bound or a stop limited the command
+  std::int64_t saturated_steps = 0;     ///< steps in which a bound of the orientation or a stop limited the command
   std::int64_t rate_limited_steps = 0;  ///< steps in which the rate bound limited the command
   std::int64_t samples = 0;
   std::int64_t dropped_samples = 0;      ///< samples without an observation, outliers and duplicates
@@ -154,7 +154,7 @@ struct ReachSummary {
   double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< value in the last PlateCommand
   double peak_felt_error_deg = 0.0;    ///< largest absolute PlateCommand::felt_error_deg while the finger moved
   double rms_felt_error_deg = 0.0;     ///< root mean square of PlateCommand::felt_error_deg while the finger moved
-  double nis = 0.0;                    ///< largest PlateCommand::nis
+  double nis = 0.0;                    ///< largest PlateCommand::nis after the onset
   bool unreachable = false;            ///< value in the last PlateCommand
   bool misfit = false;                 ///< true if any PlateCommand had this flag
   bool off_target = false;             ///< the reach probably ended over `near_deg` off the target

@@ -21,7 +21,7 @@
 
 namespace hrt {
 
-/// Noise of a tracked coordinate: SDs >= 0. The defaults are assumed for an unknown tracker.
+/// Noise of a tracked coordinate: SDs >= 0. The defaults are what NoiseLearner assumes for an unknown tracker.
 struct TrackerNoise {
   double white_mm = 0.8;
   double correlated_mm = 0.9;
