@@ -34,8 +34,8 @@ class ReachEnd {
   /// Processes a sample. `finger`: the phase detector, which has already processed this sample.
   void observe(const FingerSample& sample, const FingerPhase& finger);
   const ReachProgress& progress() const { return progress_; }
-  /// True if the finger, first tracked elsewhere, came to rest at the start with the last sample. Retargeter then
-  /// begins the reach again. False after a jump of the target.
+  /// True if the finger was first tracked elsewhere, has moved, and came to rest at the start with the last sample.
+  /// Retargeter then begins the reach again. False after a jump of the target.
   bool came_to_start() const { return came_to_start_; }
 
  private:

@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// Largest gap after a retarget: a reach requires less than 90 degrees, but near a target its bearing may be any angle.
+// Limit of the gap after a retarget: a reach requires less than 90 degrees, but a near target may have any bearing.
 constexpr double max_seen_gap_deg = 89.0;
 constexpr double min_seen_distance_mm = 1.0;
 

@@ -142,11 +142,10 @@ struct Tuning {
   double min_carried_motor_variance_sd_deg2 = 0.1;
 };
 
-/// A field of a Tuning: its name, its value, and the range in which it may be set.
 struct TuningField {
   std::string name;
   double* value;
-  double min, max;
+  double min, max;  ///< range in which the value may be set
 };
 
 /// Returns all fields of `tuning`. Allocates.

@@ -1,8 +1,8 @@
 // Effect of an uncertain pose of the plate on a reach. Samples of a reach do not reveal an error of the pose: the
 // finger is steered to the estimated position of the target.
 //
-// If the estimated frame is rotated by omega about the plate's centre and shifted by (dx, dz) from the true frame, the
-// tracked position of a finger at (x, z), right and away, has the error
+// If the estimated frame is rotated by omega about the plate's centre and shifted by (dx, dz) from the true frame, a
+// finger with the tracked position (x, z), right and away, is displaced from this position by
 //
 //   E = omega (-z, x) + (dx, dz)
 //

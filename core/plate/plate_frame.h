@@ -40,7 +40,6 @@ double bearing_deg(const PlatePoint& from, const PlatePoint& to);
 
 double distance_mm(const PlatePoint& from, const PlatePoint& to);
 
-/// Returns the point at `distance_mm` from `from` in `direction_deg`.
 PlatePoint point_ahead(const PlatePoint& from, double direction_deg, double distance_mm);
 
 }  // namespace hrt

@@ -104,7 +104,6 @@ void PhaseDetector<Point>::add_to_rest() {
   rest_.place = rest_.place + std::min(share, 1.0) * (seen.position - rest_.place);
 }
 
-// Begins another rest where the finger is set down.
 template <class Point>
 void PhaseDetector<Point>::set_down() {
   places_.keep_last();

@@ -78,7 +78,7 @@ double jackknifed(const std::vector<double>& without_one) {
   return std::sqrt((count - 1.0) / count * squares);
 }
 
-// Returns the interval of an SD from the variance and the SD of the variance.
+// Returns the interval of an SD from the variance and the SD of the variance. `total_mm`: SD of all noise.
 Interval deviation_interval(double variance_mm2, double sd_mm2, double total_mm) {
   const double half_mm2 = quantile * sd_mm2;
   Interval interval{std::sqrt(variance_mm2), std::sqrt(std::max(0.0, variance_mm2 - half_mm2)),
