@@ -1,6 +1,6 @@
 // Guided slides, which correct the registration at real targets. The trackers' frames are rotated, some also sheared or
-// distorted by a field; the point of contact on the skin changes at each touch; the noise is correlated in time. The
-// fit models rotation, scale and shear, but not the field.
+// distorted by a smooth field of displacements; the point of contact on the skin changes at each touch; the noise is
+// correlated in time. The fit models rotation, scale and shear, but not the field.
 #include <Eigen/Core>
 #include <cmath>
 #include <functional>

@@ -35,7 +35,7 @@ double room_ahead_mm(const SessionModel& model) {
   return half_chord_mm - rim_margin_mm - start.away_mm;
 }
 
-// Sets the default marks: the start, and the corners of a hexagon on the rim without the one farthest from the user.
+// Sets the default marks for touches: the start, and the corners of a hexagon on the rim except the farthest one.
 void set_usual_marks(const SessionModel& model, SetupConfig* config) {
   using Mark = Eigen::Vector3d;
   const double r = mm_per_m * model.mount.surface.radius_m;
@@ -49,8 +49,8 @@ void set_usual_marks(const SessionModel& model, SetupConfig* config) {
   config->mark_count = 6;
 }
 
-// Sets the guides from the start to the near sides of the first real targets. Fails if there is no real target, or if
-// one is too near for a slide.
+// Sets the guides, along which the finger slides from the start to the near sides of the first real targets. Fails if
+// there is no real target, or if one is too near for a slide.
 hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupConfig* config) {
   const PlatePoint& start = start_of(model);
   for (const auto& [id, target] : targets.all()) {

@@ -10,7 +10,7 @@ namespace hrt::plugin {
 /// uncertainty of tilt and height, which is assumed to be as large as that in the plane.
 Registration registration_of(const SessionModel& model, double touch_sd_mm);
 
-/// Parameters of the user that differ between a retest and the model.
+/// Parameters of the user in which a retest (a repeated calibration) differs from the model.
 struct RetestDifference {
   bool tactile_weight = false;
   bool bias = false;

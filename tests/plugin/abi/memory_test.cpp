@@ -1,4 +1,4 @@
-// All memory of the library is from the host's allocator, and any allocation may fail.
+// The library allocates by the functions of the host, and any allocation may fail.
 #include <unistd.h>
 
 #include <cstdlib>
