@@ -15,8 +15,8 @@ namespace {
 
 constexpr auto say_limit = std::chrono::milliseconds(100);
 
-// Opens a separate non-blocking descriptor of standard error. Returns standard error itself for a socket, for a regular
-// file, which a new descriptor would overwrite from its start, and if opening fails.
+// Opens a separate non-blocking descriptor of standard error. Returns standard error itself for a socket, if opening
+// fails, and for a regular file, which a new descriptor would overwrite from its start.
 int open_without_blocking() {
   struct stat status{};
   if (fstat(STDERR_FILENO, &status) != 0 || S_ISREG(status.st_mode) || S_ISSOCK(status.st_mode)) return STDERR_FILENO;

@@ -22,7 +22,7 @@ enum {
   FAST_LEAD_MILLIDEG = 60000,
   HELD_MILLIDEG = 1000, /* a stop does not change the pulse of a servo that is nearer to its pulse */
   AT_REST_MS = 1000,    /* a stop does not change a pulse that has not moved for this time */
-  BLOCKED_MS = 500,     /* a servo that moves by less than MOVED_MILLIDEG in this time at the largest lead is stuck */
+  BLOCKED_MS = 500,     /* a servo that moves by less than MOVED_MILLIDEG in this time at the largest lead has failed */
   MOVED_MILLIDEG = 3000,
   MAX_SETTLE_MILLIDEG = 6000, /* a servo that moves farther away from its first pulse turns against its sensor */
   SETTLED_MILLIDEG = 400,     /* largest motion between two pulses of a settled servo */

@@ -5,7 +5,8 @@
 
 namespace hrt::app {
 
-/// At most one object may exist. Without a terminal, or if it is created in the background, key() returns nothing.
+/// At most one object may exist. key() returns nothing without a terminal, or if the object was created while the
+/// program was in the background.
 class Keyboard {
  public:
   Keyboard();

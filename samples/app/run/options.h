@@ -36,7 +36,7 @@ struct Options {
   PlateChoice plate;
   std::string finger;  ///< device of a touch frame (see TouchFrame); empty: hand tracking
   double time_limit_s = 30.0;
-  std::chrono::milliseconds runtime_limit{10'000};  ///< limit of a call into, or a wait for, the runtime
+  std::chrono::milliseconds runtime_limit{10'000};  ///< limit of each call into the runtime and wait for it
   bool for_people = true;                           ///< true: the default controller; false: the paper's
   std::optional<double> tactile_weight;             ///< unset: 0.15 if !for_people, else the plugin's default
   double motor_variance_deg2 = 0.5;
@@ -50,7 +50,7 @@ struct Options {
   std::filesystem::path profile;       ///< profile of the user; empty: an unknown user
   std::filesystem::path calibrate;     ///< profile that a calibration writes; empty: reaches, no calibration
   std::uint32_t max_slides = 40;       ///< largest number of slides of a calibration
-  std::optional<double> eye_height_m;  ///< eyes above the floor, for a runtime without a floor space
+  std::optional<double> eye_height_m;  ///< height of the eyes above the floor, for a runtime without a floor space
   std::string speak_with;              ///< speech program and its arguments; empty: no speech
   bool person = false;                 ///< the user is a person, even if the runtime simulates one
   bool verbose = false;

@@ -16,7 +16,8 @@ namespace hrt::app {
 /// - with ExitCode::interrupted, if the program is in a call 0.5 s after a signal, or runs 5 s after a signal.
 void watch_runtime(std::chrono::milliseconds limit);
 
-/// While this object exists, the watchdog limits the duration of a call. One at a time; `name` must outlive it.
+/// While this object exists, the watchdog limits the duration of a call. Only one may exist at a time; `name` must
+/// outlive it.
 class RuntimeCall {
  public:
   explicit RuntimeCall(std::string_view name);
