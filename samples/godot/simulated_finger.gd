@@ -2,7 +2,7 @@
 class_name SimulatedFinger
 extends Finger
 
-## Offset from the tracked joint to the skin in the axes of the joint, which a set-up measures.
+## Offset from the tracked joint to the skin, in the axes of the joint. A set-up measures it.
 const SKIN_OFFSET := Vector3(0, -0.008, -0.012)
 ## High enough that a set-up detects the lift even at 5 frames a second.
 const LIFT := Vector3(0, 0.12, 0)
@@ -12,7 +12,7 @@ const TRACKER_NOISE_M := 0.0012
 ## Rotations of the joint in the touches that measure the offset of the skin.
 const ROTATIONS: Array[Vector3] = [Vector3(), Vector3(0.9, 0, 0), Vector3(-0.3, 0, 0.6), Vector3(-0.3, 0, -0.6),
 		Vector3(-0.2, 0.7, 0), Vector3(-0.2, -0.7, 0)]
-## True pose of the plate, which a set-up measures, relative to its pose in the scene's file.
+## True pose of the plate relative to its pose in the scene's file. A set-up measures it.
 const DISPLACED := Transform3D(Basis(Vector3.UP, 0.07), Vector3(-0.02, 0, 0.015))
 
 var _plate: HapticRetargeting

@@ -43,7 +43,8 @@ double share_within(double sd_deg) { return 100.0 * std::erf(1.5 / (sd_deg * std
 }  // namespace
 
 std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_distance_m) {
-  constexpr double low = 0.7605, high = 1.4606;  // sqrt(19 / q); q: 97.5 and 2.5 % quantiles of chi squared, 19 degrees
+  // sqrt(19 / q), where q is the 97.5 or 2.5 % quantile of chi squared with 19 degrees of freedom.
+  constexpr double low = 0.7605, high = 1.4606;
   const auto count = static_cast<double>(bearings_deg.size());
   double sum = 0.0, squares = 0.0;
   for (const double bearing_deg : bearings_deg) {

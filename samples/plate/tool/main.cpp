@@ -39,7 +39,7 @@ std::vector<std::string> serial_devices() {
   return found;
 }
 
-// Lines of standard input, read by a thread that ends with the process.
+// Lines of standard input, read by a thread, because reading blocks.
 class StandardInput {
  public:
   Input read() {
@@ -71,7 +71,7 @@ class StandardInput {
 
 int main(int argc, char** argv) {
   constexpr int output_failed = 10;
-  static StandardInput& input = *new StandardInput;  // never deleted: its thread outlives main()
+  static StandardInput& input = *new StandardInput;  // never deleted: its thread may outlive main()
   try {
     Environment env{serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr};
 #if defined(__linux__)

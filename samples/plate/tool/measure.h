@@ -19,7 +19,8 @@ struct SweepPoint {
   bool upwards;
 };
 
-/// Turns the plate step by step through its range and back. Throws PlateFailure if it does not return to its start.
+/// Turns the plate step by step through its range, at most one turn, and back. Throws PlateFailure if it does not return
+/// to its start.
 std::vector<SweepPoint> sweep(Device& device);
 
 struct Measurements {
@@ -47,9 +48,9 @@ double settle_at(Device& device, double orientation_deg);
 /// each stage. Throws PlateFailure if the plate fails, has no sensor, or cannot be measured.
 Measurements measure(Device& device, const std::function<void(const std::string&)>& print);
 
-/// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, and saves the
-/// settings that it finds in the plate. `open` opens the device, and may be called several times. Throws PlateFailure
-/// if a quantity cannot be measured, and InputEnded.
+/// Sets up and measures a new plate. For a hobby servo, asks the operator to read the scale twice, and saves in the
+/// plate the settings that result. `open` opens the device, and may be called several times. Throws PlateFailure if a
+/// quantity cannot be measured, and InputEnded.
 Measurements commission(const std::function<std::unique_ptr<Device>()>& open, const Dialogue& dialogue);
 
 std::string text_of(const Measurements& found);
