@@ -191,7 +191,7 @@ TEST_F(PlateApi, PlateStopsWhenTheHostIsSilent) {
   }));
 }
 
-// The documented limit is half a second; the test allows 3 s, for a busy machine. Without an answer, opening takes 5 s.
+// The documented limit is half a second; the test allows 3 s, for a busy machine. Opening waits 5 s for an answer.
 TEST_F(PlateApi, ClosesWhileOpenAndWhileOpening) {
   constexpr auto generous = 3s;
   const auto time_to_close = [&] {
