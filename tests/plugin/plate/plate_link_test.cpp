@@ -72,7 +72,6 @@ TEST_F(PlateLinkTest, SendsAnEqualCommandOnceAndHeartbeats) {
   EXPECT_EQ(plate->heartbeat_stops(), 0);
 }
 
-// The host is silent for 400 ms: the plate stops by itself, and the next command moves the plate again.
 TEST_F(PlateLinkTest, ThePlateStopsWithoutAHeartbeatAndTheNextCommandContinues) {
   open();
   link->turn_to(80.0);
