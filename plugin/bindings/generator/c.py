@@ -1,5 +1,5 @@
-"""Generates two kinds of C headers: functions that return structs with their defaults, and a table of all functions for
-hosts that load the library at run time."""
+"""Generates two kinds of C headers: functions that return initialised structs, and a table of all functions for hosts
+that load the library at run time."""
 
 from __future__ import annotations
 

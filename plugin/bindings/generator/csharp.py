@@ -11,7 +11,7 @@ import textwrap
 
 from abi import Abi, Enumeration, Function, Names, Struct, Type, Value, pascal
 
-# Enumerations with other names in C#.
+# Enumerations whose names do not follow from the C names.
 _ENUMS = {"HRT_ERROR": "Result", "HRT_LOG": "LogLevel", "HRT_TARGET": "TargetRole"}
 _HANDLES = {"hrt_target": "TargetId"}
 # Handles that C# classes keep as numbers.
@@ -101,7 +101,8 @@ class Renderer(Names):
         return "IntPtr" if field.type.name in self.callbacks else self.value(field.type)
 
     def array(self, struct: Struct, field: Value) -> str:
-        """Renders a fixed array as a struct, because C# has fixed arrays in unsafe code only; 8 characters become a word."""
+        """Renders a fixed array as a struct, because C# 7.2 has fixed arrays in unsafe code only. 8 characters become a
+        word."""
         prefix = f"{field.elements}_"
         names = {c.value: camel(c.name.removeprefix(prefix)) for c in reversed(self.abi.constants) if c.name.startswith(prefix)}
         text = field.type.name == "char"

@@ -12,7 +12,7 @@ _CTYPES = {"char": "c_char", "int32_t": "c_int32", "hrt_result": "c_int32", "uin
            "uint64_t": "c_uint64", "double": "c_double", "size_t": "c_size_t"}
 # Annotated number types, which _struct.py defines.
 _ANNOTATED = {"int32_t": "Int32", "uint32_t": "UInt32", "int64_t": "Int64", "uint64_t": "UInt64", "double": "Double"}
-# Enumerations with other names in Python.
+# Enumerations whose names do not follow from the C names.
 _ENUMERATIONS = {"HRT_ERROR": "ErrorCode", "HRT_LOG": "LogLevel", "HRT_TARGET": "Role"}
 # Error texts name methods instead of C functions: Reach.end for hrt_reach_end. These functions have methods with other names.
 _FUNCTIONS = {

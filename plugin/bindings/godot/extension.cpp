@@ -27,7 +27,7 @@ gde_library* library;
 
 /** Fills `engine`. Returns null, or the name of the first function that this version of Godot lacks. */
 const char* load_interface(gde_get_proc_address get_proc_address) {
-  // Godot 4.4 calls classdb_register_extension_class5 classdb_register_extension_class4.
+  // In Godot 4.4, classdb_register_extension_class5 has the name classdb_register_extension_class4.
   const auto load = [&](const std::string_view name) {
     const gde_function found = get_proc_address(name.data());
     return found || name != "classdb_register_extension_class5" ? found

@@ -47,8 +47,8 @@ class Plate(Closing):
         self._own(self._handle, _library().hrt_plate_close)
 
     def set(self, orientation_deg: float) -> None:
-        """Turns the plate so that its ridges are those of the given orientation; they repeat every 180 degrees. The
-        plate takes the shortest way that its stops allow."""
+        """Turns the plate to the nearest orientation within its stops that has the same ridges as the given one, or
+        else to the nearest stop. Ridges repeat every 180 degrees."""
         _check(_library().hrt_plate_set(self._handle, orientation_deg))
 
     def stop(self) -> None:

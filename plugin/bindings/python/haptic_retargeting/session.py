@@ -237,8 +237,8 @@ class Session(SessionKeywords, Closing):
 
     @contextmanager
     def recording(self, path: str | os.PathLike[str]) -> Iterator[RecordingStatus]:
-        """Records the calls of the session to a file within the context. Yields the status, which is set at the end. Raises
-        OSError or RuntimeError if the file is not complete."""
+        """Records the reaches and set-ups within the context to a file. Yields the status, which is set at the end.
+        Raises OSError or RuntimeError if the file is not complete."""
         status = RecordingStatus()
         check(library().hrt_recording_start(self.handle, os.fsencode(path)))
         try:
