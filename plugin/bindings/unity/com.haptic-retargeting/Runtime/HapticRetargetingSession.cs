@@ -61,7 +61,7 @@ namespace Hrt
         }
 
         /// <summary>Sets plate and start from a glTF file and adds its targets by their positions on the plate. Returns
-        /// the targets' ids in the order of the file.</summary>
+        /// the targets' ids in the order of the file's node tree.</summary>
         public TargetId[] LoadScene(string path)
         {
             Check(Native.hrt_scene_load(Utf8.NullTerminated(path, nameof(path)), null, 0, out SceneHandle scene));
