@@ -60,7 +60,7 @@ class Estimator {
   /// the goal, and steers. `gain`: Kalman gain K. `step_variance_deg2`: variance that the step adds to the direction.
   void end_step(double plate_orientation_deg, double gain, double step_variance_deg2);
 
-  /// Sets the direction to an exact observation.
+  /// Processes an exact observation of the direction.
   void observe_direction(double direction_deg);
 
   /// Processes a position. Returns false for an outlier: NIS above 25, at most `max_outliers` in succession. After

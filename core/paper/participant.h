@@ -45,7 +45,7 @@ struct ParticipantInput {
   double finger_direction_deg;   ///< P
 };
 
-/// Response of the person. In the next step, P is P + motor_command_deg + noise.
+/// Response of the participant. In the next step, P is P + motor_command_deg + noise.
 struct ParticipantStep {
   double felt_direction_deg;       ///< h
   double perceived_direction_deg;  ///< theta_hat = G + K (h - G): the filter's prior is the goal itself
@@ -89,8 +89,8 @@ inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
 GapFeasibility paper_gap_feasibility(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                                      double plate_bound_deg);
 
-/// A step of the Kalman filter that combines touch and proprioception. The step does not depend on the perceived
-/// direction, so a controller can compute future gains.
+/// A step of the participant's Kalman filter, whose measurement is h and whose prior is the goal. The step does not
+/// depend on the perceived direction, so a controller can compute future gains.
 struct FilterGain {
   double gain;           ///< K, in [0, 1]; 0 only if sigma_u^2 and the variance before the step are 0
   double variance_deg2;  ///< var_k: variance of the perceived direction after the step

@@ -123,7 +123,7 @@ inline Observation ReachEstimator::take(const FingerSample& sample, PlateModel& 
   return take_position(sample, plate);
 }
 
-// Returns the configured SD or the estimate from successive positions; the assumed SD counts as one observation.
+// Returns the configured SD or the estimate from successive positions; the assumed SD counts as one difference.
 double ReachEstimator::white_noise_mm() const {
   const NoiseLearner<PlatePoint>& learner = finger_.learner();
   if (learner.known()) return learner.noise().white_mm;
