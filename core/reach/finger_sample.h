@@ -8,7 +8,7 @@
 namespace hrt {
 
 enum class Observation {
-  none,  ///< no new position: a dropout or a copy
+  none,  ///< a dropout, or a copy of the last position
   lifted,
   direction,  ///< FingerSample::direction_deg
   position,   ///< FingerSample::position
