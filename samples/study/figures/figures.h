@@ -22,7 +22,8 @@ struct Figure {
 /// Fig. 1c of the paper: paths straight ahead over a plate at rest.
 Figure ridges_figure(std::uint64_t seed);
 
-/// Figs. 4 to 8 of the paper: true paths, perceived paths, plate orientation of one trial, directions of motion.
+/// Figs. 4 to 8 of the paper, each with true paths, perceived paths, the plate orientation in one trial, and the
+/// directions of motion.
 std::vector<Figure> path_figures(std::uint64_t seed);
 
 /// Returns an HTML page with `text` and then each figure (NAME.svg in the same folder) with its caption.

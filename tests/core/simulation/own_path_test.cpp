@@ -51,7 +51,7 @@ TEST(SimulationOwnPath, MeanDeflection_IsZeroUnlessReturnsIsFalse) {
   EXPECT_DOUBLE_EQ(own_direction_deg({.returns = false}, shape, 0.45), 0.5 * own_direction_deg({}, shape, 0.45));
 }
 
-// The component of o(s) along 1 - 2 s, whose mean square is 1/3.
+// The mean square of 1 - 2 s is 1/3, hence the factor 3.
 TEST(SimulationOwnPath, TheMeanHabit_IsTheProjectionOfTheMeanPath) {
   const OwnPath path{.mean_deg = {3.0, -5.0, 7.0, 11.0}};
   double habit_deg = 0.0;
@@ -90,8 +90,8 @@ TEST(SimulationOwnPath, WithoutIllusion_TheOwnPathEndsAtTheTarget) {
   EXPECT_NEAR(bearing_deg({0.0, 0.0}, sliding.position()), 5.0, 0.2);
 }
 
-// In recordings, the median peak of the speed is at 36 % of the time between the points of 5 % of the peak. The drawn
-// paces must have this peak, cover the whole path, and stop once in about 16 of 1000 reaches.
+// In recordings, the median peak of the speed is at 36 % of the time between the points of 5 % of the peak, and 1.6 % of
+// the reaches have a stop.
 TEST(SimulationOwnPath, DrawnPaces_PeakEarlyAndCoverThePath) {
   std::vector<double> peaks;
   int stops = 0;
