@@ -125,7 +125,7 @@ def means_of(trials, measure):
 
 
 def noticed_share(trials, noticed):
-    """Returns the fraction of the answer `noticed`, for each participant and condition, in reaches (index 0) and in catch trials (index 1). By the
+    """Returns the fraction of answers `noticed` in reaches (first index 0) and in catch trials (1), for each participant and condition. By the
     log-linear rule (Hautus 1995), half an answer is added to both alternatives, so that no fraction is 0 or 1."""
     answered = trials[(trials.kind == "reaches") & (trials.end == "counted") & trials.answer.notna()]
     groups = (answered.answer == noticed).groupby([answered.is_catch, answered.participant, answered.condition])
@@ -202,8 +202,8 @@ def psychometric(trials):
 
 
 def threshold_ratios(trials, people, study):
-    """Returns log(threshold / delivered bend) of each participant. Delivered bend: mean angle between the virtual target and the end of reaches, in the
-    condition of the noticeability block."""
+    """Returns log(threshold / delivered bend) of each participant. Delivered bend: mean absolute angle between the virtual target and the end of
+    reaches, in the condition of the noticeability block."""
     reaches = counted(trials)
     reaches = reaches[reaches.condition == study["noticeability"]["condition"]]
     bends = (reaches.real_deg + reaches.miss_deg - reaches.virtual_deg).abs().groupby(reaches.participant).mean()
@@ -212,8 +212,9 @@ def threshold_ratios(trials, people, study):
 
 def compare(trials, plan, seed):
     """Compares each condition with the reference, or with 0 for below_margin. Returns a row for each: number of people, estimate, interval, p of
-    Student's t, of the sign flip, of equivalence and, if registered, of the mixed model, and p of the registered test corrected by Holm's method. The
-    level of the interval is 1 - alpha / comparisons, or 1 - 2 alpha / comparisons for equivalence."""
+    Student's t, of the sign flip and of equivalence, and p of the registered test corrected by Holm's method. If a mixed model is registered, estimate
+    and interval are those of the model, and the row also has its p and its name. The level of the interval is 1 - alpha / comparisons, or
+    1 - 2 alpha / comparisons for equivalence."""
     differences, way = contrasts(outcomes(trials, plan), plan), plan.get("direction", "two-sided")
     level = 1 - (2 if registered_p(plan) == "equivalence" else 1) * plan["alpha"] / max(1, len(differences))
     rows = {}

@@ -1,6 +1,5 @@
-// A participant in a session through OpenXR. Either a person, who gets requests by terminal and voice, with an
-// experimenter who presses keys; or the simulated user of the mock runtime, with the answers and the clock of
-// SimulatedSubject.
+// A participant in a session through OpenXR: a person, who gets requests by terminal and voice, with an experimenter
+// who presses keys; or the simulated user of the mock runtime, with the answers and the clock of SimulatedSubject.
 #pragma once
 
 #include <memory>

@@ -49,8 +49,9 @@ class Session : public Object {
   XrSessionState state() const { return state_; }
   /// Queues an event with the present state.
   void report_state();
-  /// Enters LOSS_PENDING from any state; SYNCHRONIZED, VISIBLE, FOCUSED and STOPPING from the first three of these, by
-  /// way of the states in between; STOPPING also from READY if the session is running. Otherwise no effect.
+  /// Enters LOSS_PENDING from any state. A running session that is SYNCHRONIZED, VISIBLE or FOCUSED can also go to
+  /// another of these states or to STOPPING, by way of the states in between; a running READY session, to STOPPING. No
+  /// effect in other cases.
   void go_to(XrSessionState state);
   /// Executes the event session_state of the script. EXITING leads to STOPPING, and after xrEndSession to EXITING.
   void change_state(XrSessionState state);
