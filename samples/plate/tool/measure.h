@@ -19,8 +19,8 @@ struct SweepPoint {
   bool upwards;
 };
 
-/// Turns the plate step by step through its range, at most one turn, and back. Throws PlateFailure if it does not return
-/// to its start.
+/// Turns the plate step by step through its range, at most one turn, and back. Throws PlateFailure if it does not
+/// return to its start.
 std::vector<SweepPoint> sweep(Device& device);
 
 struct Measurements {

@@ -90,8 +90,8 @@ TEST(SimulationOwnPath, WithoutIllusion_TheOwnPathEndsAtTheTarget) {
   EXPECT_NEAR(bearing_deg({0.0, 0.0}, sliding.position()), 5.0, 0.2);
 }
 
-// In recordings, the median peak of the speed is at 36 % of the time between the points of 5 % of the peak, and 1.6 % of
-// the reaches have a stop.
+// In recordings, the median peak of the speed is at 36 % of the time between the points of 5 % of the peak, and 1.6 %
+// of the reaches have a stop.
 TEST(SimulationOwnPath, DrawnPaces_PeakEarlyAndCoverThePath) {
   std::vector<double> peaks;
   int stops = 0;
