@@ -78,7 +78,7 @@ TEST(Calibration, SlopesBeyondAnyWeight_AreRejected) {
   EXPECT_NE(refused(trials).find("the tactile weight is -0."), std::string::npos) << refused(trials);
 }
 
-// More than 5 s without a sample end a slide: a sample centuries later does not count.
+// More than 5 s without a sample end a slide.
 TEST(Calibration, ASampleCenturiesLater_IsIgnored) {
   auto trials = simulate({}, 3);
   const Calibration timely = calibrated(trials);
@@ -180,7 +180,6 @@ TEST(Calibration, InvalidSamples_AreRejectedWithTheirNumber) {
             "the goal direction is not a finite number. Give it in degrees");
 }
 
-// Mirrored slides with mirrored plate angles: same w_T, opposite bias.
 TEST(Calibration, MirroredSlides_GiveTheSameWeightAndOppositeBias) {
   CalibrationCondition condition;
   condition.participant.bias_deg = 2.0;

@@ -62,7 +62,7 @@ TEST(Retest, ThreeValues_RequireASmallerPValue) {
   EXPECT_FALSE(strong[2].differs);
 }
 
-// 2000 pairs of calibrations of six unchanged values: 5 % of pairs differ (3.5 to 6.5 % at three SDs).
+// The bounds are 5 % +- three binomial SDs of 2000 pairs.
 TEST(Retest, UnchangedValues_DifferInFivePercentOfPairs) {
   Draws draws(4, 0, 0, 0);
   int found = 0;

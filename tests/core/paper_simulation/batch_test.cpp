@@ -154,7 +154,6 @@ TEST(Batch, ACancelledBatch_EndsEarlyAndExceptionsAreThrown) {
                std::runtime_error);
 }
 
-// Compares the recorded steps of a trial with the equations of paper section II-A.
 TEST(SimulationTrial, ARecordedTrial_FollowsTheEquationsOfThePaper) {
   const Condition condition;
   std::vector<TrialStep> steps;

@@ -1,4 +1,4 @@
-// Detection of rests, touches and slides in a set-up, and of mistakes.
+// Tests the detectors of touches and slides, the diagnosis of mistakes, and the store of slides.
 #include <gtest/gtest.h>
 
 #include <cmath>

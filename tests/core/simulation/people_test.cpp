@@ -256,7 +256,7 @@ double learnt_wander_deg(const char* family) {
   int people = 0;
   for (std::uint32_t i = 0; i < 40; ++i) {
     const auto learnt = simulate_person(draw(family, i), &controller, 5, 1, i).back().learnt;
-    if (!learnt) continue;  // the last reach did not fit the model
+    if (!learnt) continue;  // for example, the last reach did not fit the model
     sum += learnt->mean(PersonState::log_wander);
     ++people;
   }

@@ -107,8 +107,8 @@ TEST(SimulationPerson, Illusions_GiveTheHandCalculatedLargestShift) {
     }
 }
 
-// The path is curved by ridges 30 degrees from the motion. With an overshoot by a tenth, its length is 1.2 times the
-// requested one.
+// The path is curved by ridges whose normal is 30 degrees from the motion. With an overshoot by a tenth, its length is
+// 1.2 times the requested one.
 TEST(SimulationPerson, AnyPace_HasTheRequestedLengthAndDuration) {
   for (const Pace pace : paces) {
     Person person = linear();
@@ -237,7 +237,6 @@ TEST(SimulationPerson, BiasHabitAndDrift_GiveTheHandCalculatedDirections) {
   EXPECT_NEAR(walk_beside(person, 40.0).person.direction_deg(), virtual_deg - 10.0 + 0.15, 0.05);
 }
 
-// With an initial direction 15 degrees off, steering to a position at least halves the error of steering by direction.
 TEST(SimulationPerson, SteeringToAPosition_ReducesTheMiss) {
   Person person = linear();
   person.start_direction_deg = -10.0;

@@ -33,7 +33,6 @@ std::vector<json> cells_of(const json& table, const std::string& group) {
   return cells;
 }
 
-// Expects the model's percentages, within one point in each of the paper's 24 cells.
 void expect_the_models_numbers(const json& table) {
   ASSERT_GT(table["rows"].size(), 24U);
   const double model_percent[] = {92.8, 86.6, 81.1, 77.2};

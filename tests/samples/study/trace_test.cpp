@@ -30,7 +30,6 @@ TEST(StudyTrace, EndsWhereTheReachDoes) {
   EXPECT_GT(trace.rows.size(), 100U);
 }
 
-// The true values lie within four SDs of the estimates at the end. Every value is a number.
 TEST(StudyTrace, TheFilterEstimatesFingerAndPerson) {
   for (const char* family : {"linear", "bias-3", "habit-5"}) {
     const Row last = traced(family, 5).rows.back();
