@@ -132,8 +132,8 @@ struct Tuning {
   /// limit of the change of log_wander in one reach: for larger changes the quadratic approximation is invalid
   double max_wander_change = 1.0;
   double min_taught_phase = 0.7;  ///< a reach that ends before this fraction of the duration does not change the prior
-  /// drop of the weight, in SDs, at which a reach that missed resets the illusion to its prior. Kept for
-  /// SimulationPeople.AWeightThatDrops_IsEstimatedAgainWithinTwoReaches.
+  /// drop of the weight, in SDs before the reach, at which a reach that missed resets the illusion to its prior. Kept
+  /// for SimulationPeople.AWeightThatDrops_IsEstimatedAgainWithinTwoReaches.
   double illusion_fall_deviations = 1.2;
   double min_scatter_deg = 0.2;  ///< deg: lower bound of the scatter
   /// lower bound of the SD of the tactile weight after a reach under the paper's controller, since people change

@@ -6,9 +6,9 @@
 //
 //   E = omega (-z, x) + (dx, dz)
 //
-// A reach from s that ends at the estimated position p of the target misses the target by E(p). The bearing of its end
-// is wrong by the component of E(p) across the line from s to p, divided by the length of this line: a rotation of
-// 1 degree about the start moves a target at 100 mm by 1.7 mm.
+// A reach from a point s of the plate that ends at the estimated position p of the target misses the target by E(p).
+// The bearing of its end from s is wrong by the component of E(p) across the line from s to p, divided by the length of
+// this line: a rotation of 1 degree about the start moves a target at 100 mm by 1.7 mm.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,8 +28,8 @@ bool is_frame_covariance(const FrameCovariance& covariance);
 /// Returns the covariance from an accepted registration, without the contribution of a fitted scale.
 FrameCovariance frame_covariance(const Registration& registration);
 
-/// Returns the SD, in degrees, of the bearing of a finger from `start`, if `start` and the finger's position `target`
-/// are known in the estimated frame. At most 180; 180 if `start` and `target` coincide.
+/// Returns the SD, in degrees, of the true bearing of a finger from `start`. `start`: a point of the plate, which is
+/// exact; `target`: position of the finger in the estimated frame. At most 180; 180 if both coincide.
 double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start, const PlatePoint& target);
 
 }  // namespace hrt

@@ -60,8 +60,9 @@ TouchedFrame drifted(const TouchedFrame& frame);
 /// `finger`: position corrected by `before`.
 double turned_deg(const TouchedFrame& before, const TouchedFrame& after, const PlatePoint& finger);
 
-/// Returns the SD, in degrees, of the bearing from `start` of a finger whose corrected position is `target`: from
-/// contacts or, before the first contact, from the registration (frame_error.h).
+/// Returns the SD, in degrees, of the true bearing of a finger from `start`: from contacts or, before the first
+/// contact, from the registration. `start`: a point of the plate, which is exact; `target`: corrected position of the
+/// finger.
 double bearing_sd_deg(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& start,
                       const PlatePoint& target);
 
