@@ -1,6 +1,6 @@
-# Generates from plugin/bindings/api.json the library's tables of fields (generated/*.h in the build folder), and the
-# declarations of each binding (in its folder, ignored by git). Runs at configure time, and again if the data or the
-# generator changes. Does not write unchanged files. Needs only Python's standard library.
+# Generates from plugin/bindings/api.json the library's tables of fields (in the build folder), and C headers and the
+# declarations of each binding (in the source tree, ignored by git). Runs at configure time, and before a build if a file
+# that is named below changed. Does not write unchanged files. Needs only Python's standard library.
 find_program(HRT_PYTHON3 NAMES python3 python HINTS /usr/bin REQUIRED)
 set(HRT_BINDINGS ${PROJECT_SOURCE_DIR}/plugin/bindings)
 execute_process(COMMAND ${HRT_PYTHON3} ${HRT_BINDINGS}/generate ${PROJECT_BINARY_DIR}/generated COMMAND_ERROR_IS_FATAL ANY)
