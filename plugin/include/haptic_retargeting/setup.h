@@ -252,7 +252,7 @@ typedef struct hrt_setup_result {
 } hrt_setup_result;
 
 /** Begins a set-up. Until it is over, no reach can begin, and only the set-up can change the configuration. After
- *  hrt_setup_cancel(), ALL_MISSING repeats only the parts that were not completed. CALIBRATION and RETEST allocate 1.4
+ *  hrt_setup_cancel(), ALL_MISSING repeats only the parts that were not completed. CALIBRATION and RETEST allocate 1.3
  *  MB with the default max_slides.
  *
  *  @param what    Parts, HRT_SETUP_*.
