@@ -221,7 +221,7 @@ typedef struct hrt_setup_result {
    *  report a difference. */
   hrt_setup_difference differing;
   /** Patterns that the model does not explain; the estimates of the user are then not applied. 0: no pattern. If the
-   *  model fits, each pattern is reported for 1 % of users. */
+   *  model fits, each pattern is reported for at most 1 % of users. */
   hrt_setup_lack_of_fit lack_of_fit;
   /** Number of completed slides in CALIBRATION or RETEST. */
   uint32_t slides;
