@@ -277,7 +277,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_update(hrt_session session, const hrt
                                                   hrt_setup_step* out_step) HRT_NOEXCEPT;
 
 /** Continues the fit of a part for less than 1 ms, or for up to 3 ms with more than 40 slides. Call it in each frame
- *  whose step has HRT_STEP_FINISH: a fit of touches takes one call, a fit of 16 slides about 300 calls. When the fit is
+ *  whose step has HRT_STEP_FINISH: a fit of touches takes one call, a fit of 16 slides 100 to 300. When the fit is
  *  complete, the call applies its result to the configuration, and the set-up continues with the remaining parts. If a
  *  fit is rejected, the user repeats the touches or guides, at most twice, or makes more slides of a calibration, up to
  *  max_slides; then the part is dropped (hrt_setup_result::dropped).
