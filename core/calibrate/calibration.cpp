@@ -172,8 +172,7 @@ std::vector<std::string> Calibration::advice() const {
         "one even motion, slower and longer, and repeat the calibration");
   if (fits() && !max_gap_deg.known)
     sentences.emplace_back(
-        "the largest gap is extrapolated: add slides with plate angles farther from the target direction, on "
-        "both sides");
+        "the largest gap is uncertain: add slides with plate angles farther from the target direction, on both sides");
   if (slides_turned > 0)
     sentences.emplace_back("the plate turned within slides, which were excluded: let it rest while the person slides");
   if (5 * count(SlideVerdict::outlying) > slides.size())

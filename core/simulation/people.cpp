@@ -248,22 +248,22 @@ constexpr PeopleFamily all_families[] = {
     {"sheared-2", "mid-line of the tracker frame off by ±2°, right axis correct", false,
      [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, FamilyKind::misplaced},
     {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, FamilyKind::misplaced},
-    {"quest", "recorded, by a headset of 2021 as it was measured", false,
+    {"quest", "recorded, tracked by a headset of 2021 as it was measured", false,
      [](PersonCondition& c, Draws& d) {
        recorded(c, d, 1.0);
        by_headset(c, d);
      },
      FamilyKind::misplaced},
-    {"half-quest", "recorded-50, by the headset of quest", false,
+    {"half-quest", "family recorded-50, tracked by the headset of family quest", false,
      [](PersonCondition& c, Draws& d) {
        recorded(c, d, 0.5);
        by_headset(c, d);
      },
      FamilyKind::misplaced},
-    {"linear-quest", "linear, by the headset of quest", false, by_headset, FamilyKind::misplaced},
+    {"linear-quest", "family linear, tracked by the headset of family quest", false, by_headset, FamilyKind::misplaced},
     {"marks", "tracker frame turned by 1.2° (SD), as after a registration by six touches of 3 mm", false,
      [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = 1.2 * d.normal(); }, FamilyKind::misplaced},
-    {"marks-touch3", "marks, and a contact known to 3 mm after each reach", false,
+    {"marks-touch3", "family marks, and a contact known to 3 mm after each reach", false,
      [](PersonCondition& c, Draws& d) {
        c.tracker.turned_deg = 1.2 * d.normal();
        c.contact_sd_mm = 3.0;
@@ -273,7 +273,7 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 1.0); }, FamilyKind::misplaced},
     {"turned-touch3", "turned by ±2°, and a contact known to 3 mm", false,
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 3.0); }, FamilyKind::misplaced},
-    {"headset-touch", "headset, and a contact known to 1 mm", false,
+    {"headset-touch", "family headset, and a contact known to 1 mm", false,
      [](PersonCondition& c, Draws& d) {
        headset(c, d);
        c.contact_sd_mm = 1.0;

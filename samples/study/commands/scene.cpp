@@ -62,8 +62,8 @@ std::string text(const Scene& scene, const SceneOptions& options) {
 
   page += fmt::format(
       "\nPlate orientation, in deg from the mid-line, that sustains the gap of each pair; -: infeasible, as no "
-      "orientation\nwithin {} deg of the virtual direction sustains it. Computed from the model; there was no human "
-      "trial.\n\n{:{}}  {:{}}     gap  tactile weight\n{:{}}     deg",
+      "orientation\nwithin {} deg of the virtual direction sustains it. Computed from the paper's model; there was no "
+      "human trial.\n\n{:{}}  {:{}}     gap  tactile weight\n{:{}}     deg",
       options.plate_bound_deg, "virtual", widest, "real", widest, "", 2 * widest + 2);
   for (const double tactile_weight : options.tactile_weights) page += fmt::format("{:>8}", tactile_weight);
   page += '\n';
