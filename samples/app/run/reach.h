@@ -14,7 +14,7 @@ struct ReachResult {
   double max_gap_deg;          ///< largest feasible gap on the real target's side; 0 if unknown
   bool is_feasible;            ///< the controller estimates a feasible gap (no HRT_COMMAND_UNREACHABLE) at the end
   hrt_reach_summary summary;
-  bool changed_hands;          ///< the hand changed within the reach
+  bool changed_hands;  ///< the hand changed within the reach
   int frames;
   int dropouts;            ///< frames without a tracked fingertip
   double saturated_share;  ///< fraction of controller steps at the bound or rate limit of the plate

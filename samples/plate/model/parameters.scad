@@ -14,7 +14,7 @@ ridge_spacing_mm = 10;
 ridge_margin_mm = 1;
 
 /* [Marks] */
-// Distance from the centre towards the user.
+// Distance of the start from the centre, towards the user.
 start_distance_mm = 50;
 dimple_diameter_mm = 8;
 dimple_depth_mm = 1;
@@ -61,7 +61,7 @@ horn_slack_mm = 0.5;
 sensor_room_mm = 0;
 sensor_board_mm = [23.2, 1.6];
 magnet_mm = [6, 2.5];
-// Gap between magnet and chip, and height of the chip.
+// Gap between magnet and chip. The chip is assumed to have the same height.
 magnet_gap_mm = 1.5;
 
 /* [Dynamixel XL330. Measure yours] */

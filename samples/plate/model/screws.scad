@@ -1,5 +1,5 @@
-// Table of screws: name, part that they pass, part with their thread, length (negative: head above), height of the face
-// under the head, positions, and whether the hobby servo's list of parts counts them.
+// Table of screws: name, part that they pass, part with their thread, length, height of the face under the head,
+// positions, and whether the hobby servo's list of parts counts them. The head is above if the length is negative.
 
 function circle_of(radius_mm, count, first_deg = 0) =
     [for (i = [0:count - 1]) at_direction(radius_mm, first_deg + 360 * i / count)];

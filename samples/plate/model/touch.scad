@@ -1,5 +1,5 @@
 // Post on the wooden board for an infrared touch frame around the deck (four posts), or for a touch bar next to it
-// (two). The top of a post is level with the deck's face.
+// (two). By default, the top of a post is level with the deck's face.
 
 module touch_post() {
   foot_z = drum_bottom_z + lug_height_mm;
