@@ -89,7 +89,7 @@ TEST_F(Firmware, EchoesSequenceNumbersWithinMilliseconds) {
   std::printf("from a line to its echo: %.2f ms\n", static_cast<double>((board_.now() - sent).count()) * 1e-6);
 }
 
-// The pulse is constant from 300 ms after the last byte on, at every phase of the pulse period.
+// The pulse is constant from 300 ms after the last byte on, at 20 phases of the pulse period.
 TEST_F(Firmware, StopsWithin300MillisecondsOfSilence) {
   std::chrono::nanoseconds slowest{};
   for (int phase = 0; phase < 20; ++phase) {

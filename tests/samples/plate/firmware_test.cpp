@@ -54,8 +54,8 @@ TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
   EXPECT_NEAR(board_.orientation_deg(), 80.0, 0.3);
 }
 
-// After a stop, a servo of any speed turns by at most 2 degrees plus its motion in the dead time of 10 ms, a period
-// of its pulses, and the filter of its sensor. Silence of the host stops the servo after 300 ms.
+// After a stop, a servo turns by at most 2 degrees plus its motion in the dead time of 10 ms, a period of its pulses,
+// and the filter of its sensor. Silence of the host stops the servo after 300 ms.
 TEST(Firmware, AStopEndsTheMotionOfTheServo) {
   for (const double speed_deg_s : {30.0, 60.0, 160.0, 250.0}) {
     for (const std::string stop : {"STOP 00100", "HELLO 2", ""}) {
@@ -142,7 +142,7 @@ TEST_F(FirmwareLogic, ASlowServoIsNotStuckAndAJammedOneIs) {
   board_.servo.is_jammed = true;
   set(-80.0, 1300ms);
   EXPECT_TRUE(has_sent("STOPPED stuck"));
-  EXPECT_FALSE(board_.has_pulses());  // a jammed servo gets no current
+  EXPECT_FALSE(board_.has_pulses());  // so that a jammed servo draws no current
 }
 
 // The settings adc_least and adc_most are exchanged, so that the first pulse turns the plate to the opposite side.
@@ -169,7 +169,7 @@ TEST(Firmware, WithExchangedReadingsThePlateTurnsByLessThan15Degrees) {
 
 // An offset of 4 degrees between the servo and its sensor, as a potentiometer may have.
 TEST_F(FirmwareLogic, AcceptsASensorOffset) {
-  plate_.settings.value[SETTING_ZERO_US] += 4400;  // 44 us, which are 4 degrees
+  plate_.settings.value[SETTING_ZERO_US] += 4400;  // 44 us
   for (const double orientation_deg : {0.0, 50.0, -50.0}) {
     board_.receive_line("HELLO 2");
     board_.servo.turn_by_hand(orientation_deg);

@@ -36,7 +36,7 @@ TEST(ReachFault, ARuntimeThatDoesNotStartIsNotCalledMissing) {
   EXPECT_FALSE(has(outcome.err, "install"));
 }
 
-// Hand positions that a headset without tracking infers are not used.
+// In the last case, the headset infers positions of hands without tracking; they are not used.
 TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
   const std::string of_hand = R"("hand": "right")", of_head = R"("of": "head")";
   for (const auto& [frame, of] :
