@@ -40,7 +40,7 @@ speed_t speed_of(int baud) {
   }
 }
 
-// Descriptors that the child of a fork closes. Otherwise the child would keep their locks after its parent has ended.
+// Descriptors that the child of a fork closes. Otherwise the child would keep their locks after its parent closed them.
 std::array<std::atomic<int>, 64> open_lines;  // descriptor plus 1; 0: free
 
 void replace(int before, int after) {

@@ -13,7 +13,7 @@ namespace hrt::plugin {
 
 enum class TargetRole : std::uint8_t { any, real, virtual_target };
 
-/// Position of a target, in one of three forms.
+/// Position of a target: its direction and distance from the start, or coordinates on the plate or in the world.
 struct TargetPlace {
   enum class Kind : std::uint8_t { none, direction, plate_position, world_position };
   Kind kind = Kind::direction;
