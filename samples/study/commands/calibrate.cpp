@@ -160,7 +160,7 @@ std::string calibration_profile(const Calibration& calibration) {
   return profile.dump(2) + '\n';
 }
 
-// About twice the size of a file with a thousand slides of one minute at 90 Hz.
+// A file with a thousand slides of one minute at 90 Hz is smaller.
 constexpr std::size_t max_slides_bytes = std::size_t{1} << 29;
 
 struct CalibrateOptions {
