@@ -13,8 +13,8 @@ inline constexpr int max_lead = 8;
 /// Parameters of the controller of paper section III; is_valid() checks the ranges.
 struct MpcConfig {
   int horizon = 3;                ///< N, steps in the window, 1 to max_horizon
-  double perceived_weight = 1.0;  ///< q_perceived, > 0
-  double actual_weight = 1.0;     ///< q_actual, >= 0
+  double perceived_weight = 1.0;  ///< q_perceived: weight of the squared perceived-direction error, > 0
+  double actual_weight = 1.0;     ///< q_actual: weight of the squared miss (direction minus real direction), >= 0
   /// L: largest plate offset from the goal direction (virtual direction plus bias), degrees in (0, 90].
   double plate_bound_deg = 84.5;
   /// R: largest rotation of the plate in one step, degrees > 0; infinity: no limit.

@@ -79,19 +79,19 @@ struct Tuning {
   double new_motion_sd_s = 0.15;  ///< s: SD of the phase, as a time, at the beginning of the second motion
 
   double fit_spacing_s = 0.02;   ///< s: [time] spacing of the positions in the fit of the onset
-  double rate_deviations = 0.8;  ///< step of the grid of rates, in SDs of the prior
+  double rate_deviations = 0.8;  ///< step of the grid of log rates, in SDs of the prior
   double onset_sd_s = 0.02;      ///< s: SD of the estimated time of the onset
 
   double max_accepted_nis = 25.0;  ///< a position with a NIS above this is an outlier
   /// number of successive outliers before a position is accepted as a jump. Kept for
   /// PersonEstimatorTest.AnOutlierIsRejectedAndAJump_IsFollowed.
   double max_outliers = 4;
-  double fit_sample_weight = 0.05;  ///< weight of one position in the running means
-  /// upper bound of the NIS of one position in the mean. Kept for
+  double fit_sample_weight = 0.05;  ///< weight of one position in the running means of NIS and correlation
+  /// upper bound of the NIS of one position in the mean NIS. Kept for
   /// PersonTest.ImpossibleMotionIsAMisfitAndChangesNoEstimate.
   double max_counted_nis = 9.0;
   double misfit_nis = 6.0;           ///< mean NIS above which the model does not fit
-  double misfit_correlation = 0.75;  ///< correlation of successive innovations above which the model does not fit
+  double misfit_correlation = 0.75;  ///< mean correlation of successive innovations above which the model does not fit
   /// with a mean NIS below this, the model fits at any correlation. Kept for
   /// PersonReach.PeopleOfTheModel_ReachTheRealTarget, whose tracker has no noise.
   double min_correlated_nis = 1.0;
