@@ -40,7 +40,8 @@ inline double ridge_normal_deg(double plate_orientation_deg, double goal_directi
   return goal_direction_deg + wrap_deg(offset_deg, 180.0);
 }
 
-/// Returns the orientation nearest to `current_deg` within the stops that has the same ridges as `orientation_deg`.
+/// Returns the orientation nearest to `current_deg` among those within the stops with the same ridges as
+/// `orientation_deg`.
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops);
 
 /// Interprets a reported orientation. The encoder of a plate without stops may have added half turns; for such a plate,
@@ -55,13 +56,13 @@ double half_turns_between_stops(double lowest_deg, double highest_deg, double cu
 /// Limits of the plate orientation in one reach.
 class PlateLimits {
  public:
-  /// Each command is, of the orientations with the planned ridges within the stops, the nearest to the present one.
+  /// Each command is the orientation nearest to the present one that has the planned ridges and is within the stops.
   PlateLimits(const PlateStops& stops, double goal_direction_deg);
 
   /// Keeps the plate within one half turn during the reach, so that the person does not feel a rotation by half a turn.
-  /// Chooses the half turn in which the stops cut least off the expected range: from 30 degrees nearer to the goal than
-  /// `holding_deg`, the orientation that sustains the gap, to the bound on the same side of the goal, `bound_deg` from
-  /// the goal. Of equally good half turns, chooses the nearest to `current_deg`.
+  /// The expected range of orientations begins 30 degrees nearer to the goal than `holding_deg`, the orientation that
+  /// sustains the gap. It ends on the same side of the goal, `bound_deg` from the goal. Chooses the half turn in which
+  /// the stops cut least off this range; of equally good half turns, the nearest to `current_deg`.
   PlateLimits(const PlateStops& stops, double goal_direction_deg, double bound_deg, double holding_deg,
               double current_deg);
 
@@ -74,8 +75,7 @@ class PlateLimits {
   /// Returns `planned`, clamped to the stops if the plate stays within one half turn.
   PlateOrientation at_stops(const PlateOrientation& planned) const;
 
-  /// Returns at_stops(planned) if the plate stays within one half turn; otherwise the orientation within the stops with
-  /// the same ridges as `planned` that is nearest to `current_deg`.
+  /// Returns at_stops(planned) if the plate stays within one half turn, otherwise nearest_equivalent_deg().
   PlateOrientation limit(const PlateOrientation& planned, double current_deg) const;
 
  private:
