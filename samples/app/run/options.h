@@ -1,4 +1,4 @@
-// Options that the command lines of hrt-reach and hrt-experiment set.
+// Options of hrt-reach, some of which hrt-experiment has, too.
 #pragma once
 
 #include <chrono>

@@ -33,8 +33,8 @@ RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks,
 
 /// Asks for a touch that checks the pose, and places the session's plate space where the plate was registered, with the
 /// measured offset from joint to skin. Returns the distance of the touch from the mark, in metres. Throws as
-/// SetUp::run(); Failure (ExitCode::registration) if the plate has moved, the runtime lacks `plate.space`, or the
-/// offset was measured with another hand.
+/// SetUp::run(); Failure (ExitCode::registration) if the plate has moved, the runtime lacks `plate.space`, or another
+/// hand than `plate.hand` may touch.
 double check_plate(RunContext& context, const RegisteredPlate& plate);
 
 /// Writes the registration into a session's configuration, whose numbers the plugin checks.
