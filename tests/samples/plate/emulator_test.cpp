@@ -56,7 +56,7 @@ TEST_F(Firmware, StartsFromTheMeasuredPosition) {
   EXPECT_NEAR(*std::get<PlateReport>(*report).orientation_deg, 80.0, 0.5);
 }
 
-// Expected: a pulse every 20 ms, of 1500 us at 0 and 2000 us more per 180 degrees. Tests every 0.5 degrees.
+// Expected: a pulse every 20 ms, of 1500 us at 0 and 2000 us more per 180 degrees.
 TEST_F(Firmware, PulsesAreWithinAMicrosecondOverTheWholeRange) {
   set(-90.0, 900ms);
   const std::size_t first = board_.pulses().size();
@@ -128,7 +128,6 @@ TEST_F(Firmware, ALostSupplyEndsThePulses) {
   EXPECT_TRUE(has_sent("STOPPED supply"));
 }
 
-// 5000 damaged lines with good ones in between: the pulse is constant, and each good line is executed.
 TEST_F(Firmware, DamagedLinesMoveNothing) {
   set(0.0, 600ms);
   std::mt19937 random(7);

@@ -283,7 +283,6 @@ TEST_F(FirmwareLogic, ReportsTheReasonOfARefusal) {
   EXPECT_FALSE(board_.has_pulses());
 }
 
-// A million damaged lines with a good one after every tenth: the plate stays at 0, and executes the good lines.
 TEST_F(FirmwareLogic, AMillionDamagedLinesMoveNothing) {
   set(0.0, 600ms);
   const int ticks = plate_pulse_ticks(&plate_);
@@ -313,7 +312,6 @@ TEST_F(FirmwareLogic, AMillionDamagedLinesMoveNothing) {
   }
 }
 
-// Random bytes, most of them of the protocol's alphabet: the plate stays within its limits, and sends valid lines only.
 TEST_F(FirmwareLogic, NoiseKeepsThePlateWithinItsLimits) {
   static const std::string alphabet = "SETBAPOHML 0123456789+-.*\nFCDINRV\r";
   std::mt19937 random(2);

@@ -89,7 +89,7 @@ TEST(ReachPlate, ASerialPlateSteersToTheTarget) {
   EXPECT_EQ(device.received_lines().back(), "STOP");
 }
 
-// The controller plans with the speed that the device reports, and reports most steps as limited by the plate.
+// At 5 degrees a second, the plate limits most steps of the controller.
 TEST(ReachPlate, ControllerPlansWithTheReportedSpeed) {
   Settings slow = plate::commissioned();
   slow.value[SETTING_SPEED_DEG_S] = 100 * 5;
