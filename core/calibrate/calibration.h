@@ -30,7 +30,7 @@ struct CurvePoint {
 /// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not determine the
 /// estimate; in `band`, it is always true. An offset is the angle from the motion to the ridge normal.
 struct Calibration {
-  /// shift of the perceived direction divided by the offset, at offsets of 60 degrees, mean of both sides
+  /// shift of the perceived direction divided by the offset: mean of the values at 60 degrees to both sides
   Interval tactile_weight;
   Interval bias_deg;     ///< goal direction at the middle of the path minus target direction, left positive
   Interval habit_deg;    ///< goal direction at the start of the path minus that at its end, halved

@@ -18,7 +18,7 @@ struct SlideScatter {
 /// Returns the number of different plate angles; angles less than 3 degrees apart count once.
 int different_angles(std::span<const SlideTrack> slides);
 
-/// Returns the degree, 1 to 5, of the polynomials over the plate angle that `slides` can determine.
+/// Returns the degree of the polynomials over the plate angle that `slides` can determine: 1 to 5.
 int polynomial_degree(std::span<const SlideTrack> slides);
 
 /// Returns the powers 0 to `degree` of the plate angle, in units of 75 degrees.

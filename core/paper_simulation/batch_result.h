@@ -12,9 +12,9 @@ class AngleSums {
   void add(double angle_deg);
   void add(AngleSums other);
 
-  /// Mean over `count` angles, > 0.
+  /// Mean over `count` angles. Requires count > 0.
   double mean_deg(std::uint64_t count) const;
-  /// Root of the mean square over `count` angles, > 0.
+  /// Root of the mean square over `count` angles. Requires count > 0.
   double rms_deg(std::uint64_t count) const;
 
   bool operator==(const AngleSums&) const = default;

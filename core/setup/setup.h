@@ -124,8 +124,8 @@ class Setup {
   double plate_orientation_deg_;
 };
 
-/// Returns the plate angle of slide `i`, measured from the middle of the configured range, as a fraction of half of the
-/// range. Sides alternate; no angle repeats within the first `first_slides` slides.
+/// Returns the plate angle of slide `i`: -1 is the lower end of the configured range, 1 is the upper end. Sides
+/// alternate; no angle repeats within the first `first_slides` slides.
 double planned_share(int i);
 
 /// Number of touches for the fingertip's offset: of one mark, each with another orientation of the finger.

@@ -60,7 +60,7 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg) {
   const double shift_deg = felt_shift_deg(person.illusion, offset_deg);
   if (person.steering != Steering::crossings) return shift_deg;
-  // The cue is renewed at each ridge and decays until the next one.
+  // The shift is renewed at each ridge and decays until the next one.
   const double between_s = ridge_spacing_mm / (speed_mm_s * std::max(std::abs(cos_deg(offset_deg)), 1e-6));
   return shift_deg * touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
 }

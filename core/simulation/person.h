@@ -31,7 +31,7 @@ struct SimulatedIllusion {
   double scale_deg = 45.0;      ///< > 0; see the family
 };
 
-/// Returns the shift for a ridge normal at `offset_deg` (finite) from the motion; period 180.
+/// Returns the shift for a ridge normal at `offset_deg` from the motion; period 180. Requires a finite offset.
 double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg);
 
 /// Returns the size of the largest shift to the left (`sign` > 0) or right with the ridge normal within `bound_deg` of
@@ -83,7 +83,7 @@ struct Person {
   OwnPath own_path;
 };
 
-/// Distance between ridges, and time constant with which the cue from a crossed ridge decays.
+/// Distance between ridges, and time constant with which the shift decays after a crossing (Steering::crossings).
 inline constexpr double ridge_spacing_mm = 10.0;
 inline constexpr double touch_memory_s = 0.3;
 

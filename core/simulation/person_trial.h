@@ -35,7 +35,8 @@ using PersonWatch = std::function<void(int, const PersonMoment&)>;
 
 /// Simulates `reaches` successive reaches of one person. A controller for people begins each reach with the estimates
 /// from the reaches before it; the paper's controller begins each with `controller`. If `controller` is null, the plate
-/// stays at 0. `watch` is called with the number of the reach, from 0, for each processed sample. Any thread.
+/// stays at 0. `watch` is called for each processed sample, with the number of the reach, which begins at 0. Any
+/// thread.
 std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, const RetargeterConfig* controller,
                                            int reaches, std::uint64_t seed, std::uint32_t index,
                                            const PersonWatch& watch = {});

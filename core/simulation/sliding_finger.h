@@ -13,7 +13,7 @@ enum class SpeedProfile {
 
 class SlidingFinger {
  public:
-  /// Rests at `start` until time 0, and again after `duration_s` > 0 and a path of `distance_mm`.
+  /// Rests at `start` until time 0, and again after `duration_s` and a path of `distance_mm`. Requires duration_s > 0.
   SlidingFinger(const PlatePoint& start, double distance_mm, double duration_s,
                 SpeedProfile profile = SpeedProfile::constant)
       : place_(start), distance_mm_(distance_mm), duration_s_(duration_s), profile_(profile) {}

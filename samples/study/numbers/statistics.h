@@ -14,7 +14,7 @@ struct PercentInterval {
   bool contains(double percent) const { return low <= percent && percent <= high; }
 };
 
-/// Returns Wilson's 95 % interval of a proportion that was `percent` in `trials` > 0 trials.
+/// Returns Wilson's 95 % interval of a proportion that was `percent` in `trials` trials. Requires trials > 0.
 PercentInterval wilson_interval(double percent, double trials);
 
 /// A proportion, counted case by case.
@@ -31,14 +31,15 @@ struct Share {
 /// freedom if both estimate the same proportion. 0 if the two are equal.
 double squared_difference(double percent_a, double trials_a, double percent_b, double trials_b);
 
-/// Returns the probability that a chi-squared variable exceeds `chi_squared` >= 0. `degrees_of_freedom`: even, > 0.
+/// Returns the probability that a chi-squared variable exceeds `chi_squared`. Requires chi_squared >= 0, and an even
+/// positive number of degrees of freedom.
 double chi_squared_tail(double chi_squared, int degrees_of_freedom);
 
 /// Returns the percentage of N(0, variance) within +-`tolerance`.
 double percent_within(double tolerance, double variance);
 
-/// Returns the quantile at `share` (0 to 1), interpolated linearly between the two nearest of `values`. Requires at
-/// least one value.
+/// Returns the quantile at `share`, interpolated linearly between the two nearest of `values`. Requires a share from 0
+/// to 1, and at least one value.
 double quantile(std::vector<double> values, double share);
 
 /// Estimate of a population quantile from a sample, with its 95 % interval.
