@@ -162,7 +162,7 @@ struct ReachSummary {
   bool contacts_disagree = false;      ///< value in the last PlateCommand or, if there was a contact, after it
   bool not_at_start = false;           ///< value in the last PlateCommand
   bool miss_unknown = false;           ///< no motion was observed
-  bool implausible = false;            ///< true if any PlateCommand had this flag
+  bool implausible = false;            ///< value in the last PlateCommand
   FingerEstimate estimate;  ///< under the controller for people, only the tactile weight, its SD and the tracker noise
   std::optional<PersonEstimate> person;  ///< nullopt under the paper's controller
 };
