@@ -160,10 +160,9 @@ typedef struct hrt_session_plate {
 
 /** Part of hrt_session_config: errors of the tracker. */
 typedef struct hrt_session_tracker {
-  /** SD of the white noise in each tracked coordinate; under GUIDANCE_ARRIVAL of all noise, unless
-   *  tracker.correlated_noise_m gives the correlated part. A larger value smooths positions more and delays
-   *  corrections. 0: estimated from the samples; other values below 1e-9 count as 1e-9. @range 0 to 0.1 @default 0
-   *  @profile */
+  /** SD of the white noise in each tracked coordinate. Under GUIDANCE_ARRIVAL, if tracker.correlated_noise_m is 0: SD
+   *  of all noise. A larger value smooths positions more and delays corrections. 0: estimated from the samples; other
+   *  values below 1e-9 count as 1e-9. @range 0 to 0.1 @default 0 @profile */
   double noise_m;
   /** SD of the correlated part of the noise in each coordinate, under GUIDANCE_ARRIVAL; tracker.noise_m is then the
    *  white part only. 0: unknown. A calibration measures it. If it is too small, slow drifts of the tracker are taken
