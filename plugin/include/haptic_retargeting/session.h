@@ -41,8 +41,9 @@ typedef struct hrt_session {
 
 /** @enumeration HRT_CONTROL Source of the plate's commands. */
 typedef uint32_t hrt_control;
-#define HRT_CONTROL_MPC 0         /**< a model-predictive controller, which `guidance` selects */
-#define HRT_CONTROL_FIXED_PLATE 1 /**< a constant plate orientation, as a baseline of studies */
+#define HRT_CONTROL_MPC 0 /**< a model-predictive controller, which `guidance` selects */
+/** A constant plate orientation, as a baseline of studies. Estimates and outputs are as under FIXED_DIRECTION. */
+#define HRT_CONTROL_FIXED_PLATE 1
 
 /** @enumeration HRT_GUIDANCE Goal of the controller under HRT_CONTROL_MPC; each goal has its own controller. */
 typedef uint32_t hrt_guidance;
