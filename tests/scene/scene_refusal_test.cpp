@@ -25,7 +25,7 @@ void expect_refused(const std::string& file, const std::string& part) {
 struct Change {
   const char* pointer;
   const char* json;
-  const char* named = "";  // part of the error text
+  const char* part_of_error = "";
 };
 
 constexpr Change refused[] = {
@@ -113,7 +113,7 @@ constexpr Change accepted[] = {
 TEST(SceneRefusal, NamesTheNodeAndTheField) {
   for (const Change& change : refused) {
     SCOPED_TRACE(change.pointer + std::string(" ") + change.json);
-    expect_refused(with(change.pointer, change.json), change.named);
+    expect_refused(with(change.pointer, change.json), change.part_of_error);
   }
 }
 
