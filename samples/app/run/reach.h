@@ -12,7 +12,7 @@ struct ReachResult {
   bool is_truth;               ///< the fields above and the next two are ground truth of the simulation
   double tactile_weight;       ///< w_T; 0 if unknown
   double max_gap_deg;          ///< largest feasible gap on the real target's side; 0 if unknown
-  bool is_feasible;            ///< the controller estimates a feasible gap (no HRT_COMMAND_UNREACHABLE) at the end
+  bool is_feasible;            ///< at the end, the controller estimates a feasible gap: no HRT_COMMAND_UNREACHABLE
   hrt_reach_summary summary;
   bool changed_hands;  ///< the hand changed within the reach
   int frames;

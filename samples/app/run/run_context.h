@@ -26,7 +26,7 @@ struct Moment {
   double felt_direction_deg;     ///< perceived direction: ground truth of the simulation, else the plugin's estimate
   double plate_orientation_deg;  ///< measured orientation, else the commanded one
   double distance_to_go_m;       ///< from the fingertip to the real target
-  bool lifted;                   ///< the fingertip is above the plate
+  bool lifted;                   ///< the fingertip is above the plate, or does not touch the touch frame
   bool saturated;
   bool arrived;      ///< HRT_COMMAND_ARRIVED
   bool is_feasible;  ///< the gap is feasible, by the controller's estimate of the user
