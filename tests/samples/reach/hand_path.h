@@ -38,7 +38,7 @@ struct Attitude {
   double leant = 0.0;
 };
 
-/// The path of a hand over a plate. Functions append a motion to it.
+/// The path of a hand over a plate.
 class Path {
  public:
   explicit Path(PlatePose plate = {}) : plate_(plate) {

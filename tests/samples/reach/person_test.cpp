@@ -103,7 +103,7 @@ TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
   EXPECT_FALSE(has(calls, "xrInstructReachHRTX "));
 }
 
-// The finger is lifted 20 mm before the target, where the reach ends.
+// The reach ends where the finger is lifted, 20 mm before the target.
 TEST(ReachPerson, EndsWithALift) {
   const Outcome outcome =
       expect_exit(1, reach_along(Path(plate_of_desk).hold(start_of_desk, 2000).slide({0.0, -0.03}, 800).lift()));

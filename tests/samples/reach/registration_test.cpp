@@ -1,4 +1,5 @@
-// hrt-reach --register: a scripted hand touches the marks of a plate that is not where the scene has it.
+// hrt-reach --register and --measure-tracker: a scripted hand touches marks of a plate that is not where the scene has
+// it, or two dimples.
 #include <gtest/gtest.h>
 
 #include <fstream>
