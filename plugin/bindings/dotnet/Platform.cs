@@ -19,7 +19,7 @@ namespace Hrt
     {
         static volatile Action<LogLevel, string> logged = ToStandardError;
 
-        /// <summary>Receives lines of the library's log, on any thread. Default: standard error. Null: nothing is logged.</summary>
+        /// <summary>Receives lines of the library's log on any thread. Default: standard error. Null: no log.</summary>
         public static Action<LogLevel, string> Logged
         {
             get => logged;

@@ -211,7 +211,7 @@ class Abi:
 
 
 def _made(entry: dict[str, Any]) -> Any:
-    """Converts an object of api.json to a Struct, Enumeration, Function or Value; the outermost object remains a dict."""
+    """Converts an object of api.json, except the outermost, to a Struct, Enumeration, Function or Value."""
     for key in entry.keys() & {"type", "result"}:
         text = entry[key]
         entry[key] = Type(text.removeprefix("const ").rstrip("*"), text.endswith("*"), text.startswith("const "))

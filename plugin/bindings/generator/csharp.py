@@ -44,8 +44,8 @@ class Renderer(Names):
         self.callbacks = [c.name for c in abi.callbacks]
         self.constants = {c.name: f"Constants.{pascal(c.name.removeprefix('HRT_'))}" for c in abi.constants} | {"HRT_OK": "Result.Ok"}
         self.constants |= {c.name: f"{self.enumerations[e.name]}.{pascal(e.short(c))}" for e in abi.enumerations for c in e.members}
-        # Types of arrays that are not in _ARRAYS are named after the field (PersonMean), with the name of the struct before it if
-        # the field's name is one word.
+        # Types of arrays that are not in _ARRAYS are named after the field (PersonMean), with the name of the struct
+        # before it if the field's name is one word.
         self.arrays = {(s.name, f.name): _ARRAYS.get((f.type.name, f.count)) or self.types[s.name] * ("_" not in f.name) + pascal(f.name)
                        for s in abi.structs for f in s.fields if f.count}
         if plugin:

@@ -103,7 +103,7 @@ class _Call:
         self.passed.append(f"ref {name}" if self.has_size(p) else f"out {element} {name}" if declared else f"out {name}")
 
     def declare(self, p: Value, type_: str, value: str, name: str) -> str:
-        """Returns the declaration of an output. The main output is returned by the method, any other is its parameter."""
+        """Returns the declaration of an output. The method returns the main output; others are its parameters."""
         if p.name == self.main_output:
             self.returned = (type_, value)
             return "var "
@@ -125,7 +125,7 @@ class _Call:
         self.passed.append(f"(ulong){name}.Length")
 
     def filled(self, p: Value) -> None:
-        """Declares an array for the function to fill. Its length is that of an input array, or the count that a first call returns."""
+        """Declares an array for the function to fill, as long as an input array or as the count of a first call."""
         text = p.type.name == "char"
         name, element = camel(p.name.removeprefix("out_")), "byte" if text else self.element(p)
         given = next((taken.split("[] ")[1] for taken in self.taken if "[] " in taken), "")

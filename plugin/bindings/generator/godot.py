@@ -141,7 +141,8 @@ def _shown(abi: Abi) -> list[Enumeration]:
 
 
 def _choices(enumeration: Enumeration) -> str:
-    """Returns the inspector's choices: "MPC,Fixed Plate". Flags, and constants that differ from their index, have a number: "Real:1"."""
+    """Returns the inspector's choices: "MPC,Fixed Plate". Flags, and constants that differ from their index, have a
+    number: "Real:1"."""
     texts = []
     for i, member in enumerate(enumeration.members):
         short = enumeration.short(member)

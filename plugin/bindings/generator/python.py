@@ -14,7 +14,8 @@ _CTYPES = {"char": "c_char", "int32_t": "c_int32", "hrt_result": "c_int32", "uin
 _ANNOTATED = {"int32_t": "Int32", "uint32_t": "UInt32", "int64_t": "Int64", "uint64_t": "UInt64", "double": "Double"}
 # Enumerations whose names do not follow from the C names.
 _ENUMERATIONS = {"HRT_ERROR": "ErrorCode", "HRT_LOG": "LogLevel", "HRT_TARGET": "Role"}
-# Error texts name methods instead of C functions: Reach.end for hrt_reach_end. These functions have methods with other names.
+# Error texts name methods instead of C functions: Reach.end for hrt_reach_end. The methods of these functions have
+# other names.
 _FUNCTIONS = {
     "session_create": "Session", "session_get": "Session.config", "session_set": "Session.configure", "session_destroy": "Session.close",
     "target_add": "Session.add_real", "target_set": "Target.configure", "target_get": "Target.config", "target_list": "Session.targets",
@@ -28,8 +29,8 @@ _FUNCTIONS = {
     "scene_get_info": "Scene.info", "scene_get_target": "Scene.targets", "recording_replay": "replay",
     "plate_open": "Plate",
 }
-# Classes whose methods take the fields of a struct as keywords: the struct and, for each method, its name, its parameters
-# before the keywords, and the method that receives the given fields.
+# Classes whose methods take the fields of a struct as keywords: the struct and, for each method, its name, its
+# parameters before the keywords, and the method that receives the given fields.
 _KEYWORDS = {
     "SessionKeywords": ("hrt_session_config", (("__init__", "", "_create"), ("configure", "", "_configure"))),
     "TargetKeywords": ("hrt_target_config", (("configure", "", "_configure"),)),

@@ -1,5 +1,5 @@
-"""The settings that an engine's inspector shows: numbers, choices and vectors of hrt_session_config, without
-the plate's pose, which an object of the scene gives, and without the arrays that set-ups, reaches and profiles write."""
+"""The settings that an engine's inspector shows: numbers, choices and vectors of hrt_session_config, without the
+plate's pose, which an object of the scene gives, and without the arrays that set-ups, reaches and profiles write."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Generates the settings in Unity's inspector, with tooltips, ranges and defaults, as a part of the component HapticRetargeting."""
+"""Generates the settings in Unity's inspector: a part of the class HapticRetargeting, with tooltips, ranges, defaults."""
 
 from __future__ import annotations
 

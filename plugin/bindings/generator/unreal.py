@@ -92,7 +92,7 @@ class _Renderer(Names):
         return _Member(field, type_, name, to.format(f"S.{of_other or name}"), taken.format(f"C.{member}"), default)
 
     def interval(self, field: Value) -> list[_Member]:
-        """Returns the members of an interval: bias_deg becomes BiasYaw, BiasYawLower, BiasYawUpper and bBiasYawKnown."""
+        """Returns the members of an interval: of bias_deg, BiasYaw, BiasYawLower, BiasYawUpper and bBiasYawKnown."""
         name = _words(_without_unit(field)) + "Yaw" * field.ccw
         value = "Turned(C.{}.{})" if field.ccw else "C.{}.{}"
         members = [_Member(field, "double", name, "", value.format(field.member, "value"), "0.0")]

@@ -38,8 +38,8 @@ declare global {
 }
 
 /** Loads the module. `source`: its address, its bytes, or the module as a bundler provides it; default:
- *  haptic_retargeting.wasm in the folder of this file. Warnings that no call can return, for example that a clock or a unit
- *  is probably wrong, are written by `console.warn`. */
+ *  haptic_retargeting.wasm in the folder of this file. Warnings that no call can return, for example that a clock or a
+ *  unit is probably wrong, are written by `console.warn`. */
 export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | ArrayBufferView): Promise<Library>;
 
 export interface Library {
@@ -54,22 +54,22 @@ export interface Library {
 }
 
 /** The tracked joint at the fingertip: an XRPose, XRJointPose or XRRigidTransform of WebXR, an object of three.js, or a
- *  position alone. Null, undefined or numbers that are not finite mean that tracking is lost. With the rotation of the joint,
- *  the session applies `fingertip_offset_m`, the offset of the skin that a set-up measures. */
+ *  position alone. Null, undefined or numbers that are not finite mean that tracking is lost. With the rotation of the
+ *  joint, the session applies `fingertip_offset_m`, the offset of the skin that a set-up measures. */
 export type FingerPose = { readonly transform: { readonly position: Point; readonly orientation?: Rotation } }
   | { readonly position: Point; readonly orientation?: Rotation; readonly quaternion?: Rotation } | Point | null | undefined;
 export interface Point { readonly x: number; readonly y: number; readonly z: number }
 /** A unit quaternion. */
 export interface Rotation extends Point { readonly w: number }
 
-/** A session for one user and one plate. Destroy it when it is no longer used, because JavaScript does not free memory of
- *  the module. After destroy(), other calls throw, and `sample` is frozen. */
+/** A session for one user and one plate. Destroy it when it is no longer used, because JavaScript does not free memory
+ *  of the module. After destroy(), other calls throw, and `sample` is frozen. */
 export interface Session {
   readonly config: Output<hrt_session_config>;
   /** Changes fields of the configuration, between reaches. */
   configure(changes: Input<hrt_session_config>): void;
-  /** Sets the pose of the plate's mount in the world, between reaches, from a pose with a rotation: +Y is up, and -Z points
-   *  away from the user. The pose replaces a registration. */
+  /** Sets the pose of the plate's mount in the world, between reaches, from a pose with a rotation: +Y is up, and -Z
+   *  points away from the user. The pose replaces a registration. */
   setPlate(pose: NonNullable<FingerPose>): void;
   /** Frees the session. A second call has no effect. */
   destroy(): void;
@@ -98,15 +98,16 @@ export interface Session {
   readonly command: Readonly<Frame<hrt_command>>;
   /** State of the session, HRT_STATE_*; 0: idle, but the real or the virtual target is missing. */
   readonly state: number;
-  /** Begins a reach. The plate is assumed to be at the last command, unless its orientation is given. Directions are measured
-   *  from the configured start or, with `startAtFinger`, from the first position of the finger. */
+  /** Begins a reach. The plate is assumed to be at the last command, unless its orientation is given. Directions are
+   *  measured from the configured start or, with `startAtFinger`, from the first position of the finger. */
   beginReach(realTarget: TargetId, virtualTarget: TargetId, plateOrientationDeg?: number, startAtFinger?: boolean): void;
   /** Redirects the reach to other targets, or to the same targets after setTarget() has moved them. */
   retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
   /** True if the plate's pose at the last beginReach() came from a registration. */
   readonly registered: boolean;
-  /** Reports contact of the finger with the real object, by default at the real target's near side. The contact corrects the
-   *  tracked positions of later reaches. Requires a registration. Allowed once per reach, also after its end. */
+  /** Reports contact of the finger with the real object, by default at the real target's near side. The contact
+   *  corrects the tracked positions of later reaches. Requires a registration. Allowed once per reach, also after its
+   *  end. */
   reachTouched(contact?: Input<hrt_contact>): void;
   /** Ends the reach without a summary and discards its estimates. */
   cancelReach(): void;
@@ -130,8 +131,8 @@ export interface Session {
   /** Reads `sample`. Call it once a frame, show `text` and `place_m` of the result, and send `plate_orientation_deg` to
    *  the plate. */
   updateSetup(): Output<hrt_setup_step>;
-  /** Continues the fit of a part, as hrt_setup_finish() does, and applies a complete fit. Call it in each frame whose step is
-   *  HRT_STEP_FINISH. The set-up is over when `left` is 0. */
+  /** Continues the fit of a part, as hrt_setup_finish() does, and applies a complete fit. Call it in each frame whose
+   *  step is HRT_STEP_FINISH. The set-up is over when `left` is 0. */
   finishSetup(): Output<hrt_setup_result>;
   /** Cancels the set-up. Results of finished parts remain. */
   cancelSetup(): void;

@@ -99,7 +99,7 @@ class Native {
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
 
-// `using` destroys an object by its method of this name. Where Symbol.dispose is missing, some compilers use Symbol.for().
+// `using` destroys an object by its method of this name. Where Symbol.dispose is missing, compilers use Symbol.for().
 const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 
 class Session {

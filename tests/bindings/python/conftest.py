@@ -1,5 +1,5 @@
-"""Fixtures for the tests of the Python package. The environment variables HRT_LIBRARY and HRT_BINDINGS name the library and
-the folder plugin/bindings."""
+"""Fixtures for the tests of the Python package. The environment variables HRT_LIBRARY and HRT_BINDINGS name the library
+and the folder plugin/bindings."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-// Runs typical code of scripts, compiled ahead of time and without code generation at run time, as under IL2CPP: frames and
-// events of a component, errors of the library, a callback on a thread of the library, and the scripted reach.
+// Runs typical code of scripts, compiled ahead of time and without code generation at run time, as under IL2CPP: frames
+// and events of a component, errors of the library, a callback on a thread of the library, and the scripted reach.
 using System;
 using System.IO;
 using Hrt;

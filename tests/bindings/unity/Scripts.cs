@@ -3,8 +3,9 @@ using System.Threading;
 using Hrt;
 using UnityEngine;
 
-/// <summary>Scripts that dispose of nothing: they create the maximum number of sessions, and record one session until a write
-/// fails at the file size limit, which small_files_run sets. The library reports the failed write on its own thread.</summary>
+/// <summary>Scripts that dispose of nothing: they create the maximum number of sessions, and record one session until a
+/// write fails at the file size limit, which small_files_run sets. The library reports the failed write on its own
+/// thread.</summary>
 sealed class Scripts : MarshalByRefObject
 {
     volatile string logged;

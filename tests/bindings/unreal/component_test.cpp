@@ -133,7 +133,7 @@ TEST_F(Component, UsesTheMeasuredOrientation) {
   EXPECT_NE(last_log().find("duration_s"), std::string::npos) << last_log();
 }
 
-/** Returns the command after a slide of 10 cm forward and 0.8 cm to the right in 3 s, on a plate with the given pose. */
+/** Returns the command after a slide of 10 cm forward and 0.8 cm to the right in 3 s, on a plate with this pose. */
 FHapticCommand slide_on(const FTransform& plate) {
   UHapticRetargetingComponent component;
   component.SetWorldTransform(plate);
@@ -226,7 +226,7 @@ TEST_F(Component, TakesTheEstimatesOfAReach) {
   ASSERT_TRUE(component_.EndReach(summary));
   EXPECT_EQ(component_.Settings.PlateMaxSpeed, 123);
   EXPECT_EQ(component_.Settings.PlateRadius, 7.5);
-  // The weights differ slightly, because the setting is from a second pass of the filter over the motion, after the reach.
+  // The weights differ slightly, because the setting is from a second pass of the filter over the motion.
   EXPECT_NEAR(component_.Settings.TactileWeight, summary.TactileWeight, 0.01);
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }

@@ -34,8 +34,8 @@ await fetch(location.search.slice(1) || "/shown", { method: "POST", body: shown 
 `;
 const html = (script) => `<!doctype html><meta charset="utf-8"><title>reach</title><script type="module" src="${script}"></script>`;
 
-/** Creates a user's project, with the package copied into node_modules as by npm. `module`: a statement that imports the
- *  WebAssembly module as `wasm`, which is passed to load(). */
+/** Creates a user's project, with the package copied into node_modules as by npm. `module`: a statement that imports
+ *  the WebAssembly module as `wasm`, which is passed to load(). */
 async function project(name, module = "") {
   const folder = join(work, name);
   await rm(folder, { recursive: true, force: true });

@@ -14,8 +14,8 @@ from .session import Session, Target
 
 
 class Person(PersonKeywords, Closing):
-    """A simulated finger for first programs and tests: a model, not a measurement of people. The keywords are the fields of
-    PersonConfig. The same seed and keywords give the same person on every platform.
+    """A simulated finger for first programs and tests: a model, not a measurement of people. The keywords are the
+    fields of PersonConfig. The same seed and keywords give the same person on every platform.
 
         with Person(seed=1) as person, session.reach(cylinder, cup) as reach:
             person.begin(session, cup)

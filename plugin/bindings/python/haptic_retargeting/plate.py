@@ -33,8 +33,8 @@ def _check(result: int) -> None:
 
 
 class Plate(Closing):
-    """A plate. A thread of the library communicates with it, so calls do not wait, except wait_until_ready() and close().
-    close() stops the plate and restores the settings of its serial port within 0.5 s."""
+    """A plate. A thread of the library communicates with it, so calls do not wait, except wait_until_ready() and
+    close(). close() stops the plate and restores the settings of its serial port within 0.5 s."""
 
     _check = staticmethod(_check)
 

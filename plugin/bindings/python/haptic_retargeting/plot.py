@@ -28,8 +28,8 @@ def reach(record: ReachRecord, title: str = "") -> Any:
 
 
 def from_above(axes: Any, record: ReachRecord) -> None:
-    """Draws plate, ridges, finger and targets from above, in mm: x to the user's right, the user below. The virtual target
-    is drawn at the distance of the real one."""
+    """Draws plate, ridges, finger and targets from above, in mm: x to the user's right, the user below. The virtual
+    target is drawn at the distance of the real one."""
     _draw_plate(axes, record)
     x, _, z = 1000 * record.position_m.T
     axes.plot(x, -z, ".", color=FINGER, markersize=2, label="finger, as tracked")

@@ -28,8 +28,8 @@ def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> in
 
 
 class Reach:
-    """A reach in progress, from Session.reach(). Leaving the context ends the reach and sets `summary`; it cancels a reach
-    that had no sample, and a reach after an exception."""
+    """A reach in progress, from Session.reach(). Leaving the context ends the reach and sets `summary`; it cancels a
+    reach that had no sample, and a reach after an exception."""
 
     def __init__(self, session: Session, real: Target, virtual: Target, plate_orientation_deg: float | None,
                  start_at_finger: bool, duration_s: float) -> None:
@@ -71,9 +71,9 @@ class Reach:
         return Command.from_buffer_copy(self._command)
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
-        """Processes an array of SAMPLE and returns an array of COMMAND, which is `out` if given. After an error, `out` has
-        the commands of the samples before the failed one. Arrays are not copied, unless a field with its flag has NaN,
-        which counts as unknown."""
+        """Processes an array of SAMPLE and returns an array of COMMAND, which is `out` if given. After an error, `out`
+        has the commands of the samples before the failed one. Arrays are not copied, unless a field with its flag has
+        NaN, which counts as unknown."""
         expect_rows(samples, "samples", SAMPLE)
         if out is None:
             out = commands(len(samples))
@@ -96,10 +96,10 @@ class Reach:
 
     def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
                 world_position_m: Numbers | None = None) -> None:
-        """Reports contact of the finger with the real object: at the near side of the real target, or at a position on the
-        plate or in the world. `sd_m` is the standard deviation of a coordinate; 0: the radius of the real target, or 10 mm
-        if the radius is unknown. The contact corrects the tracked positions of later reaches. Requires a registration.
-        Allowed once per reach, also after its end."""
+        """Reports contact of the finger with the real object: at the near side of the real target, or at a position on
+        the plate or in the world. `sd_m` is the standard deviation of a coordinate; 0: the radius of the real target,
+        or 10 mm if the radius is unknown. The contact corrects the tracked positions of later reaches. Requires a
+        registration. Allowed once per reach, also after its end."""
         contact = Contact(sd_m=sd_m)
         contact.flags = ContactFlag(_given(contact, "position_m", position_m, ContactFlag.PLATE_POSITION)
                                     | _given(contact, "position_m", world_position_m, ContactFlag.WORLD_POSITION))
@@ -118,7 +118,7 @@ class Reach:
         return self._summary
 
     def _log(self) -> None:
-        """Logs warnings that the reach has stored. Updates store them instead of logging, because they may not block."""
+        """Logs warnings that updates have stored, because updates may not block."""
         check(library().hrt_host_set_log(self._session, byref(LOG)))
 
     def __enter__(self) -> Reach:

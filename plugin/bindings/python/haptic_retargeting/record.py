@@ -88,7 +88,7 @@ class ReachRecord:
         return out
 
     def bearing_deg(self, position_m: ArrayLike, least_m: float = 0.02) -> Numbers:
-        """Returns bearings of positions in plate coordinates, seen from the start; NaN within `least_m` of the start."""
+        """Returns bearings of positions in plate coordinates, from the start; NaN within `least_m` of the start."""
         right, _, towards = (np.asarray(position_m, np.float64) - self.start_position_m).T
         return np.where(np.hypot(right, towards) < least_m, np.nan, np.degrees(np.arctan2(-right, -towards)))
 
@@ -114,7 +114,7 @@ def _rotated(vector: Numbers, rotation: Numbers) -> Numbers:
 
 
 def world_to_plate(position_m: ArrayLike, plate_position_m: ArrayLike, plate_rotation: ArrayLike, plate_scale: float = 1.0) -> Numbers:
-    """Converts positions to plate coordinates, for a plate with this position and quaternion x, y, z, w in the world."""
+    """Converts positions in the world to plate coordinates. `plate_rotation` is a quaternion x, y, z, w."""
     away = (np.asarray(position_m, np.float64) - np.asarray(plate_position_m, np.float64)) / plate_scale
     return _rotated(away, np.asarray(plate_rotation, np.float64) * (-1, -1, -1, 1))
 

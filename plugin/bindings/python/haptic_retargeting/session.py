@@ -144,8 +144,8 @@ class Session(SessionKeywords, Closing):
 
     def add_real(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
                  position_m: ArrayLike | None = None, world_position_m: ArrayLike | None = None) -> Target:
-        """Adds a real target, to which the hand is steered. Its position is given by its direction (and distance) from the
-        start, in plate coordinates, or in the engine's world."""
+        """Adds a real target, to which the hand is steered. Its position is given by its direction (and distance) from
+        the start, in plate coordinates, or in the engine's world."""
         return self._add(Role.REAL, name, direction_deg, distance_m, position_m, world_position_m)
 
     def add_virtual(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
@@ -202,7 +202,7 @@ class Session(SessionKeywords, Closing):
 
     @property
     def state(self) -> StateFlag:
-        """The state of the session; 0: idle, but a reach cannot begin, because the real or the virtual target is missing."""
+        """The state of the session; 0: idle, but no reach can begin, as the real or the virtual target is missing."""
         state = ctypes.c_uint32()
         check(library().hrt_session_get(self.handle, None, byref(state)))
         return StateFlag(state.value)
@@ -251,8 +251,8 @@ class Session(SessionKeywords, Closing):
             raise RuntimeError(f"{os.fspath(path)} lacks {status.rows_lost} calls: the disk was too slow; record to a faster disk")
 
     def set_up(self, what: SetupFlag = SetupFlag.ALL_MISSING, **fields: Any) -> SetUp:
-        """Begins a set-up: a loop that asks the user for touches and slides, and applies the results. The keywords are the
-        fields of SetupConfig."""
+        """Begins a set-up: a loop that asks the user for touches and slides, and applies the results. The keywords are
+        the fields of SetupConfig."""
         self._running = set_up = SetUp(self, what, fields)
         return set_up
 
@@ -276,8 +276,8 @@ class Session(SessionKeywords, Closing):
         return output(Conditions, library().hrt_profile_get_conditions, self.handle)
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:
-        """Copies a profile, a mapping or JSON text, into the configuration. Of the fields that the profile lacks, those of
-        the user's traits and of correlated noise are reset to their defaults, and the others are kept."""
+        """Copies a profile, a mapping or JSON text, into the configuration. Of the fields that the profile lacks, those
+        of the user's traits and of correlated noise are reset to their defaults, and the others are kept."""
         if isinstance(profile, Mapping):
             profile = json.dumps(dict(profile))
         text = profile.encode() if isinstance(profile, str) else profile

@@ -33,8 +33,8 @@ class SetUp:
         check(library().hrt_setup_begin(self._session, what, byref(SetupConfig(**fields))))
 
     def update(self, sample: Sample) -> SetupStep:
-        """Processes one sample and returns the next instruction. At Step.FINISH the user waits for a fit, which each update
-        continues for at most a few milliseconds."""
+        """Processes one sample and returns the next instruction. At Step.FINISH the user waits for a fit, which each
+        update continues for at most a few milliseconds."""
         step = output(SetupStep, library().hrt_setup_update, self._session, byref(known_sample(sample)))
         if step.instruction == Step.FINISH:
             self.result = output(SetupResult, library().hrt_setup_finish, self._session)

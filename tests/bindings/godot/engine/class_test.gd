@@ -142,7 +142,7 @@ func test_adaptation() -> void:
 	plate.horizon = 4
 	check_equal(plate.end(), OK, "end")
 	check_equal(plate.horizon, 4, "the property")
-	# The values differ slightly, because the property is from a second pass of the filter over the motion, after the reach.
+	# The values differ slightly, because the property is from a second pass of the filter over the motion.
 	check_near(plate.tactile_weight, plate.get_summary().tactile_weight, "the estimate of the reach is carried over", 0.002)
 	check(plate.tactile_weight != 0.2, "the estimate has changed")
 

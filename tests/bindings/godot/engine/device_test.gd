@@ -1,4 +1,4 @@
-# Tests the plate's device with emulated plates: HRT_PLATE_DEVICE is the firmware on a board, HRT_PLATE_FILE is a Dynamixel servo.
+# Tests the plate's device with emulated plates: HRT_PLATE_DEVICE is a board, HRT_PLATE_FILE a Dynamixel servo.
 extends "res://tests/checks.gd"
 
 # Waits up to 30 s until `key` of the report is `wanted`, and returns the report. While waiting, turns the device to the

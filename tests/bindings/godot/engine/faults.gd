@@ -1,5 +1,6 @@
-# Runs the sample with its simulated person through faults: the hand is lost in a reach, the view is recentred in a reach and in
-# a set-up, the plate fails and is opened again, the window is closed. Then prints the lines of the board and the number of results.
+# Runs the sample with its simulated person through faults: the hand is lost in a reach, the view is recentred in a
+# reach and in a set-up, the plate fails and is opened again, the window is closed. Then prints the lines of the board
+# and the number of results.
 extends Node
 
 @onready var session: Node = $Main

@@ -1,5 +1,4 @@
-# Measures the time of calls of update() by the engine, and the growth of the engine's memory, in reaches along the path of a
-# simulated person.
+# Measures the time of calls of update() by the engine, and the growth of its memory, on a simulated person's path.
 extends SceneTree
 
 func _initialize() -> void:

@@ -8,8 +8,8 @@ const MAGIC := "mndrmt3"
 @onready var session: Node = $Main
 @onready var remote := StreamPeerTCP.new()
 var person: SimulatedFinger
-# Offset from the sent pose to the tip of the index finger, in the hand's axes: measured in frame 10, when the hand is at
-# the origin.
+# Offset from the sent pose to the tip of the index finger, in the hand's axes: measured in frame 10, when the hand is
+# at the origin.
 var offset: Variant = null
 var frames := 0
 

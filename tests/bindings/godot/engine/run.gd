@@ -1,5 +1,5 @@
-# Runs each function test_* of the scripts *_test.gd in this folder in a new object. Prints PASS and the number of checks, or
-# FAIL. Needs Godot 4.5 or later, in which scripts can read errors.
+# Runs each function test_* of the scripts *_test.gd in this folder in a new object. Prints PASS and the number of
+# checks, or FAIL. Needs Godot 4.5 or later, in which scripts can read errors.
 extends SceneTree
 
 const FOLDER := "res://tests/"

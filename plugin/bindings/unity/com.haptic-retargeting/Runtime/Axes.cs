@@ -38,8 +38,8 @@ namespace Hrt
             return new Vector3((float)-Math.Sin(angle), 0, (float)Math.Cos(angle));
         }
 
-        /// <summary>Returns the rotation about the plate's y axis for a plate orientation. Unity's angles are clockwise,
-        /// the library's counter-clockwise.</summary>
+        /// <summary>Returns the rotation about the plate's y axis for a plate orientation. Unity's angles are
+        /// clockwise, the library's counter-clockwise.</summary>
         public static Quaternion RidgeRotation(double orientationDeg) =>
             Quaternion.Euler(0, (float)-orientationDeg, 0);
     }

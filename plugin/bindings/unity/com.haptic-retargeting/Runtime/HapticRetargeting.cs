@@ -58,8 +58,8 @@ namespace Hrt
         /// <summary>Raised at the first command of a reach, and when flags other than Held change.</summary>
         public event Action<CommandFlags> FlagsChanged;
 
-        /// <summary>Raised when a command gets the flag Arrived: the motion has ended. Call <see cref="EndReach"/>, here or
-        /// later. With the flag OffTarget, the finger has probably missed.</summary>
+        /// <summary>Raised when a command gets the flag Arrived: the motion has ended. Call <see cref="EndReach"/>,
+        /// here or later. With the flag OffTarget, the finger has probably missed.</summary>
         public event Action<Command> Arrived;
 
         public event Action<ReachSummary> ReachEnded;
@@ -81,9 +81,9 @@ namespace Hrt
         bool commanded;
         bool refused;
 
-        /// <summary>The session, for its configuration, profile and recording between reaches. Null while the component is
-        /// disabled. BeginReach sets plate, start and targets from the Transforms, and applies changed settings of the
-        /// inspector.</summary>
+        /// <summary>The session, for its configuration, profile and recording between reaches. Null while the component
+        /// is disabled. BeginReach sets plate, start and targets from the Transforms, and applies changed settings of
+        /// the inspector.</summary>
         public HapticRetargetingSession Session { get; private set; }
 
         public bool IsReaching { get; private set; }
@@ -150,8 +150,8 @@ namespace Hrt
             return summary;
         }
 
-        /// <summary>Begins a set-up, which measures the pose of the plate, the offset of the skin from a tracked joint, and
-        /// the user. Until the set-up is over, the component passes a sample to it in each frame.</summary>
+        /// <summary>Begins a set-up, which measures the pose of the plate, the offset of the skin from a tracked joint,
+        /// and the user. Until the set-up is over, the component passes a sample to it in each frame.</summary>
         public void BeginSetup(SetupFlags what = SetupFlags.AllMissing)
         {
             HapticRetargetingSession session = EnabledSession();
@@ -324,7 +324,7 @@ namespace Hrt
             return Session;
         }
 
-        /// <summary>Returns the id of a virtual target in the session. Targets get their ids when a reach begins.</summary>
+        /// <summary>Returns the session's id of a virtual target. Targets get their ids when a reach begins.</summary>
         public TargetId IdOf(Transform virtualTarget) => IdOf(virtualTarget, virtualIds, nameof(virtualTarget));
 
         TargetId IdOf(Transform target, Dictionary<Transform, TargetId> ids, string argument)

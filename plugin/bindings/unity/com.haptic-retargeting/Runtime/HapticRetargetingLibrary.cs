@@ -117,7 +117,7 @@ namespace Hrt
             return Native.hrt_host_set(ref host);
         }
 
-        /// <summary>Writes a line of the library's log, to Unity's console or to the receiver that a .NET program sets.</summary>
+        /// <summary>Writes a line of the library's log to Unity's console or, in .NET, to <c>Logged</c>.</summary>
         static partial void Log(LogLevel level, string message);
 
         [MonoPInvokeCallback(typeof(HostLog))]

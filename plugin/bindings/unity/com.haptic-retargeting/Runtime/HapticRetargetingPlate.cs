@@ -5,9 +5,9 @@ namespace Hrt
 {
     /// <summary>
     /// The device that turns the plate, driven by libhrt_plate: a plate with the line protocol, or a Dynamixel servo. A
-    /// thread of that library communicates with the plate, so calls do not wait, except <see cref="WaitUntilReady"/> and
-    /// <see cref="NativeObject.Dispose"/>, which stops the plate within half a second. The plate stops if there is no call
-    /// for <see cref="PlateOptions.hostTimeoutNs"/>. For Linux and Windows on x64.
+    /// thread of that library communicates with the plate, so calls do not wait, except <see cref="WaitUntilReady"/>
+    /// and <see cref="NativeObject.Dispose"/>, which stops the plate within half a second. The plate stops if there is
+    /// no call for <see cref="PlateOptions.hostTimeoutNs"/>. For Linux and Windows on x64.
     ///
     /// <see cref="Set"/>, <see cref="Stop"/> and <see cref="Get"/> allocate no managed memory, unless they throw.
     /// </summary>
@@ -28,8 +28,8 @@ namespace Hrt
             Own((out ulong created) => PlateNative.hrt_plate_open(name, ref options, out created));
         }
 
-        /// <summary>Waits up to 6 s until the plate is open. Throws <see cref="InvalidOperationException"/> with the reason
-        /// if it cannot be opened. A frame loop should call <see cref="Get"/> instead.</summary>
+        /// <summary>Waits up to 6 s until the plate is open. Throws <see cref="InvalidOperationException"/> with the
+        /// reason if it cannot be opened. A frame loop should call <see cref="Get"/> instead.</summary>
         public PlateReport WaitUntilReady()
         {
             PlateReport report = Get();
@@ -62,8 +62,8 @@ namespace Hrt
 
     public partial struct SessionConfig
     {
-        /// <summary>Copies speed, acceleration, latency and stops of a ready plate. Stops that are less than 180 degrees
-        /// apart are copied as 0: the session then assumes that the plate turns freely.</summary>
+        /// <summary>Copies speed, acceleration, latency and stops of a ready plate. Stops that are less than 180
+        /// degrees apart are copied as 0: the session then assumes that the plate turns freely.</summary>
         public void TakePlate(PlateReport report)
         {
             bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;

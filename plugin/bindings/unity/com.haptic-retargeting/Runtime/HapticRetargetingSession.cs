@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Hrt
 {
     /// <summary>
-    /// One user, one plate, and the assumptions of the controller about both. Add targets. For each reach, begin it, pass
-    /// samples of the finger, and end it. Dispose of the session, which cancels its reach and ends its recording.
+    /// One user, one plate, and the assumptions of the controller about both. Add targets. For each reach, begin it,
+    /// pass samples of the finger, and end it. Dispose of the session, which cancels its reach and ends its recording.
     ///
     /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>, <see cref="TryUpdate"/> and
     /// <see cref="EndReach"/> allocate no managed memory, unless they throw.
@@ -89,13 +89,13 @@ namespace Hrt
             return command;
         }
 
-        /// <summary>Does the same as <see cref="Update"/>, but returns false if the sample is refused, and does not throw.
-        /// <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
+        /// <summary>Does the same as <see cref="Update"/>, but returns false if the sample is refused, and does not
+        /// throw. <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
         public bool TryUpdate(Sample sample, out Command command) =>
             Exchange(ref sample, out command) == Result.Ok;
 
-        /// <summary>Writes log messages that updates have stored because they must not block, for example that a clock or
-        /// unit is probably wrong. Call it after a reach; it is not real-time.</summary>
+        /// <summary>Writes log messages that updates have stored because they must not block, for example that a clock
+        /// or unit is probably wrong. Call it after a reach; it is not real-time.</summary>
         public void WriteLog()
         {
             var none = new Host { structSize = SizeOf<Host>.Value };

@@ -3,9 +3,9 @@ using System;
 namespace Hrt
 {
     /// <summary>
-    /// An object of the library, which exists until it is disposed of or collected, or until the scripts are unloaded. If
-    /// the library refuses a call, the method throws a <see cref="HapticRetargetingException"/>, unless its name begins
-    /// with Try. If two threads call the same object at the same time, one call fails with <see cref="Result.Busy"/>.
+    /// An object of the library, which exists until it is disposed of or collected, or until the scripts are unloaded.
+    /// If the library refuses a call, the method throws a <see cref="HapticRetargetingException"/>, unless its name
+    /// begins with Try. Of calls of two threads at the same time, one fails with <see cref="Result.Busy"/>.
     /// </summary>
     public abstract class NativeObject : IDisposable
     {
@@ -26,7 +26,7 @@ namespace Hrt
 
         public bool IsDisposed => handle == 0;
 
-        // Calls `create`, which creates the native object. At the library's limit, collects unused objects and tries again.
+        // Calls `create`, which creates the native object. At the library's limit, collects unused objects and repeats.
         internal void Own(Creation create)
         {
             Result result = create(out ulong created);

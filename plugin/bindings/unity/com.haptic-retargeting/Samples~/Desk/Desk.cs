@@ -13,7 +13,7 @@ namespace HrtSamples
 
         public HapticRetargeting Retargeting { get; private set; }
 
-        /// <summary>Called by the editor when the component is added. Places the plate at the height of a table, within reach.</summary>
+        /// <summary>Called by the editor when the component is added. Places the plate as on a table.</summary>
         void Reset() => transform.position = new Vector3(0, 0.75f, 0.4f);
 
         void Awake()

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace HrtSamples
 {
     /// <summary>
-    /// Add this to an empty object of a scene with a camera, and press play: a simulated person slides to one virtual object
-    /// after the other, feels the ridges, and is steered to the cylinder.
+    /// Add this to an empty object of a scene with a camera, and press play: a simulated person slides to one virtual
+    /// object after the other, feels the ridges, and is steered to the cylinder.
     /// </summary>
     [RequireComponent(typeof(Desk))]
     public sealed class SimulatedReach : MonoBehaviour

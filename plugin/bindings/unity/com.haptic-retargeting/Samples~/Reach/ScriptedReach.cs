@@ -3,8 +3,8 @@ using Hrt;
 
 namespace HrtSamples
 {
-    /// <summary>The reach that a sample of each language and engine ("host") runs: passes a scripted finger to a session,
-    /// and hashes the bits of the resulting commands.</summary>
+    /// <summary>The reach that a sample of each language and engine ("host") runs: passes a scripted finger to a
+    /// session, and hashes the bits of the resulting commands.</summary>
     public sealed class ScriptedReach
     {
         /// <summary>FNV-1a hash of the commands, as in ReplayReport.hash; the same on every host.</summary>

@@ -293,7 +293,7 @@ namespace Hrt.Tests
                 Assert.AreEqual(field.GetValue(defaults), field.GetValue(config), field.Name);
         }
 
-        // Sets each setting of the component to another allowed value, and expects a change of the configuration's field.
+        // Sets each setting of the component to another allowed value, and expects another configuration.
         [Test]
         public void EverySettingReachesTheConfiguration()
         {
@@ -319,7 +319,7 @@ namespace Hrt.Tests
             Assert.Greater(settings, 20);
         }
 
-        // The simulated person touches the marks of a plate at (0.3, 0.75, 0.4) in Unity's axes, rotated 20° to the left.
+        // The simulated person touches a plate at (0.3, 0.75, 0.4) in Unity's axes, rotated by 20° to the left.
         [Test]
         public void ASetupMovesThePlateToItsMeasuredPose()
         {

@@ -102,7 +102,7 @@ void UHapticRetargetingComponent::MoveToPlate()
 	bPlacedByPlugin = true;
 }
 
-/** Returns the component's pose. If the plugin has set it, returns the plugin's exact numbers, without rounding errors. */
+/** Returns the component's pose; if the plugin has set it, the plugin's numbers, without rounding errors. */
 void UHapticRetargetingComponent::PlatePose(double (&OutPosition)[3], double (&OutRotation)[4]) const
 {
 	if (IsAtPlate())

@@ -19,7 +19,8 @@ bool UHapticRetargetingComponent::BeginSetup(int32 What)
 	return true;
 }
 
-/** Processes a sample. Broadcasts OnPlateCommanded if the plate orientation changes, OnSetupStepped if anything else does. */
+/** Processes a sample. Broadcasts OnPlateCommanded if the plate orientation changes, and OnSetupStepped if another
+ *  field of the step changes. */
 bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 {
 	hrt_setup_step Now = hrt_setup_step_init();

@@ -23,8 +23,8 @@ DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupStepped, const FHapticSe
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupFinished, const FHapticSetupResult&, Result);
 
 /**
- * One user and one plate. The component's transform is the plate's pose, which may change: X away from the user, Y right,
- * Z up. Do not scale it. Calls that fail return false and log the reason.
+ * One user and one plate. The component's transform is the plate's pose, which may change: X away from the user, Y
+ * right, Z up. Do not scale it. Calls that fail return false and log the reason.
  */
 UCLASS(ClassGroup = "Haptic Retargeting", meta = (BlueprintSpawnableComponent))
 class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
@@ -131,9 +131,10 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
-	/** Begins a set-up of the parts What: the plate's pose, the offset of the skin from a joint, the user. Until the set-up is
-	 *  over, updates pass their samples to it, and broadcast OnPlateCommanded. A registration sets the component's transform
-	 *  to the plate's pose. At the step Finish the user waits for a fit, which each update continues. */
+	/** Begins a set-up of the parts What: the plate's pose, the offset of the skin from a joint, the user. Until the
+	 *  set-up is over, updates pass their samples to it, and broadcast OnPlateCommanded. A registration sets the
+	 *  component's transform to the plate's pose. At the step Finish the user waits for a fit, which each update
+	 *  continues. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool BeginSetup(UPARAM(meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticSetupFlags")) int32 What);
 
@@ -148,19 +149,19 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting|Setup")
 	bool IsSettingUp() const { return bSettingUp; }
 
-	/** Replaces finger and servo by a simulated person, who moves towards the virtual target and is deflected by the plate,
-	 *  or follows the set-up if the target's Id is 0. The same seed gives the same person. */
+	/** Replaces finger and servo by a simulated person, who moves towards the virtual target and is deflected by the
+	 *  plate, or follows the set-up if the target's Id is 0. The same seed gives the same person. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool BeginSimulatedFinger(const FHapticTarget& Virtual, int64 Seed);
 
-	/** Advances the simulated finger to Time, instead of UpdateFinger. OutLocation is its tracked position in the world. */
+	/** Advances the simulated finger to Time, instead of UpdateFinger. OutLocation: tracked position in the world. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool UpdateSimulatedFinger(double Time, FVector& OutLocation);
 
 	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
-	 *  commission` writes. Some seconds later, the device is ready: from then on, it receives each command, and UpdateFinger,
-	 *  UpdateJoint and BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed, acceleration, latency
-	 *  and stops are copied to Settings once, between reaches. */
+	 *  commission` writes. Some seconds later, the device is ready: from then on, it receives each command, and
+	 *  UpdateFinger, UpdateJoint and BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed,
+	 *  acceleration, latency and stops are copied to Settings once, between reaches. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool OpenPlate(const FString& Device);
 
@@ -225,7 +226,7 @@ private:
 	hrt_plate Device{};
 	bool bDeviceIsTaken = false;
 	bool bDeviceIsRefused = false;
-	/** Transform to which the plugin has moved the component, if bPlacedByPlugin. Configured has the pose without rounding. */
+	/** Transform to which the plugin has moved the component, if bPlacedByPlugin. Configured has the exact pose. */
 	FTransform PlatePlace;
 	bool bPlacedByPlugin = false;
 	hrt_session_config Configured{};
