@@ -1,4 +1,4 @@
-"""Generates the settings in Unity's inspector: a part of the class HapticRetargeting, with tooltips, ranges, defaults."""
+"""Generates Unity's inspector settings: a part of the class HapticRetargeting, with tooltips, ranges and defaults."""
 
 from __future__ import annotations
 
