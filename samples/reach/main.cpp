@@ -29,8 +29,8 @@
 namespace hrt::reach {
 namespace {
 
-constexpr int losses_allowed = 3;      // lost sessions or instances without a finished reach or slide in between
-constexpr int unfinished_allowed = 3;  // the run ends at this number of unfinished reaches in a row
+constexpr int losses_allowed = 3;    // lost sessions or instances without a finished reach or slide in between
+constexpr int unfinished_limit = 3;  // the run ends at this number of unfinished reaches in a row
 
 // Thrown during a reach when the person requests another reach.
 struct OtherReach : std::exception {
@@ -291,10 +291,10 @@ class Run {
       table_.print_row(std::cout, pair, "not made");
       prompt_.say(failure.what());
       ++tally_.unfinished;
-      if (++unfinished_in_a_row_ == unfinished_allowed && next_ + 1 < pairs_.size())
+      if (++unfinished_in_a_row_ == unfinished_limit && next_ + 1 < pairs_.size())
         throw Failure(ExitCode::no_hand, format("%d reaches in a row did not begin or end in time; see the messages "
                                                 "above, or allow more time (--time-limit)",
-                                                unfinished_allowed));
+                                                unfinished_limit));
     }
     check_output();
     ++next_;

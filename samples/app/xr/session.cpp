@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 constexpr auto poll_period = 2ms;                // period of event polling while there is no frame
 constexpr auto own_frame_period = 11'111'111ns;  // 90 Hz, for a runtime whose frames have no times
-constexpr int frames_of_a_second = 90;           // limit of invalid frames in a row that are skipped
+constexpr int max_skipped_frames = 90;           // largest number of invalid frames in a row
 constexpr XrDuration max_step_ns = 5'000'000'000, max_refused_ns = 1'000'000'000;
 constexpr float max_position_m = 100.0f;  // a larger distance of a fingertip from the plate is impossible
 
@@ -217,7 +217,7 @@ bool XrHeadlessSession::steps(XrTime time) {
       last_frame_ != 0 && time - last_frame_ > max_step_ns && time - last_frame_ - passed > max_step_ns;
   stepped_ = is_step ? stepped_ + 1 : 0;
   left_out_.stepped += is_step ? 1 : 0;
-  if (stepped_ > frames_of_a_second)
+  if (stepped_ > max_skipped_frames)
     throw XrLost(XR_ERROR_TIME_INVALID, format("the runtime's time stepped by %.0f s between two frames",
                                                1e-9 * static_cast<double>(time - last_frame_)));
   return is_step;
@@ -240,7 +240,7 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   untimed_ = has_time ? 0 : untimed_ + 1;
   // Some runtimes give no frame of a headless session a time. Otherwise, up to 90 frames in a row without one are
   // skipped.
-  if (!has_loop || (!has_time && (last_frame_ == 0 || untimed_ > frames_of_a_second))) {
+  if (!has_loop || (!has_time && (last_frame_ == 0 || untimed_ > max_skipped_frames))) {
     frames_have_times_ = false;
     return time_now();
   }
