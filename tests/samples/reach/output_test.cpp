@@ -32,12 +32,12 @@ TEST(ReachRecording, IsTheSameForTheSameSeedAndReplays) {
 }
 
 // A short reach in real time gives few status lines: a pseudo-terminal buffers only 4096 bytes.
-const std::string half_a_second = R"({"clock": "real-time", "participants": [{"reaction_ms": 0, "duration_ms": 300}]})";
+const std::string short_reach = R"({"clock": "real-time", "participants": [{"reaction_ms": 0, "duration_ms": 300}]})";
 
 TEST(ReachStatusLine, IsOverwrittenAndErasedAtTheEnd) {
   for (const std::uint16_t columns : {std::uint16_t{100}, std::uint16_t{30}}) {
     const plate::Pty terminal(columns);
-    Program program({desk, "--target", "bottle"}, scripted_environment(half_a_second), terminal.descriptor());
+    Program program({desk, "--target", "bottle"}, scripted_environment(short_reach), terminal.descriptor());
     EXPECT_EQ(rows_of(program.wait()).size(), 1U);
     const std::string text = terminal.take();
     EXPECT_GE(occurrences(text, "\r\033[Kbottle: "), 4U) << text;
@@ -47,7 +47,7 @@ TEST(ReachStatusLine, IsOverwrittenAndErasedAtTheEnd) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line, '\r');) EXPECT_LE(line.size(), 2U + columns) << line;
   }
-  EXPECT_EQ(run_scripted(half_a_second, {desk, "--target", "bottle"}).err, "") << "without a terminal";
+  EXPECT_EQ(run_scripted(short_reach, {desk, "--target", "bottle"}).err, "") << "without a terminal";
 }
 
 TEST(ReachOutput, WithoutReaderEndsTheRun) {
