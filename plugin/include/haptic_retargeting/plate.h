@@ -92,7 +92,7 @@ typedef struct hrt_plate_options {
 
 /** @enumeration HRT_PLATE_STATE State of a plate. */
 typedef uint32_t hrt_plate_state;
-#define HRT_PLATE_STATE_OPENING 1u /**< connecting: up to 6 s, because many boards restart when they are opened */
+#define HRT_PLATE_STATE_OPENING 1u /**< connecting: up to about 6 s, because many boards restart when opened */
 #define HRT_PLATE_STATE_READY 2u   /**< accepts commands */
 #define HRT_PLATE_STATE_FAILED 3u  /**< stopped, if it was still connected; hrt_plate_report::message has the reason */
 

@@ -111,8 +111,8 @@ struct DeviceName {
 };
 
 using LineOpener = std::function<std::unique_ptr<Line>(const std::string& path, int baud)>;
-/// Function that opens a device, which takes up to 6 s. Throws PlateFailure if the device does not answer or is not
-/// supported.
+/// Function that opens a device, which takes up to about 6 s. Throws PlateFailure if the device does not answer or is
+/// not supported.
 using DeviceMaker = std::function<std::unique_ptr<Device>(const LineOpener& open, Start start)>;
 
 /// Checks the name of a device, and returns a function that opens it. Throws std::invalid_argument with one line that
