@@ -75,7 +75,8 @@ class HandleTable {
           !slots_[index].state.compare_exchange_strong(seen, idle | busy, std::memory_order_acquire)) {
         if (seen == (idle | busy))
           return fail(HRT_ERROR_BUSY, "another thread is in a call on this ", noun_, "; wait until it returns");
-        return fail(HRT_ERROR_INVALID_HANDLE, noun_, " ", handle, " does not exist; it was destroyed or never created");
+        return fail(HRT_ERROR_INVALID_HANDLE, noun_, " ", handle,
+                    " does not exist: it was destroyed or never created; create it first");
       }
       const auto release = [idle](Slot* slot) {  // also called if the body throws
         slot->state.store(slot->object ? idle : idle & ~live, std::memory_order_release);

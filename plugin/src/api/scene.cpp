@@ -31,9 +31,8 @@ void log_far_targets(const Scene& scene, std::string_view file) {
   if (first == scene.targets.end()) return;
   Text<400> text;
   text << Shown{file} << ": " << std::count_if(first, scene.targets.end(), is_far)
-       << " of the targets are further than ten plate radii (" << far_m
-       << " m) from the plate, the first of these targets, \"" << Shown{first->name} << "\", at "
-       << length(first->position_m) << " m; check that the file is in metres";
+       << " of the targets are further than ten plate radii (" << far_m << " m) from the plate, for example \""
+       << Shown{first->name} << "\" at " << length(first->position_m) << " m; check that the file is in metres";
   write_log(HRT_LOG_WARNING, text.c_str());
 }
 
