@@ -28,8 +28,8 @@ class Plate {
   /// Turns the plate to this orientation or to an equivalent one.
   virtual void command(XrTime time, double orientation_deg) = 0;
 
-  /// Orientation, within +-360 degrees: of a simulated plate at `time`, of a device at the last service(). Nothing while
-  /// it is unknown.
+  /// Orientation, within +-360 degrees: of a simulated plate at `time`, of a device at the last service(). Nothing
+  /// while it is unknown.
   virtual std::optional<double> orientation_deg(XrTime time) = 0;
 
   /// Stops the plate at its present orientation and cancels the last command.
