@@ -273,7 +273,7 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 1.0); }, FamilyKind::misplaced},
     {"turned-touch3", "turned by ±2°, and a contact known to 3 mm", false,
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 3.0); }, FamilyKind::misplaced},
-    {"headset-touch", "family headset, and a contact known to 1 mm", false,
+    {"headset-touch", "headset, and a contact known to 1 mm", false,
      [](PersonCondition& c, Draws& d) {
        headset(c, d);
        c.contact_sd_mm = 1.0;

@@ -39,12 +39,12 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg);
 double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign);
 
 enum class Steering {
-  steps,       ///< in steps of 100 ms: paper section II-A
-  continuous,  ///< d(direction)/dt = -k (perceived direction(time - delay) - goal) + noise
-  predictive,  ///< as continuous, but the own direction is known without delay
-  place,      ///< as continuous, towards the virtual target from the perceived position, until 15 % of the path is left
-  heavy_arm,  ///< a mass driven by muscles with a time constant; delayed feedback
-  crossings,  ///< as continuous; each ridge that the finger crosses, every 10 mm, renews the cue, which then decays
+  steps,        ///< in steps of 100 ms: paper section II-A
+  continuous,   ///< d(direction)/dt = -k (perceived direction(time - delay) - goal) + noise
+  predictive,   ///< as continuous, but the own direction is known without delay
+  place,        ///< as continuous, towards the virtual target from the perceived position, up to 85 % of the path
+  heavy_arm,    ///< a mass driven by muscles with a time constant; delayed feedback
+  crossings,    ///< as continuous; the shift decays, and is renewed when the finger crosses a ridge, every 10 mm
   placing_arm,  ///< as heavy_arm, towards the position of the virtual target
   corrections,  ///< as continuous, with one correction every 250 ms
 };
