@@ -21,7 +21,8 @@ struct GapFeasibility {
   double settling_direction_deg;  ///< direction in which the finger settles: the real direction if reachable
 };
 
-/// A pair of targets seen from the start of the reach; directions in degrees from the mid-line.
+/// A pair of targets seen from the start of the reach or, after a retarget, as in Retargeter::retarget(). Directions
+/// are in degrees from the mid-line.
 struct Reach {
   /// direction of the real target: finite, less than 90 degrees from the goal (virtual direction plus bias)
   double real_direction_deg;
