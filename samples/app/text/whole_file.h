@@ -12,7 +12,7 @@ std::string why_not_writable(const std::filesystem::path& path);
 
 /// Replaces the file at `path`, or the target of a link there, in one step: writes `content` to a temporary file in the
 /// same folder and renames it. Returns 0, or errno after a failure, which leaves no temporary file. Returns EINVAL if
-/// `path` is not a regular file.
+/// there is something else than a regular file, such as a device.
 int write_whole_file(const std::filesystem::path& path, std::string_view content);
 
 /// Path of the temporary file that this process writes, in the folder of `path`.
