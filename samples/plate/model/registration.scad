@@ -1,5 +1,5 @@
 // Parts for a registration: an object with a cup for the fingertip, and a strip that guides the fingertip there from
-// the start's dimple. A mark of the deck and the object hold the strip over the ridges. It is removed afterwards.
+// the start's dimple. The strip lies over the ridges, held by object and deck, and is removed afterwards.
 
 cup_front_y_mm = -object_diameter_mm / 2;  // the deepest point of the cup is the contact point of the plain object
 cup_half_mm = cup_width_mm / 2 - cup_lip_mm;
