@@ -38,11 +38,12 @@
  * 1.47 A, 5 to 100, default 50). The current is also limited so that the force at the plate's rim, 75 mm from the axis,
  * is at most 4 N, calculated from the maker's stall torque.
  *
- * Each plate has one thread for its communication. Only hrt_plate_close() waits for a device, for at most 0.5 s. A
- * plate stops when the application makes no calls (hrt_plate_options::host_timeout_ns), when it is closed, and when it
- * fails. A failure is permanent: close the plate and open it again. In the child of a fork, calls on a plate of the
- * parent fail with WRONG_STATE; closing the plate there only releases its handle. The end of the process closes all
- * plates. On Windows, close plates before the library is unloaded.
+ * Each plate has one thread for its communication. Calls tagged [real-time] read the monotonic clock, which is a system
+ * call on some systems. Only hrt_plate_close() waits for a device, for at most 0.5 s. A plate stops when the application
+ * makes no calls (hrt_plate_options::host_timeout_ns), when it is closed, and when it fails. A failure is permanent:
+ * close the plate and open it again. In the child of a fork, calls on a plate of the parent fail with WRONG_STATE;
+ * closing the plate there only releases its handle. The end of the process closes all plates. On Windows, close plates
+ * before the library is unloaded.
  */
 #ifndef HAPTIC_RETARGETING_PLATE_H
 #define HAPTIC_RETARGETING_PLATE_H
@@ -200,7 +201,7 @@ HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_stop(hrt_plate plate) HRT_NOEXC
  *
  *  @param out_report  State and properties.
  *  @return WRONG_STATE in the child of a fork.
- *  @threadsafety [real-time] The call reads the monotonic clock. */
+ *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) HRT_NOEXCEPT;
 
 /** Stops the plate, restores the settings of its serial port, and ends its thread within 0.5 s.

@@ -94,7 +94,7 @@ hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length, 
         return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SCENES_MAX, " scenes, the maximum; destroy one first");
       out_scene->value = handle;
       return HRT_OK;
-    } catch (const hrt::SceneError& error) {  // the text of the error begins with the path
+    } catch (const hrt::SceneError& error) {  // a text that begins with the path is shown with a truncated path
       const std::string_view what = error.what();
       if (!what.starts_with(path)) return fail(HRT_ERROR_BAD_FORMAT, what);
       return fail(HRT_ERROR_BAD_FORMAT, Shown{path}, what.substr(std::strlen(path)));
