@@ -18,8 +18,8 @@
 
 namespace hrt_godot {
 
-/** Structs with the fields that are properties. Not properties are the plate's pose, which is that of the node, results
- *  of set-ups and reaches such as the person's mean, and the marks of set-ups. */
+/** Structs with the fields that are properties. Their other fields are the plate's pose, which is that of the node,
+ *  results of set-ups and reaches such as the person's mean, and the marks of set-ups. */
 struct Properties {
   hrt_session_config session = hrt_session_config_init();
   hrt_setup_config setup = hrt_setup_config_init();

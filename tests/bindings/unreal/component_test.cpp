@@ -1,5 +1,3 @@
-// Tests the Unreal component with stubs of the engine's types (stubs/CoreMinimal.h).
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

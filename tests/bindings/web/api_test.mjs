@@ -238,7 +238,6 @@ test("the golden recording gives the golden hash", async () => {
   assert.equal(report.hash, BigInt(goldenHash));
 });
 
-// Returns the column time_ns of the recorded samples.
 function recordedTimes(recording) {
   const rows = recording.split("\n").filter((line) => line !== "" && !line.startsWith("#")).map((line) => line.split(","));
   return rows.filter((cells) => cells[0] === "update").map((cells) => cells[rows[0].indexOf("time_ns")]);

@@ -32,7 +32,7 @@ class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
 	GENERATED_BODY()
 
 public:
-	/** Checked at their next use. Changes during a reach or a set-up apply after its end. */
+	/** Settings of the session, checked at their next use. Changes during a reach or a set-up apply after its end. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
 	FHapticSettings Settings;
 
