@@ -63,6 +63,6 @@ func test_reach() -> void:
 	check_near(off_deg(plate, commanded_deg), 0, "the device's command", 0.1)
 	check_equal(plate.cancel(), OK, "cancel")
 
-# Returns the device's command minus the nearest orientation that has the same ridges, which repeat every 180 degrees.
+# Returns the device's command minus the nearest equivalent of `orientation_deg`; ridges repeat every 180 degrees.
 func off_deg(plate: HapticRetargeting, orientation_deg: float) -> float:
 	return fposmod(plate.get_device_report().command_deg - orientation_deg + 90, 180) - 90
