@@ -41,8 +41,8 @@ bool edit(std::string& text, char key) {
 }
 
 constexpr XrDuration zero_limit_ns = 3'000'000'000;
-constexpr double zero_tolerance_deg = 2.0;  // largest absolute plate orientation at the beginning of a reach
-constexpr double no_path_m = 1e-3;          // path length of a simulated participant who is to stay at the start
+constexpr double zero_tolerance_deg = 2.0;
+constexpr double no_path_m = 1e-3;  // path length of a simulated participant who is to stay at the start
 
 std::int64_t clock_ns(clockid_t clock) {
   std::timespec time{};

@@ -65,7 +65,7 @@ inline std::uint32_t thread_number(Runtime& shared) {
   return number;
 }
 
-/// Converts a handle to its object; returns any other argument unchanged.
+/// Converts a handle to its object if `Target` is the type of objects; otherwise returns the argument unchanged.
 template <typename Target, typename Argument>
 Target resolve(Argument& argument) {
   if constexpr (std::is_same_v<Target, Argument>)

@@ -79,7 +79,7 @@ def test_level_and_coverage():
 
 
 def test_outcomes():
-    """By hand: percent within, variable error about the mean of each pair, d' and criterion by the log-linear rule; equivalence and a margin."""
+    """By hand: percent within, variable error about the mean of each pair, d' and criterion by the log-linear rule. By scipy: below_margin."""
     rows = [(1, "a", "l", 0, 1.0, "yes"), (1, "a", "l", 0, 3.0, "no"), (1, "a", "r", 0, -1.0, "yes"), (1, "a", "r", 0, -1.0, "yes"),
             (1, "a", "l", 1, 0.0, "no"), (1, "a", "l", 1, 0.0, "no")]
     trials = pandas.DataFrame(rows, columns=["participant", "condition", "pair", "is_catch", "miss_deg", "answer"]).assign(kind="reaches", end="counted")
@@ -163,7 +163,7 @@ def test_mixed_model():
     for condition in "ab":
         t = scipy.stats.ttest_rel(means[condition], means.c)
         assert abs(fit.p[condition] / t.pvalue - 1) < 0.02 and abs(fit.df[condition] - 7) < 0.02, (fit, t)
-    # One trial per cell cannot distinguish correlated slopes from residuals, so the model is reduced. Constants cannot be fitted.
+    # One trial per participant and condition cannot distinguish correlated slopes from residuals, so the model is reduced. Constants cannot be fitted.
     single = balanced.groupby(["participant", "condition"]).head(1)
     constant = balanced.assign(abs_miss_deg=1.0)
     reduced, none = analysis.mixed_models([single, constant], "abs_miss_deg", "c")

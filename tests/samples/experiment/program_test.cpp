@@ -39,7 +39,8 @@ std::string written(const TemporaryFolder& folder, const char* name, const std::
   return folder / name;
 }
 
-// A session with set-up, reaches and noticeability is the same when it is run twice; its output names no condition.
+// A session with set-up, reaches and noticeability writes the same journal when it is run again; its output names no
+// condition.
 TEST(ExperimentProgram, ThroughTheMockRuntime) {
   const TemporaryFolder folder;
   const Design design = small_design(1, [](nlohmann::json& study) {
@@ -293,7 +294,7 @@ struct Person : AtPlate {
   std::size_t heard = 0;
 };
 
-// Each state that waits for a person asks by terminal and speech, and the plate can be stopped in it. No text names a
+// Each request below is printed and spoken, and the plate can be stopped while the request waits. No text names a
 // condition.
 TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
   using reach::marks, reach::Path;

@@ -93,7 +93,7 @@ TEST(ExperimentCrash, NoFinishedTrialIsLostOrRepeated) {
   EXPECT_GT(number, 80U);
 }
 
-// Each process of a session is killed after 13 to 19 steps, until one completes the session.
+// Each process of a session is killed at its 13th to 19th step, until one completes the session.
 TEST(ExperimentCrash, ManyCrashesOfOneSession) {
   const Design design = small_design(2);
   const TemporaryFolder whole, folder;
