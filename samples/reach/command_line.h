@@ -1,4 +1,3 @@
-// The command line of hrt-reach.
 #pragma once
 
 #include <optional>
@@ -9,8 +8,8 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// Parses the command line. Returns an exit code if the program must end: after --help, or after an error, whose
-/// message was printed. `options` is then unspecified.
+/// Parses the command line of hrt-reach. Returns an exit code if the program must end: after --help, or after an error,
+/// whose message was printed. `options` is then unspecified.
 std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options);
 
 }  // namespace hrt::reach

@@ -16,7 +16,6 @@ struct Input {
   bool ended = false;               ///< the input has ended
 };
 
-/// Dialogue of hrt-plate with its operator.
 struct Dialogue {
   std::function<Input()> read;  ///< does not block
   std::function<void(const std::string&)> print;
