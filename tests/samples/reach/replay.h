@@ -1,4 +1,3 @@
-// Replay of recordings that hrt-reach wrote.
 #pragma once
 
 #include <gtest/gtest.h>
