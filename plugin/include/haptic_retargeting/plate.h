@@ -39,7 +39,7 @@
  * is at most 4 N, calculated from the maker's stall torque.
  *
  * Each plate has one thread for its communication. Calls tagged [real-time] read the monotonic clock, which is a system
- * call on some systems. Only hrt_plate_close() waits for a device, for at most 0.5 s. A plate stops when the application
+ * call on some systems. Only hrt_plate_close() waits for a device, for at most 0.5 s. A plate stops if the application
  * makes no calls (hrt_plate_options::host_timeout_ns), when it is closed, and when it fails. A failure is permanent:
  * close the plate and open it again. In the child of a fork, calls on a plate of the parent fail with WRONG_STATE;
  * closing the plate there only releases its handle. The end of the process closes all plates. On Windows, close plates
