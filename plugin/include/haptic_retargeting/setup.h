@@ -153,7 +153,7 @@ typedef uint32_t hrt_setup_observed;
 #define HRT_OBSERVED_FAR UINT32_C(4)       /**< the finger is over 1 m from place_m: check unit of length and pose */
 #define HRT_OBSERVED_PLATE UINT32_C(5)     /**< the plate reports another orientation than the commanded one */
 #define HRT_OBSERVED_ELSEWHERE UINT32_C(6) /**< the finger is more than 25 mm from place_m */
-#define HRT_OBSERVED_WRONG_WAY UINT32_C(7) /**< the last slide went backwards: axes are swapped or mirrored */
+#define HRT_OBSERVED_WRONG_WAY UINT32_C(7) /**< the last slide went backwards: check for swapped or mirrored axes */
 #define HRT_OBSERVED_NO_REST UINT32_C(8)   /**< the finger has not moved to the requested position and rested */
 
 /** Result of hrt_setup_update(): the next action of the user or of the application. */
