@@ -1,5 +1,6 @@
-// Runs a command with emulated plates at the other end of pseudo-terminals: the firmware's ELF on an emulated
-// board, and a commissioned Dynamixel servo. Environment variables of the command name the board and the servo:
+// Runs a command with emulated plates at the other end of pseudo-terminals: the firmware on an emulated board, and a
+// Dynamixel servo. Environment variables of the command name the board, and the file of the servo, as of `hrt-plate
+// commission`:
 //   with_plate COMMAND...    HRT_PLATE_DEVICE=serial:/dev/pts/1 HRT_PLATE_FILE=/tmp/with_plate.1.json
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-"""Compares the declarations with api.json, which update_api makes from the headers."""
+"""Tests the generated declarations. `model` is api.json, which update_api makes from the headers."""
 
 import ctypes
 import importlib

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Hrt.HostTests
 {
-    // Compares the declarations with api.json, which update_api makes from the headers.
+    // Tests the generated declarations. HRT_ABI_TXT is written by write_abi from api.json.
     public sealed class AbiTests
     {
         static readonly Assembly package = typeof(HapticRetargetingSession).Assembly;

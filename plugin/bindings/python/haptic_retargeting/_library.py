@@ -1,4 +1,4 @@
-"""Loads the shared libraries, and converts their errors to exceptions."""
+"""Loads the shared libraries, and converts errors and log lines of the plugin's library."""
 
 from __future__ import annotations
 

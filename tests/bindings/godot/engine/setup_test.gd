@@ -1,4 +1,4 @@
-# Tests set-ups with the simulated person, who touches a plate at PLATE.
+# Tests set-ups with the simulated person, whose plate is at PLATE in the world.
 extends "res://tests/checks.gd"
 
 const FRAME_NS := 11111111

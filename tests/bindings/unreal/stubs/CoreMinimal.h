@@ -73,7 +73,7 @@ struct FLogCategory
 #define DEFINE_LOG_CATEGORY(Category) const FLogCategory Category{#Category}
 #define UE_LOG(Category, Verbosity, Format, Argument) Category.Write(#Verbosity, Format, Argument)
 
-/** The used part of TArray. The engine's class checks indices and has its own allocators. */
+/** The used part of TArray. The engine's class has its own allocators. */
 template <typename Element>
 class TArray
 {
