@@ -17,8 +17,8 @@ namespace hrt {
 
 /// SDs of the noise of a coordinate, and the time constant of the correlated part. An interval from 0 means that this
 /// part may not exist. Values are not `known` if there are too few samples, if positions are rounded to steps larger
-/// than their noise, or if the noise does not have the form in noise_learner.h. The parts are not `known` either if they
-/// cannot be separated.
+/// than their noise, or if the noise does not have the form in noise_learner.h. The parts are not `known` either if
+/// they cannot be separated.
 struct RestNoise {
   Interval white_mm;  ///< includes rounding by the tracker
   Interval correlated_mm;
