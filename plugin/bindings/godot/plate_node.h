@@ -150,7 +150,8 @@ class PlateNode {
 
   bool list_targets(uint32_t role, std::vector<hrt_target>& out_targets);
   hrt_target add_target(uint32_t role, const std::string& name, hrt_target_config config);
-  Error begin_reach(hrt_target real, hrt_target felt, std::optional<double> plate_orientation_deg, double duration_s);
+  Error begin_reach(hrt_target real_target, hrt_target virtual_target, std::optional<double> plate_orientation_deg,
+                    double duration_s);
   Error take_contact(const hrt_contact* contact);
   Error send_finger(const Pose& finger, uint32_t flags, Time time_ns);
   Error send(const hrt_sample& sample);

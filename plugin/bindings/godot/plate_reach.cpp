@@ -15,12 +15,12 @@ Error PlateNode::begin_for(hrt_target real_target, hrt_target virtual_target, do
   return begin_reach(real_target, virtual_target, std::nullopt, duration_s);
 }
 
-Error PlateNode::begin_reach(hrt_target real, hrt_target felt, std::optional<double> plate_orientation_deg,
-                             double duration_s) {
+Error PlateNode::begin_reach(hrt_target real_target, hrt_target virtual_target,
+                             std::optional<double> plate_orientation_deg, double duration_s) {
   hrt_reach_config config = hrt_reach_config_init();
   config.flags = plate_orientation_deg ? HRT_REACH_PLATE_ORIENTATION : 0;
-  config.real_target = real;
-  config.virtual_target = felt;
+  config.real_target = real_target;
+  config.virtual_target = virtual_target;
   config.plate_orientation_deg = plate_orientation_deg.value_or(0);
   config.duration_s = duration_s;
   if (configure() && ok(hrt_reach_begin(session_, &config))) {

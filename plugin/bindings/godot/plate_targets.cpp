@@ -67,11 +67,12 @@ bool PlateNode::list_targets(uint32_t role, std::vector<hrt_target>& out_targets
 }
 
 Error PlateNode::assign_targets(bool exclusive) {
-  std::vector<hrt_target> real, felt;
-  if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt)) return error();
-  std::vector<hrt_gap> assigned(felt.size(), hrt_gap_init());
-  if (ok(hrt_gap_assign(session_, felt.data(), felt.size(), real.data(), real.size(),
-                        exclusive ? HRT_ASSIGN_EXCLUSIVE : 0, felt.size(), assigned.data())))
+  std::vector<hrt_target> reals, virtuals;
+  if (!configure() || !list_targets(HRT_TARGET_REAL, reals) || !list_targets(HRT_TARGET_VIRTUAL, virtuals))
+    return error();
+  std::vector<hrt_gap> assigned(virtuals.size(), hrt_gap_init());
+  if (ok(hrt_gap_assign(session_, virtuals.data(), virtuals.size(), reals.data(), reals.size(),
+                        exclusive ? HRT_ASSIGN_EXCLUSIVE : 0, virtuals.size(), assigned.data())))
     assigned_ = std::move(assigned);
   return error();
 }
