@@ -88,7 +88,7 @@ typedef uint32_t hrt_assign_flags;
 #define HRT_ASSIGN_TARGETS_MAX 1000
 
 /** Assigns real targets to as many virtual ones as possible, with feasible gaps only. Of these assignments, it chooses
- *  one whose largest ratio of |gap_deg| to max_gap_deg is minimal. With EXCLUSIVE, 1000 targets of each role take up to
+ *  one whose largest ratio of |gap_deg| to max_gap_deg is minimal. With EXCLUSIVE, 1000 targets of each role take about
  *  a second.
  *
  *  @param virtual_targets  Targets that need a real one.
