@@ -5,10 +5,8 @@
 namespace hrt {
 namespace {
 
-// Three nodes with a role, and one without.
 Json good() { return document({plate(), real(), virtual_on_the_left(), node("Lamp", {})}); }
 
-// Returns good() with `json` at a JSON pointer.
 std::string with(const std::string& pointer, const std::string& json) {
   Json file = good();
   file[Json::json_pointer(pointer)] = Json::parse(json);

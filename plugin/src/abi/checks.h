@@ -112,7 +112,6 @@ inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
               flags & ~known);
 }
 
-/// Fails unless the value is within the field's range. `name` is the name of the field in the error text.
 template <class S, class T>
 hrt_result check_value(const char* name, const Field<S, T>& field, const T& value) {
   if constexpr (std::is_array_v<T>) {

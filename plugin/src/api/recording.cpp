@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t max_file = std::size_t{1} << 30;
 constexpr std::size_t block_size = 65536;
 
-// Calls `get`, and writes the status that it returns. Fails if the session has no recording of this process.
 hrt_result with_recording(const char* call, hrt_session session, hrt_recording_status* out_status,
                           hrt_recording_status (RecordedSession::*get)()) noexcept {
   return sessions.with(call, session.value, [&](RecordedSession& s) -> hrt_result {
