@@ -94,8 +94,9 @@ void add_trial(CLI::App& app) {
   CLI::App& command =
       add_command(app, "trial", "Simulate one reach as CSV, one row per step.",
                   R"(Row k has the values of step k. The last row has only the direction in which the finger moves after
-the last step. Numbers have full precision. A trial has the same random numbers as the trial of
-'table1' with the same seed, condition and trial number.
+the last step. Numbers have full precision. A trial has the same random numbers as the trial of the
+same number in a cell of 'table1' with the same seed, if --condition is the row of this cell in the
+CSV of 'table1', from 0.
 
 --trace simulates a reach of a person under the plugin's default controller instead: --family, --duration,
 --reach, --trial (number of the person), --seed, --real and --virtual select the reach. Files in the folder:
