@@ -68,7 +68,7 @@ namespace Hrt
         /// <see cref="PlaceOf"/>. At Step.Finish the user waits for a fit, which continues in each frame.</summary>
         public event Action<SetupStep> SetupStepped;
 
-        /// <summary>Raised when the set-up is over and its results are applied.</summary>
+        /// <summary>Raised when all parts of the set-up have ended, and results are applied.</summary>
         public event Action<SetupResult> SetupFinished;
 
         // Ids of the session's targets. A Transform may have both roles: a cylinder may be its own virtual target.

@@ -59,7 +59,7 @@ public:
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticSetupStepped OnSetupStepped;
 
-	/** Broadcast when the set-up is over and its results are applied. */
+	/** Broadcast when all parts of the set-up have ended, and results are applied. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticSetupFinished OnSetupFinished;
 
