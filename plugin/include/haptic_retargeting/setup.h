@@ -57,10 +57,10 @@ typedef uint32_t hrt_setup_parts;
 #define HRT_SETUP_CHECK UINT32_C(4)
 /** Corrects the error that remains after registration. A guide is a strip on the plate from a dimple at the start to a
  *  real object. For each of the first 8 real targets, in the order of their addition, the user makes six slides along
- *  its guide, back and forth without lifting, with a rest of 1.4 s at each end. With simulated trackers, guides halve
- *  the error of a registration by six marks. Sets registration.contact_correction and HRT_SESSION_START_FELT. Requires
- *  HRT_SESSION_REGISTERED and real targets whose near sides are at least 40 mm from the start. Cannot be combined with
- *  REGISTRATION. */
+ *  its guide, back and forth without lifting. Each slide ends with a rest of 1.4 s. With simulated trackers, guides
+ *  halve the error of a registration by six marks. Sets registration.contact_correction and HRT_SESSION_START_FELT.
+ *  Requires HRT_SESSION_REGISTERED and real targets whose near sides are at least 40 mm from the start. Cannot be
+ *  combined with REGISTRATION. */
 #define HRT_SETUP_GUIDES UINT32_C(8)
 /** Measures the user's illusion curve, bias and habit, and the tracker's noise, from slides straight ahead while the
  *  plate does not turn. */
@@ -227,10 +227,10 @@ typedef struct hrt_setup_result {
   uint32_t slides;
   /** Number of slides that the fit uses. */
   uint32_t slides_used;
-  /** Parts that ended without a result, for example after three rejected fits of touches, after two touches that
-   *  disagree (CHECK), after six unusable slides in succession, because the plate did not report the commanded
-   *  orientation for a minute, or because max_slides did not suffice. Parts that depend on a dropped part are dropped
-   *  too. */
+  /** Parts that ended without a result, for example after three rejected fits of touches, two touches that disagree
+   *  (CHECK), or six unusable slides in succession. A calibration also ends without a result if the plate does not
+   *  report the commanded orientation for a minute, or if max_slides does not suffice. Parts that depend on a dropped
+   *  part are dropped too. */
   hrt_setup_parts dropped;
   /** Root mean square distance of the touches from their marks. */
   double registration_residual_m;
