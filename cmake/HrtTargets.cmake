@@ -74,7 +74,7 @@ function(hrt_harden name)
 endfunction()
 
 # hrt_precompile(name HEADERS...): precompiles headers for a target with many C++ sources, whose compile time is mostly
-# that of Eigen's headers. The options let ccache store the objects. Unity builds are faster without precompiled headers.
+# that of these headers. The options let ccache store the objects. Unity builds are faster without precompiled headers.
 function(hrt_precompile name)
   get_target_property(as_one ${name} UNITY_BUILD)
   if(NOT as_one)

@@ -108,7 +108,8 @@ export class Desk {
     if (this.#slowFrames === 8) this.#change((stage) => stage.lighten());
   }
 
-  /** Fades in the true hand and draws its path by this fraction, from 0 to 1. At 0, cylinder and labels are hidden. */
+  /** Fades in the true hand and draws its path by this fraction, from 0 to 1. At 0, the cylinder and the labels of hand
+   *  and cylinder are hidden. */
   reveal(fraction: number): void {
     if (fraction === this.#revealed) return;
     this.#revealed = fraction;

@@ -77,7 +77,8 @@ export class VisitorReach extends VisitorHand {
     Object.assign(this.wanted, { right_m, away_m });
   }
 
-  /** Advances by whole milliseconds. The slide ends when the dot is at the glass, or farther from the start. */
+  /** Advances by whole milliseconds. The slide ends when the dot is at the glass or farther from the start than the
+   *  glass, and when the trace is full. */
   advance(milliseconds: number): void {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;

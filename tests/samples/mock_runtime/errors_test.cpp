@@ -342,8 +342,8 @@ class MockActions : public MockErrors {
     const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
     return XR(xrSyncActions)(session, &info);
   }
-  // Expects an error of every function that reads an action or applies haptics. XR_ERROR_ACTION_TYPE_MISMATCH is not
-  // expected of the function for the type of the action.
+  // Expects an error of every function that reads the state of an action, or starts or stops haptics.
+  // XR_ERROR_ACTION_TYPE_MISMATCH is not expected of the function for the type of the action.
   void expect_error(XrAction of, XrResult error) {
     const auto expected = [&](XrAction of_function) {
       return of == of_function && error == XR_ERROR_ACTION_TYPE_MISMATCH ? XR_SUCCESS : error;

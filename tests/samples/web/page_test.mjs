@@ -402,7 +402,6 @@ test("a scene whose meshes cannot be drawn is shown without them, and nothing is
                                   [changed(({ buffers }) => { buffers[0].uri = "https://127.0.0.1:9/desk.bin"; }), /lie in another file: drop it together|^bad/],
                                   [changed(({ nodes, scenes }) => { while (nodes.length < 2000) scenes[0].nodes.push(nodes.push({ mesh: 6 }) - 1); }), /draw \d{7} vertices/]]) {
     await drop(page, "bad.gltf", content);
-    // The page's policy forbids waitForFunction().
     await page.locator("#scene-about, #refused:not([hidden])").filter({ hasText: words }).first().waitFor();
     await page.evaluate(() => { for (const id of ["refused", "scene-about"]) document.getElementById(id).textContent = ""; });
   }
