@@ -43,7 +43,7 @@ struct Calibration {
 
   std::vector<CurvePoint> band;  ///< illusion curve from -75 to 75 degrees
   LackOfFit lack_of_fit;
-  std::vector<CalibratedSlide> slides;  ///< all slides over a plate at rest
+  std::vector<CalibratedSlide> slides;  ///< slides over a plate at rest, including those that are not fitted
   std::size_t slides_turned = 0;        ///< number of excluded slides, in which the plate turned
   double max_plate_deg = 0.0;           ///< largest absolute plate angle of the fitted slides
 

@@ -1,6 +1,6 @@
-// Simulates many trials of many conditions on several threads. The results depend only on the seed, the conditions and
-// the trial numbers: every bit is the same for any number of threads, any order of the jobs, any split of a range of
-// trials, and any compiler with IEEE arithmetic without fused operations.
+// Simulates many trials of many conditions on several threads. The results depend only on the seed and the jobs: every
+// bit is the same for any number of threads, any order of the jobs, any split of a range of trials, and any compiler
+// with IEEE arithmetic without fused operations.
 #pragma once
 
 #include <atomic>

@@ -60,7 +60,7 @@ struct Observed {
   enum class Kind : std::uint32_t {
     none,
     no_finger,
-    lifted,     ///< the finger is lifted in every sample
+    lifted,     ///< no sample has the finger on the plate
     time,       ///< sample times advance by only `first` ns per sample
     far_away,   ///< the finger is `first` mm from the requested position: the unit is probably wrong
     plate,      ///< the plate reports `first` degrees, but `second` degrees were commanded
