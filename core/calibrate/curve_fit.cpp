@@ -32,7 +32,8 @@ constexpr double max_bend_deg = 20.0;
 constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
-// Slope of the straight curve with which the first descent begins; times the spacing, its prior SD of changes of slope.
+// Slope of the straight curve with which the first descent begins. Times the spacing, this is the prior SD of the
+// changes of slope in the first descent.
 constexpr double first_slope = 0.18;
 // The prior SD of the change of slope at a knot is the larger of slope and weight of the curve, and at least this.
 constexpr double min_steepness = 0.02;

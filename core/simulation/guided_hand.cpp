@@ -22,7 +22,7 @@ Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
   return q;
 }
 
-// Orientations of the finger that a set-up asks for, in its order.
+// Orientations of the finger, in the order in which a set-up requests them.
 Eigen::Quaterniond attitude_of(int number) {
   struct Way {
     double turned_deg, leant_deg, steep_deg;
