@@ -20,7 +20,7 @@ struct TrackerModel {
   double correlated_log_sd = 0.0;   ///< SD of the log of the correlated noise's size from reach to reach
   double latency_s = 0.0;           ///< time from a motion to its sample
   double declared_latency_s = 0.0;  ///< the latency that an uninformed controller is given
-  double late_s = 0.0;  ///< additional latency of a sample: uniform from 0 to this value, which is below the period
+  double late_s = 0.0;  ///< additional latency of a sample, uniform from 0 to this value; must be below the period
   double outlier_share = 0.0;  ///< fraction of samples with an error of 30 mm (SD)
   double burst_mm = 0.0;       ///< displacement of a burst of outliers: burst_samples samples from burst_at_s on
   double burst_at_s = 0.0;
