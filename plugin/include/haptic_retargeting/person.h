@@ -96,13 +96,13 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* conf
  *  @threadsafety [one-thread] */
 HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 
-/** Starts a reach: the finger rests at the session's start for 0.6 s, and then slides towards the position that the
- *  virtual target has at this call. Each call starts another reach, with new noise.
+/** Starts a reach with new noise: the finger rests at the session's start for 0.6 s, and then slides towards the
+ *  position that the virtual target has at this call.
  *
  *  With virtual_target {0}, the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m in the
- *  world, rotated by 20 degrees about the world's y axis, and the skin is at (2, -8, -12) mm from the tracked joint, in
- *  the joint's axes. Samples have WORLD_POSITION and JOINT_ROTATION in the parts FINGERTIP, REGISTRATION and CHECK, and
- *  in all parts once the session is registered.
+ *  world, rotated by 20 degrees about the world's y axis. The skin is at (2, -8, -12) mm from the tracked joint, in the
+ *  joint's axes. Samples have WORLD_POSITION and JOINT_ROTATION in the parts FINGERTIP, REGISTRATION and CHECK, and in
+ *  all parts once the session is registered.
  *
  *  @param session         Session of the target or of the set-up.
  *  @param virtual_target  Target that the person reaches for; {0}: follow the set-up in progress.
