@@ -6,7 +6,7 @@ import { models } from "./models.mjs";
 const { decodeLine, encodeLine, PlateDevice, PlateLink } = models;
 const bytes = (text) => new TextEncoder().encode(text);
 
-// The examples of plugin/src/plate/protocol.md.
+// plugin/src/plate/protocol.md gives the CRC of 123456789.
 test("lines match the protocol, and damaged ones are dropped", () => {
   assert.equal(encodeLine("123456789"), "123456789*29B1\n");
   for (const line of ["HELLO 2*0C18", "SET -034.25 00001*2066", "BEAT 00002*3CC0", "AT -034.25 00002*6A12", "STOPPED host*002D",
