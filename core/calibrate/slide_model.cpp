@@ -31,9 +31,9 @@ double share_at(const SlideTrack& track, double step) {
 // Delay of the steering law: stores perceived directions, and returns the one to which the person responds now.
 class SteeringDelay {
  public:
+  static constexpr double max_steps = 62.0;
   // Below this speed in the direction of the target, no direction of motion is perceived.
   static constexpr double min_felt_speed_mm_s = 2.0;
-  static constexpr double max_steps = 62.0;
 
   // `steps`: delay in steps, 0 to max_steps. Between steps, the perceived direction is interpolated.
   explicit SteeringDelay(double steps)

@@ -13,14 +13,14 @@ constexpr int max_degree = 5;
 constexpr double same_angle_deg = 3.0;
 constexpr int passes = 12;
 constexpr int outlier_passes = 4;
+constexpr double outlier_weight = 1e-9;
+constexpr double min_deviation_deg = 0.02;
+constexpr double scatter_rank_threshold = 1e-12;
 // Lower bound of a residual in the weights of least absolute deviations.
 constexpr double min_residual_deg = 0.05;
-constexpr double outlier_weight = 1e-9;
 // Limit of the squared Mahalanobis distance of a slide. It exceeds the 99.999 % quantile of chi-squared with four
 // degrees of freedom, 28.5, because the first part of a path has heavier tails.
 constexpr double max_distance = 40.0;
-constexpr double min_deviation_deg = 0.02;
-constexpr double scatter_rank_threshold = 1e-12;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, slide_parts>;
 

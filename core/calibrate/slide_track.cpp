@@ -16,9 +16,11 @@ namespace {
 
 constexpr double min_step_s = 0.01;
 constexpr double steps_a_slide = 200.0;
+constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.75, 1.01};
+constexpr std::size_t min_places = 6;
+constexpr std::size_t min_line_places = 4;
 // Half of the time window of the lines that smooth the pace.
 constexpr double smoothing_s = 0.075;
-constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.75, 1.01};
 // A longer time without samples ends the slide.
 constexpr double max_gap_s = 5.0;
 // A position is an outlier if it is more than max_deviations SDs and more than min_outlier_mm from the median of the
@@ -26,8 +28,6 @@ constexpr double max_gap_s = 5.0;
 constexpr int median_reach = 5;
 constexpr double max_deviations = 6.0;
 constexpr double min_outlier_mm = 1.0;
-constexpr std::size_t min_places = 6;
-constexpr std::size_t min_line_places = 4;
 // Within this fraction of the path from either end, rotations of the plate do not count: the finger hardly moves.
 constexpr double end_fraction = 0.02;
 // Minimum length of a part as a fraction of the path.

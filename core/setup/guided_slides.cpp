@@ -10,12 +10,12 @@ namespace {
 
 constexpr double guide_rest_s = 1.4;
 constexpr double guide_stop_s = 2.0;
+constexpr double max_unseen_s = 0.5;
+constexpr double max_raised_s = 0.1;
 // Largest distance of a rest from the end of its guide, as a fraction of the guide's length and in mm: the smaller one
 // applies.
 constexpr double near_share = 0.3;
 constexpr double max_near_mm = 30.0;
-constexpr double max_unseen_s = 0.5;
-constexpr double max_raised_s = 0.1;
 // Largest distance of a measured vector from the mean of the three vectors to its object.
 constexpr double max_deviation_mm = 4.8;
 // Prior SD of a coordinate of a measured vector, and the number of observations that the prior counts as.

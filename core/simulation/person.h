@@ -169,11 +169,11 @@ class SlidingPerson {
   double own_deg_ = 0.0;                   // direction of the own path
   int millisecond_ = 0;
   bool done_ = false;
+  int rested_ms_ = 0;              // millisecond of the last rest
+  double felt_at_rest_deg_ = 0.0;  // the value for felt_history_ at that time
   // Perceived directions of the last milliseconds, for the delay; for Steering::predictive, minus that of the motion.
   static constexpr int history_size = 256;
   std::array<double, history_size> felt_history_{};
-  int rested_ms_ = 0;
-  double felt_at_rest_deg_ = 0.0;
 };
 
 }  // namespace hrt

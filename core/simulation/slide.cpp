@@ -7,11 +7,11 @@
 namespace hrt {
 namespace {
 
+constexpr double start_deviation_deg = 2.0;
+constexpr double slide_tail_s = 0.1;  // time of tracking at rest after the motion
 // Random streams that people.h does not use.
 constexpr std::uint32_t tracking_stream = 16;
 constexpr std::uint32_t steering_stream = 17;
-constexpr double start_deviation_deg = 2.0;
-constexpr double slide_tail_s = 0.1;  // time of tracking at rest after the motion
 
 }  // namespace
 
