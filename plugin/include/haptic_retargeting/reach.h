@@ -132,7 +132,7 @@ typedef uint32_t hrt_command_flags;
 /** The plate's registration is older than registration.max_age_ns, less accurate than registration.max_sd_deg, or
  *  missing although one of these limits is set. Set up again (setup.h). The log reports this in the next call of
  *  hrt_host_set_log(), hrt_session_set(), hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load(),
- *  hrt_profile_reset() or hrt_scene_register(). */
+ *  hrt_profile_reset() or hrt_scene_register(), once for each configuration. */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 /** The motion has ended; hrt_reach_retarget() may continue the reach. A finger that was at the start, or has moved, has
  *  then rested: for 0.4 s near the real target, after nine tenths of the path; or for 2 s within 60 degrees of the
