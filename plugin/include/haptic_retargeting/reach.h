@@ -244,8 +244,8 @@ typedef struct hrt_reach_counts {
 typedef struct hrt_reach_learnt {
   double tactile_weight;    /**< value of hrt_command::tactile_weight at the end @unit 1 */
   double tactile_weight_sd; /**< value of hrt_command::tactile_weight_sd at the end @unit 1 */
-  /** Curvature of the illusion: HRT_PERSON_CURVE. If it exceeds twice illusion_curve_sd, the illusion is not linear,
-   *  and tactile_weight is valid at 60 degrees only. @unit 1 */
+  /** Curvature of the illusion: HRT_PERSON_CURVE. If its absolute value exceeds twice illusion_curve_sd, the illusion
+   *  is probably not linear, and tactile_weight is valid at 60 degrees only. @unit 1 */
   double illusion_curve;
   double illusion_curve_sd; /**< SD of illusion_curve @unit 1 */
   double bias_deg;          /**< bias: HRT_PERSON_BIAS @ccw */
@@ -295,7 +295,7 @@ typedef struct hrt_reach_summary {
   double peak_felt_error_deg;
   /** Root mean square of hrt_command::felt_error_deg while the finger moved. */
   double rms_felt_error_deg;
-  /** Largest hrt_command::misfit. @unit 1 */
+  /** Largest hrt_command::misfit after the onset of the motion. @unit 1 */
   double misfit;
   /** Estimated duration of the motion; 0 under FIXED_DIRECTION. */
   double duration_s;
