@@ -220,7 +220,8 @@ typedef struct hrt_session_person {
 /** Part of hrt_session_config: age and accuracy of the registration, and its correction by contacts with real objects
  *  (hrt_reach_touched()). */
 typedef struct hrt_session_registration {
-  /** Time of the registration, on the clock of the samples. Used with max_age_ns. @range any @default 0 */
+  /** Time of the registration or of its last check, on the clock of the samples. Used with max_age_ns. @range any
+   *  @default 0 */
   int64_t time_ns;
   /** Maximum age of the registration at a sample. HRT_COMMAND_REGISTRATION is set if the registration is older, or if
    *  HRT_SESSION_REGISTERED is not set. A lower value detects a moved plate earlier and requires more set-ups. 0: not
