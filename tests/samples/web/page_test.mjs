@@ -1,5 +1,5 @@
 // The page in headless Chromium, used by mouse and keyboard, in windows 390, 820 and 1440 pixels wide, light, dark and
-// with forced colours. Screenshots are saved in FOLDER_OF_SCREENSHOTS, for inspection by people.
+// with forced colours. Screenshots are saved in FOLDER_OF_SCREENSHOTS (see browser.mjs), for inspection by people.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
