@@ -87,8 +87,8 @@ struct Person {
 inline constexpr double ridge_spacing_mm = 10.0;
 inline constexpr double touch_memory_s = 0.3;
 
-/// Returns the mean shift during a motion at constant speed, which has an effect only with Steering::crossings. Ignores
-/// touch_s and weight_drift.
+/// Returns the mean shift during a motion at constant speed. The speed has an effect only with Steering::crossings.
+/// Ignores touch_s and weight_drift.
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg);
 double max_shift_deg(const Person& person, double speed_mm_s, double bound_deg, double sign);
 
