@@ -280,7 +280,7 @@ typedef struct hrt_session_config {
   uint32_t struct_size;
   /** Source of the plate's commands. @default HRT_CONTROL_MPC */
   hrt_control control;
-  /** Goal of the controller, which also selects the controller. @default HRT_GUIDANCE_ARRIVAL */
+  /** Goal of the controller under HRT_CONTROL_MPC. @default HRT_GUIDANCE_ARRIVAL */
   hrt_guidance guidance;
   /** Estimation of the user's parameters from reaches. @default HRT_ADAPTATION_CARRIED */
   hrt_adaptation adaptation;
