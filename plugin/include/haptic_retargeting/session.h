@@ -251,8 +251,8 @@ typedef struct hrt_session_paper {
   /** Duration of one step of the model and of the controller. Shorter steps correct more often. If you change it, scale
    *  the variances below, which are per step. @range 1 ms to 10 s @default 100 ms */
   int64_t step_period_ns;
-  /** Cost of the perceived-direction error. Raising it keeps the perceived direction closer to the virtual direction
-   *  and steers more slowly. @range 1e-6 to 1e6 @unit 1 @default 1 */
+  /** Cost of the perceived-direction error. Raising it makes the controller steer more slowly, with a smaller
+   *  perceived-direction error. @range 1e-6 to 1e6 @unit 1 @default 1 */
   double perceived_weight;
   /** Cost of the angle between the finger's direction and that of the real target. Raising it makes the controller
    *  steer faster, with a larger perceived-direction error; 0: no steering. @range 0 to 1e6 @unit 1 @default 1 */
