@@ -35,7 +35,8 @@ constexpr double max_start_share = 1.5;
 // Slope of the straight curve with which the first descent begins. Times the spacing, this is the prior SD of the
 // changes of slope in the first descent.
 constexpr double first_slope = 0.18;
-// The prior SD of the change of slope at a knot is the larger of slope and weight of the curve, and at least this.
+// In the second descent, the prior SD of the change of slope at a knot is the slope or the weight of the first curve,
+// whichever is larger, and at least this.
 constexpr double min_steepness = 0.02;
 
 // Step of the one-sided differences, relative to fit_step().

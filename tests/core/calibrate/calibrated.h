@@ -31,7 +31,8 @@ inline bool covers(const Interval& interval, double truth) {
   return interval.lower <= truth && truth <= interval.upper;
 }
 
-/// Eleven plate angles, each `slides_an_angle` times, ordered so that a trend over the session is no trend over the angle.
+/// Eleven plate angles, each `slides_an_angle` times, ordered so that a trend over the session is no trend over the
+/// angle.
 inline std::vector<double> grid(int slides_an_angle) {
   std::vector<double> angles;
   for (int i = 0; i < 11 * slides_an_angle; ++i) angles.push_back(-75.0 + 15.0 * ((i * 7) % 11));
