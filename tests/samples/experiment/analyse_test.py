@@ -380,6 +380,15 @@ def test_a_whole_study():
             assert abs(mixed.estimate[name] / fitted[i][0] - 1) < 1e-3 and abs(mixed.mixed_model[name] - fitted[i][2]) < max(2e-2 * fitted[i][2], 1e-4), (mixed, fitted)
         if os.environ.get("HRT_EXPERIMENT_REPORT"):  # for inspection
             shutil.copy(data / "export/report.html", os.environ["HRT_EXPERIMENT_REPORT"])
+        # A session without a processed sample has no motion; a last line that is cut within a character is skipped.
+        with open(data / "sub-01/ses-01/journal.jsonl", "ab") as journal:
+            journal.write("é".encode()[:1])
+        for file in (data / "sub-01/ses-01/recordings").glob("*.csv"):
+            lines = file.read_text(encoding="utf-8").splitlines(True)
+            file.write_text("".join(line for line in lines if not line.startswith("update,")), encoding="utf-8")
+        shutil.rmtree(data / "export/bids")
+        run(sys.argv[1] + "/bids", data)
+        assert {each.name for each in (data / "export/bids").glob("sub-*")} == {f"sub-{i:02}" for i in range(2, 9)}
         (data / "export/people.csv").write_text("nothing\n")
         broken = subprocess.run([sys.argv[1] + "/analyse", data], capture_output=True, text=True, check=False)
         assert broken.returncode == 1 and broken.stderr.startswith("analyse: ") and broken.stderr.count("\n") == 1, broken.stderr
