@@ -45,11 +45,11 @@ export class WatchMode {
     this.#finishIfStill();
   }
 
-  /** Switches to other reaches, drawn `scale` times as large. Changes nothing if `reach` is already played. */
+  /** Plays `reach`, drawn `scale` times as large. */
   play(reach: SimulatedReach, scale: number): void {
+    this.#scale = scale;
     if (reach === this.reach) return;
     this.reach = reach;
-    this.#scale = scale;
     this.#rows.replaceChildren();
   }
 
