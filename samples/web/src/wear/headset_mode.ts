@@ -80,6 +80,7 @@ export class HeadsetMode {
       });
       session.addEventListener("end", () => this.#left());
       this.#session = session;
+      this.#message = "You have left the headset."; // shown when the session has ended
       this.#leave.hidden = false;
       this.#handedness = "none";
       this.#before_ms = NaN;
@@ -109,9 +110,7 @@ export class HeadsetMode {
     this.#leave.hidden = true;
     for (const { button, supported } of this.#buttons) button.disabled = !supported;
     this.#headset?.show(false);
-    if (!was) return;
-    this.#message = "You have left the headset.";
-    this.onLeft();
+    if (was) this.onLeft();
   }
 
   get #byMarks(): boolean {
