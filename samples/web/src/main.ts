@@ -114,7 +114,7 @@ async function main(): Promise<void> {
     }
     desk.setView(!sliding.active);
     desk.setScene(mode === "scene" ? viewing.scene : null);
-    desk.nameLabels(sliding.active);
+    desk.nameLabels(sliding.active || mode === "wear");
     desk.reveal(1);
     if (mode === "scene") watching.play(viewing.watch, viewing.scene?.scale ?? 1);
     else watching.play(watch, 1);
