@@ -65,8 +65,13 @@ void run_one(const Options& options) {
       end = run_session(design, place, subject, Disk([&subject](const char*) { subject.between_frames(); }));
     } catch (const app::Interrupted&) {
       end = "left";
+    } catch (const app::XrFailure& failure) {
+      const std::string text = std::string("the OpenXR runtime failed: ") + failure.what() +
+                               "; restart the runtime, then run the same command again to resume the session";
+      subject.speak(text);  // main() prints the text
+      throw Refusal(text);
     } catch (const std::exception& error) {
-      subject.speak(error.what());  // main() prints the error
+      subject.speak(error.what());
       throw;
     }
   }
