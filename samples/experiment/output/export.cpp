@@ -111,8 +111,8 @@ const Table tables[] = {
       {"tactile_weight_low", "number", "", "lower end of the 95 % interval of tactile_weight"},
       {"tactile_weight_high", "number", "", "upper end of the 95 % interval of tactile_weight"},
       {"threshold_deg", "number", "deg",
-       "detection threshold of the delivered bend by QUEST+: posterior mean of the Weibull scale (82 % correct, lapses "
-       "excluded)"},
+       "detection threshold of the delivered bend by QUEST+: Weibull scale (82 % correct, lapses excluded), "
+       "exponential of the posterior mean of its logarithm"},
       {"threshold_low_deg", "number", "deg", "lower end of the 95 % interval of threshold_deg"},
       {"threshold_high_deg", "number", "deg", "upper end of the 95 % interval of threshold_deg"},
       {"threshold_answers", "integer", "", "number of answers from which the threshold is estimated"},
@@ -131,7 +131,8 @@ const Table tables[] = {
      "One row per event of the kinds that the column `event` lists",
      {{"number", "integer", "", "number of the event in the journal"},
       {"utc", "time", "", "time of the event"},
-      {"monotonic_ns", "integer", "ns", "monotonic clock since the computer was started"},
+      {"monotonic_ns", "integer", "ns",
+       "monotonic clock since the computer was started; simulated: since the session began"},
       {"event", "text", "",
        "opened, closed (with the reason), consent, registered, checked, set_up, rest, note, plate_stopped, unblinded, "
        "block_again, end"},
