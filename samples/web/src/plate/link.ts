@@ -20,7 +20,7 @@ const failures = new Map([
   ["ERROR greeting", restarted],
   ["ERROR session", "receives commands from another program. Close that program"],
   ["STOPPED limit", "refused an angle beyond its limits. Connect it again, so that the page reads its limits"],
-  ["STOPPED fault", "reports that it is defective. Test it with hrt-plate show"],
+  ["STOPPED fault", "could not store its settings. Save them again (hrt-plate set); if it fails, exchange the board"],
   ["STOPPED emergency", "was stopped by its emergency stop. Release it, then connect the plate again"],
   ["STOPPED stuck", "reports that its servo is stuck. Switch it off, and remove the obstacle"],
   ["STOPPED sensor", "reports that its sensor and its servo count in opposite directions. Run hrt-plate commission"],
