@@ -47,8 +47,8 @@ std::string FingerRecord::not_tracked(const RunContext& context) const {
   if (context.touch != nullptr) return "Nothing touched the touch frame. Touch it with one fingertip.";
   if (context.hands.size() > 1) return "No hand was tracked. Hold one hand where the headset's cameras see it.";
   if (of(other).tracked > 0)
-    return format("The %s hand was not tracked, but the %s one was. Use the %s one, or --hand %s.", name_of(hand),
-                  name_of(other), name_of(hand), name_of(other));
+    return format("The %s hand was not tracked, but the %s one was. Use the %s one (or hrt-reach --hand %s).",
+                  name_of(hand), name_of(other), name_of(hand), name_of(other));
   return format("The %s hand was not tracked. Hold it where the headset's cameras see it.", name_of(hand));
 }
 
@@ -92,9 +92,10 @@ std::string FingerRecord::why_not_begun(const RunContext& context) const {
   if (seen.nearest_m > far_m)
     return text +
            "If the finger was on the plate, the assumed position of the plate is wrong: register the plate "
-           "(--register FILE).";
+           "(hrt-reach: --register FILE).";
   if (seen.nearest_m > start_radius_m) return text + "Put the finger within " + mm(start_radius_m) + " of the start.";
-  return text + "Rest the finger on the start. If it has rested there, register the plate (--register FILE).";
+  return text +
+         "Rest the finger on the start. If it has rested there, register the plate (hrt-reach: --register FILE).";
 }
 
 std::string FingerRecord::why_not_ended(const RunContext& context, const TargetPair& pair) const {
@@ -106,7 +107,8 @@ std::string FingerRecord::why_not_ended(const RunContext& context, const TargetP
   if (!seen.tracked_now && context.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
   if (seen.farthest_m <= start_radius_m) return text + "The finger stayed at the start: slide it to the target.";
   return text +
-         "A reach ends when the finger is at the target, rests for 2 s or is lifted; --time-limit allows more time.";
+         "A reach ends when the finger is at the target, rests for 2 s or is lifted; hrt-reach --time-limit allows "
+         "more time.";
 }
 
 std::string FingerRecord::why_no_touch(const RunContext& context) const {

@@ -136,7 +136,7 @@ double check_plate(RunContext& context, const RegisteredPlate& plate) {
   if (plate.hand && context.hands != std::vector{*plate.hand})
     throw Failure(ExitCode::registration,
                   format("the plate was registered with --fingertip, which is valid for one hand only: select the %s "
-                         "hand (--hand), or register the plate again (--register)",
+                         "hand (hrt-reach: --hand), or register the plate again (hrt-reach: --register)",
                          hand_names[static_cast<std::size_t>(*plate.hand)]));
   hrt_session_config config = config_of(context);
   put_registration(plate, config);
@@ -149,7 +149,8 @@ double check_plate(RunContext& context, const RegisteredPlate& plate) {
     throw Failure(
         ExitCode::registration,
         "the mark \"" + plate.check.name +
-            format("\" was touched %.0f mm from where it was registered: register the plate again (--register)",
+            format("\" was touched %.0f mm from where it was registered: register the plate again "
+                   "(hrt-reach: --register)",
                    millimetres * found.check_distance_m));
   context.tell_user(
       format("The plate has not moved: you touched %.0f mm from the mark.", millimetres * found.check_distance_m));
@@ -182,7 +183,8 @@ RegisteredPlate parse_registration(const std::string& text, const std::string& n
     return plate_of(Json::parse(text));
   } catch (const std::exception& error) {
     throw Failure(ExitCode::registration,
-                  name + " is not a registration file (" + error.what() + "); register the plate again (--register)");
+                  name + " is not a registration file (" + error.what() +
+                      "); register the plate again (hrt-reach: --register)");
   }
 }
 

@@ -151,7 +151,7 @@ void XrHeadlessSession::place_plate(XrReferenceSpaceType space, const XrPosef& p
   if (space != XR_REFERENCE_SPACE_TYPE_LOCAL && !has_space(space))
     throw Failure(ExitCode::registration, "the OpenXR runtime " + runtime_.name() + " has no " + name_of(space) +
                                               " space, in which the plate was registered; register the plate again "
-                                              "(--register)");
+                                              "(hrt-reach: --register)");
   plate_base_ = space;
   plate_pose_ = pose;
   make_plate_space();
@@ -176,7 +176,7 @@ void XrHeadlessSession::follow_spaces(XrTime time) {
         ExitCode::registration,
         std::string("the OpenXR runtime moved its ") + name_of(plate_base_) +
             " space, for instance because the view was recentred, and did not report by how much, so the pose "
-            "of the plate is unknown; start again and register the plate (--register FILE)");
+            "of the plate is unknown; start again and register the plate (hrt-reach: --register FILE)");
   make_plate_space();
   ++recentrings_;
 }

@@ -89,7 +89,7 @@ TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
                            .reach()
                            .script(recentre(R"("space": "STAGE", "position_m": [1, 0, 0], "pose_valid": false)")),
                        person_and({"--record", folder + "/r.csv"})));
-  expect_said(outcome, {"moved its STAGE space", "register the plate (--register FILE)"});
+  expect_said(outcome, {"moved its STAGE space", "register the plate (hrt-reach: --register FILE)"});
   EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end "));
 }
 

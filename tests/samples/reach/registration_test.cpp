@@ -55,7 +55,7 @@ TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   PlatePose moved;
   moved.x_m += 0.03;
   expect_said(expect_exit(12, run(Path(moved).hold(marks[0]).lift().touch({marks[0]}).reach(), {"--registered", file})),
-              {"touched 30 mm from where it was registered", "register the plate again (--register)"});
+              {"touched 30 mm from where it was registered", "register the plate again (hrt-reach: --register)"});
 }
 
 // The joint is 20 mm from the skin, and the hand leans differently in the reach than in the touches.
