@@ -66,7 +66,7 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
           },
           "PLATE"));
   app.add_option("--time-limit", options.time_limit_s,
-                 "Maximum duration of a reach, and of the wait for its start, seconds [30]")
+                 "Maximum duration of a reach, and of each wait for the user, seconds [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option("--runtime-limit", words.runtime_limit_s,
                  "Maximum duration of a call into the OpenXR runtime, and of a wait for the runtime, seconds [10]")
