@@ -68,7 +68,7 @@ std::string fit_text(const Calibration& calibration) {
 }
 
 std::vector<EstimatedTrait> estimated_traits(const Calibration& calibration) {
-  return {{"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
+  return {{"tactile_weight", "w_T, ridge normal at 60° to motion", calibration.tactile_weight, 3},
           {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
           {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
           {"max_gap_deg", "largest feasible gap, °", calibration.max_gap_deg, 1},

@@ -127,7 +127,7 @@ constexpr CoverageKind all_kinds[] = {
     {"strong", "linear, w_T of 0.3 to 0.45", "linear", 0.0, 0.0, weighs<30, 45>},
     {"strong-clip", "saturating at 60°, w_T of 0.3 to 0.45", "clip-60", 0.0, 0.0, weighs<30, 45>},
     {"weak", "linear, w_T of 0.05 to 0.12", "linear", 0.0, 0.0, weighs<5, 12>},
-    {"peaked", "illusion rises to 50° and falls to 0 at 90°", "linear", 0.0, 0.0, peaked},
+    {"peaked", "illusion linear up to t = 50°, falls to 0 at 90°", "linear", 0.0, 0.0, peaked},
     {"drift", "w changes by ±0.05 within each slide", "drift"},
     {"place-bias", "steer to the target's position, bias of ±3°", "place", 0.0, 0.0, biased},
     {"place", "steer to the target's position", "place"},

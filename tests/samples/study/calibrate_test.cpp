@@ -152,7 +152,7 @@ TEST(StudyCalibrate, RetestShowsSignificantDifferences) {
   EXPECT_FALSE(page["retest"]["values"]["tactile_weight"]["differs"].get<bool>());
   EXPECT_EQ(page["retest"]["calibration"]["data"], again);
   const StudyRun changed = expect_exit(0, run_study({"calibrate", test, "--retest", other}));
-  EXPECT_TRUE(has(changed.out, "Significantly different: tactile weight w_T at 60°"));
+  EXPECT_TRUE(has(changed.out, "Significantly different: w_T, ridge normal at 60° to motion"));
   EXPECT_EQ(run_study({"calibrate", test, "--retest", folder / "none.csv"}).exit_code, 2);
 }
 
