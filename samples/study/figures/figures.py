@@ -170,7 +170,7 @@ def moving_picture(data):
     label = lambda x, y, anchor, color, text: f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{color}">{text}</text>\n'
     side, outside, inside = (-9, "end", "start") if real[0] < virtual[0] else (9, "start", "end")
     return ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="-105 -82 210 174" width="630" height="522" font-family="sans-serif" font-size="7">\n'
-            "<title>A simulated reach from above: the plate turns, the finger arrives at the real target, and the perceived path ends at the virtual one</title>\n"
+            "<title>A simulated reach from above: the turning plate, the path of the finger and the perceived path, the real and the virtual target</title>\n"
             '<rect x="-105" y="-82" width="210" height="174" fill="#ffffff"/>\n<circle r="75" fill="#eef1f5" stroke="#8794a3"/>\n'
             '<g stroke="#b9c4d0" stroke-width="1.1">'
             + animation('<animateTransform attributeName="transform" type="rotate"', [f"{-row['plate_deg']:.1f}" for row in frames])
