@@ -25,7 +25,8 @@ constexpr double min_log_gain = 0.5;
 constexpr double max_log_gain = 3.6;
 constexpr double max_delay_s = 0.2;
 constexpr double max_goal_delay_s = 0.15;
-// Limits of the slope of the curve, of its change at a knot, of eta and of lambda: wider than the ranges in people.
+// Limits of the slope of the curve, of its change at a knot times the spacing of the knots (illusion_curve.h), and of
+// eta and lambda (slide_model.h): wider than the ranges in people.
 constexpr double min_slope = -0.2;
 constexpr double max_slope = 0.8;
 constexpr double max_bend_deg = 20.0;

@@ -32,7 +32,7 @@ struct RegistrationConfig {
 enum class RegistrationVerdict {
   accepted,
   too_few,       ///< fewer than 3 touches
-  degenerate,    ///< the marks are within 1 cm (RMS) of a line, so the rotation about the line is unknown
+  degenerate,    ///< the second largest spread of the marks is below 1 cm (RMS), as near a line: a rotation is unknown
   inconsistent,  ///< no pose fits the touches, and no single wrong touch was found
   upside_down,   ///< the plate's normal is not upward: marks on opposite sides were probably swapped
 };

@@ -114,7 +114,7 @@ struct PlateCommand {
 /// A reach is on target if the bearing of its end differs from that of the real target by at most this angle.
 inline constexpr double near_deg = 1.5;
 
-/// Estimates of the paper's controller in a reach.
+/// Estimates of the paper's controller in a reach; the controller for people sets some of them (ReachSummary).
 struct FingerEstimate {
   PlatePoint position;
   double speed_mm_s = 0.0;

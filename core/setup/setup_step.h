@@ -15,7 +15,8 @@ enum SetupPart : std::uint32_t {
   setup_fingertip = 1,     ///< offset of the skin from the tracked joint
   setup_registration = 2,  ///< the plate's pose, from touches of marks
   setup_check = 4,         ///< check of the plate's pose by one touch, or by two if the first disagrees
-  setup_guides = 8,        ///< error of the tracker's frame about the start, from slides along guides
+  /// error of the tracker's frame about the start, from slides along guides, which are edges from the start to objects
+  setup_guides = 8,
   setup_calibration = 16,  ///< parameters of the user, from slides
   setup_retest = 32,       ///< calibration again; its result is compared with the former values
 };

@@ -169,7 +169,7 @@ def _type(type_: Type, names: _Host) -> str:
 
 
 def _stored(field: Value, names: _Host) -> str:
-    """Returns the type that scripts read, annotated with the ctypes type if that differs."""
+    """Returns the type that scripts read; if it is no enumeration and differs, with the ctypes type as annotation."""
     if field.values:
         return names.enumerations[field.values]
     stored = _type(field.type, names)

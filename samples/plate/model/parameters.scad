@@ -166,7 +166,7 @@ cable_width_mm = 14;
 cable_height_mm = 14;
 
 touch_post_mm = 18;
-touch_post_at_mm = [109, 75];  // middle of a post, under the side of a frame with an opening of 194 mm or more
+touch_post_at_mm = [109, 75];  // middle of a post, under the side of a frame with an opening of 194 mm
 touch_level_mm = 0;            // height of a post's top above the deck's face
 
 bridge_directions_deg = [-20, 20];

@@ -13,7 +13,7 @@ const turn_rad = 0.15;
 
 interface Label {
   readonly element: HTMLElement;
-  /** 1: right of the named object, -1: left, 0: above. A glass right of the cylinder exchanges right and left. */
+  /** 1: right of `place`, -1: left, 0: above; reversed if the glass (virtual target) is right of the cylinder. */
   readonly side: number;
   place: Readonly<Place>;
   readonly height_m: number;
@@ -172,7 +172,7 @@ export class Desk {
     const { clientWidth, clientHeight } = this.canvas,
       gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth),
       mirror = this.#course.virtual_deg < this.#course.real_deg ? -1 : 1;
-    let free_px = 0; // right end of the last label above an object
+    let free_px = 0; // least left end of the next label above an object
     for (const { element: label, place, height_m, side } of this.#labels) {
       if (label.hidden) continue;
       const at = stage.toCanvas(place, height_m),

@@ -324,7 +324,7 @@ struct Xl330 : Disturbed<EmulatedDynamixel> {
     return found;
   }
   EmulatedServo& physics() { return motor; }
-  // Mean time until an exchange in progress ends, and additional duration of the message of a command.
+  // Sum of the mean time until an exchange in progress ends and the additional duration of the message of a command.
   static constexpr double exchange_ms = 3.9;
   double speed_deg_s;
 };
