@@ -23,7 +23,8 @@ Plugin::Plugin(const std::filesystem::path& library)
     : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE), dlclose) {
   if (library_ == nullptr)
     throw Failure(ExitCode::plugin,
-                  std::string("the plugin cannot be opened: ") + dlerror() + ": select another plugin (--plugin)");
+                  std::string("the plugin cannot be opened: ") + dlerror() +
+                      ": install it, or select another one (hrt-reach: --plugin)");
 #define HRT_LOAD(name) load(library_.get(), #name, this->name);
   HRT_REACH_PLUGIN_FUNCTIONS(HRT_LOAD)
 #undef HRT_LOAD
@@ -33,7 +34,8 @@ Plugin::Plugin(const std::filesystem::path& library)
   if (major != HRT_VERSION_MAJOR || (major == 0 ? minor != HRT_VERSION_MINOR : minor < HRT_VERSION_MINOR))
     throw Failure(ExitCode::plugin, "the plugin has version " + std::to_string(major) + "." + std::to_string(minor) +
                                         ", but this program needs " + std::to_string(HRT_VERSION_MAJOR) + "." +
-                                        std::to_string(HRT_VERSION_MINOR) + ": select another plugin (--plugin)");
+                                        std::to_string(HRT_VERSION_MINOR) +
+                                        ": install this version, or select another plugin (hrt-reach: --plugin)");
 }
 
 void Plugin::check(hrt_result result) const {
