@@ -151,8 +151,10 @@ void add_commands(CLI::App& app, Options& options) {
   run->add_option("--plate", options.plate, "Plate, as in hrt-reach --help [runtime]")
       ->needs("--scene")
       ->check([](const std::string& text) {
-        return app::parse_plate(text) ? ""
-                                      : "must be runtime, servo, servo:SPEED, serial:LINE, dynamixel:LINE or *.json";
+        if (app::parse_plate(text)) return std::string();
+        return "\"" + text +
+               "\" is not a plate; allowed: runtime, servo, servo:SPEED (1 to 1000000), serial:LINE, dynamixel:LINE or "
+               "a file *.json";
       });
   run->add_option("--finger", options.reach.finger,
                   "Touch frame as the tracker, as in hrt-reach --help: evdev:/dev/input/by-id/NAME [hand tracking]")

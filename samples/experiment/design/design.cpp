@@ -64,7 +64,8 @@ void read_pairs(const Json& file, const std::string& name, Design& design) {
     const Pair pair{p["name"], p["virtual_deg"], p["real_deg"], 1e-3 * p["distance_mm"].get<double>(),
                     1e-3 * p["radius_mm"].get<double>()};
     if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // the plugin's limit is 90; 15 remain for the bias
-      refuse(where + ".real_deg", "must be at most 75 degrees from virtual_deg");
+      refuse(where + ".real_deg", format("must be at most 75 degrees from virtual_deg, which is %g; it is %g",
+                                         pair.virtual_deg, pair.real_deg));
     for (const Pair& other : design.pairs)
       if (other.name == pair.name)
         refuse(where + ".name", "is the name of another pair; each pair needs a different name");
@@ -108,7 +109,9 @@ void read_blocks(const Json& file, Design& design) {
 void read_rules(const Json& file, const std::string& name, Design& design) {
   const Json& v = file["validity"];
   design.validity = {v["min_s"], v["max_s"], v["max_dropped_share"], v["max_attempts"]};
-  if (design.validity.max_s <= design.validity.min_s) refuse(name + ".validity.max_s", "must be above min_s");
+  if (design.validity.max_s <= design.validity.min_s)
+    refuse(name + ".validity.max_s",
+           format("must be above min_s, which is %g; it is %g", design.validity.min_s, design.validity.max_s));
   design.break_minutes = file["breaks"]["minutes"];
   design.max_pause_minutes = file["breaks"]["max_pause_minutes"];
   design.max_invalid_in_a_row = file["stop"]["max_invalid_in_a_row"];
@@ -128,7 +131,8 @@ void read_noticeability(const Json& n, const std::string& where, Design& design)
   if (controller == Controller::none || controller == Controller::fixed)
     refuse(where + ".condition", "must be a condition whose controller is people or paper");
   if (notice.max_gap_deg < 2.0 * notice.min_gap_deg)
-    refuse(where + ".max_gap_deg", "must be at least twice min_gap_deg");
+    refuse(where + ".max_gap_deg", format("must be at least twice min_gap_deg, which is %g; it is %g",
+                                          notice.min_gap_deg, notice.max_gap_deg));
   design.noticeability = notice;
 }
 
