@@ -50,7 +50,8 @@ Pose read_pose(const Json& object, const std::string& where, const Eigen::Quater
   if (object.contains("orientation")) {
     pose.orientation = Eigen::Quaterniond(object["orientation"].get<std::array<double, 4>>().data());
     if (std::abs(pose.orientation.norm() - 1.0) > 0.01)
-      refuse(where + ".orientation", "must be a quaternion [x, y, z, w] whose length is 1 within 1 %");
+      refuse(where + ".orientation", "is " + object["orientation"].dump() +
+                                         "; must be a quaternion [x, y, z, w] whose length is 1 within 1 %");
     pose.orientation.normalize();
   }
   return pose;
@@ -62,7 +63,8 @@ std::vector<Keyframe> read_path(const Json& path, const std::string& where, cons
     const std::string element = where + "[" + std::to_string(keyframes.size()) + "]";
     const Keyframe keyframe{nanoseconds(point["time_ms"]), read_pose(point, element, orientation)};
     if (!keyframes.empty() && keyframe.time_ns <= keyframes.back().time_ns)
-      refuse(element + ".time_ms", "must be later than that of the previous keyframe");
+      refuse(element + ".time_ms",
+             "is " + point["time_ms"].dump() + "; must be later than that of the previous keyframe");
     keyframes.push_back(keyframe);
   }
   return keyframes;
@@ -107,7 +109,7 @@ PersonSettings read_person(const Json& object, const std::string& where) {
     if (!object.contains(key)) return;
     const Json& given = object[key];
     const double low = given.is_array() ? given[0] : given, high = given.is_array() ? given[1] : given;
-    if (low > high) refuse(where + "." + key, "must begin with the smaller number");
+    if (low > high) refuse(where + "." + key, "is " + given.dump() + "; must begin with the smaller number");
     range = {low * scale, high * scale};
   };
   read("illusion_scale_deg", settings.illusion_scale_deg);
