@@ -112,7 +112,7 @@ hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets
   if ((parts & slide_parts) != 0 && room_ahead_mm(model) < min_slide_room_mm)
     return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_mm(model) / mm_per_m,
                 " m for a slide straight ahead; allowed: at least ", min_slide_room_mm / mm_per_m,
-                ". Move the start towards the user");
+                ". Move the start towards the user, or use a larger plate");
   return HRT_OK;
 }
 
