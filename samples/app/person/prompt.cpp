@@ -65,7 +65,7 @@ void Prompt::speak(const std::string& text) {
   if (!failure || std::exchange(failure_reported_, true)) return;
   before_print_(*failure);
   std::cerr << "warning: the speech program failed (" << *failure
-            << "), so a text was not spoken; check --speak-with\n";
+            << "), so a text was not spoken; check that program\n";
 }
 
 void Prompt::hint(const std::string& text) {

@@ -96,7 +96,7 @@ void LibrarySession::finish_recording(const std::filesystem::path& file) const {
   if (status.system_error == 0 && status.rows_lost == 0) return;
   const char* why = status.system_error != 0 ? std::strerror(status.system_error) : "the disk was too slow";
   throw Refusal(file.string() + format(": %llu rows were lost: ", static_cast<unsigned long long>(status.rows_lost)) +
-                why + "; free space on the disk and run again");
+                why + "; free space, or move the data to a faster disk (--data), and run again");
 }
 
 }  // namespace hrt::experiment
