@@ -19,8 +19,9 @@ class Disk {
 
   /// Creates a file with this content atomically, and syncs it. Returns false, without a change, if the file exists.
   bool create(const std::filesystem::path& file, std::string_view content) const;
-  /// Appends to an open file and syncs it.
+  /// Appends to an open file, without a sync.
   void append(int file, const std::filesystem::path& name, std::string_view content) const;
+  void sync(int file, const std::filesystem::path& name) const;
   /// Syncs a file that was not written by this class, such as a recording of the plugin.
   void sync(const std::filesystem::path& file) const;
   void make_folder(const std::filesystem::path& folder) const;

@@ -127,7 +127,8 @@ const Event& Journal::append(const std::string& name, json data) {
   is_cut_ = true;
   disk_.append(file_, name_, line);
   is_cut_ = false;
-  events_.push_back(std::move(event));
+  events_.push_back(std::move(event));  // before the sync: the line remains in the file if the sync fails
+  disk_.sync(file_, name_);
   return events_.back();
 }
 

@@ -49,7 +49,8 @@ class Journal {
   Journal& operator=(const Journal&) = delete;
 
   const std::vector<Event>& events() const { return events_; }
-  /// Appends an event and syncs it to the disk before it returns.
+  /// Appends an event and syncs it to the disk before it returns. Throws Refusal if either fails; after a failed sync,
+  /// the event is in the journal.
   const Event& append(const std::string& name, nlohmann::json data);
 
  private:

@@ -197,6 +197,23 @@ TEST(ExperimentJournal, AFullDiskLosesNoFinishedTrial) {
   EXPECT_EQ(lasting_columns(design, folder.path), lasting_columns(design, whole.path));
 }
 
+// The line that could not be synced remains, and the event "closed" follows it.
+TEST(ExperimentJournal, AFailedSyncLeavesAReadableJournal) {
+  const Design design = small_design(1);
+  const TemporaryFolder whole;
+  run_simulated(design, whole.path);
+  for (const unsigned failing : {1U, 2U, 5U}) {
+    const TemporaryFolder folder;
+    unsigned syncs = 0;
+    const auto fail = [&](const char* step) {
+      if (std::string(step) == "before sync" && ++syncs == failing) throw Refusal("the sync fails");
+    };
+    EXPECT_EQ(refusal_of([&] { run_simulated(design, folder.path, Disk(fail, false)); }), "the sync fails");
+    EXPECT_EQ(run_simulated(design, folder.path), "done") << failing;
+    EXPECT_EQ(lasting_columns(design, folder.path), lasting_columns(design, whole.path)) << failing;
+  }
+}
+
 // A folder within a file cannot be created, even by root.
 TEST(ExperimentJournal, ErrorsNameAFolderThatCannotBeCreated) {
   const TemporaryFolder folder;
