@@ -177,7 +177,7 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
   // requires p < alpha / comparisons.
   const double level = design.alpha / std::max(1.0, static_cast<double>(design.conditions.size()) - 1.0);
   const double flips = (has_direction ? 0.0 : 1.0) - std::log2(level);
-  const unsigned needed = design.test == "sign_flip" ? static_cast<unsigned>(std::ceil(flips)) : 2U;
+  const unsigned needed = design.test == "sign_flip" ? static_cast<unsigned>(std::floor(flips)) + 1 : 2U;
   if (design.conditions.size() > 1 && design.participants < needed)
     refuse(where + ".test", format("needs at least %u participants: with %u, no result can be significant", needed,
                                    design.participants));

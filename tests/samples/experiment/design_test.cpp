@@ -154,6 +154,11 @@ const Wrong wrongs[] = {
      [](json& s) { s["pairs"][0].update({{"virtual_deg", 40}, {"real_deg", -40}}); }},
     {".questionnaires[0].items is missing", [](json& s) { s["questionnaires"] = {{{"name", "SSQ"}}}; }},
     {".analysis.test needs at least 6", [](json& s) { s["analysis"] = {{"test", "sign_flip"}}; }},
+    {".analysis.test needs at least 5",  // with 4 participants, the smallest p equals alpha
+     [](json& s) {
+       s["participants"] = 4;
+       s["analysis"] = {{"test", "sign_flip"}, {"alpha", 0.125}};
+     }},
     {".analysis.test must be t or sign_flip with the measure d_prime",
      [](json& s) {
        s["catch_share"] = 0.2;
