@@ -181,6 +181,7 @@ json person_row(const Design& design, const State& state, const std::vector<Even
   json row{{"end", state.end.empty() ? "open" : state.end}, {"reason", ""}, {"library", ""}};
   for (const Event& event : events) {
     if (event.name == "end" || event.name == "closed") row["reason"] = event.data.at("reason");
+    if (event.name == "consent" && !event.data.at("given").get<bool>()) row["reason"] = "consent was not given";
     if (event.name != "opened") continue;
     const std::string before = row["library"];
     row["library"] = before + (before.empty() ? "" : " ") + event.data.at("library").get<std::string>();

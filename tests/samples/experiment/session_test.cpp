@@ -363,6 +363,20 @@ TEST(ExperimentSession, MaxMinutesIncludesThePauseOfARestart) {
   }
 }
 
+class Refusing : public SimulatedSubject {
+ public:
+  using SimulatedSubject::SimulatedSubject;
+  bool consents() override { return false; }
+};
+
+TEST(ExperimentSession, RefusedConsentIsTheReasonOfTheEnd) {
+  const Design design = small_design(1);
+  const TemporaryFolder folder;
+  Refusing subject(design, 1, 7);
+  EXPECT_EQ(run_session(design, {folder.path, 1, 1}, subject, Disk({}, false)), "stopped");
+  EXPECT_TRUE(has(export_study(design, folder.path, false).files.at("people.csv"), "stopped,consent was not given,"));
+}
+
 class Unplugged : public SimulatedSubject {
  public:
   using SimulatedSubject::SimulatedSubject;
