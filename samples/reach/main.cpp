@@ -315,15 +315,20 @@ class Run {
   }
 
   ExitCode finish_calibration(ExitCode code) {
-    if (!calibrated_) return code;
+    if (!calibrated_) {
+      recording_->finish();
+      return code;
+    }
     hrt_session_config config{.struct_size = sizeof config};
     plugin_.check(plugin_.hrt_session_get(targets_.session, &config, nullptr));
     const std::string text = calibration_text(*calibrated_, config);
     std::cout << "\n" << text;
-    if (calibrated_->done == 0)
+    if (calibrated_->done == 0) {
+      keep_recording_as_it_is();
       throw Failure(ExitCode::calibration,
                     "no profile was written: the slides do not determine the user's parameters; calibrate again with "
                     "slower, even slides");
+    }
     save_profile(plugin_, targets_.session, options_.calibrate);
     recording_->finish();
     check_output();
