@@ -57,11 +57,12 @@ SetUp::~SetUp() {
   if (result_.left != 0) static_cast<void>(plugin_.hrt_setup_cancel(session_));
 }
 
-// Throws Failure for a dropped part, but not for a failed check, or slides that do not determine the parameters.
+// Throws Failure for a dropped part, but not for a failed check, or slides that do not determine the parameters. Only
+// the latter end the calibration in hrt_setup_finish(), before asked_ has another part.
 void SetUp::check_dropped() const {
   const std::uint32_t touched = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION;
   if ((result_.dropped & touched) != 0) throw Failure(ExitCode::registration, result_.reason);
-  if ((result_.dropped & HRT_SETUP_CALIBRATION) != 0 && result_.slides == 0)
+  if ((result_.dropped & HRT_SETUP_CALIBRATION) != 0 && asked_.part != HRT_SETUP_CALIBRATION)
     throw Failure(ExitCode::no_hand, result_.reason);
 }
 
