@@ -150,8 +150,8 @@ struct AtPlate {
   std::optional<Program> program;
 };
 
-// Presses the key while the plate turns (between slides of a set-up, in a reach, on its return to 0), and just after a
-// reach. Then the session continues.
+// Presses the key while the plate turns (between slides of a set-up, in a reach, on its return to 0), in practice,
+// where it rests, and just after a reach. Then the session continues.
 TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   struct State {
     std::string name, set_up, event;
@@ -174,7 +174,7 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
     written(session.folder, "study.json", small_design(2, change).text);
     session.start({"--simulated", "3"}, R"({"clock": "real-time"})");
     ASSERT_TRUE(session.await_event(state.event, state.count)) << session.program->err();
-    if (state.name != "ended") await_turning(session.device);
+    if (state.name != "ended" && state.name != "practice") await_turning(session.device);
     expect_stopped(session.device, [&] { session.terminal.type("s"); });
     EXPECT_TRUE(session.await_event("plate_stopped", 1));
     session.terminal.type(" ");
@@ -183,6 +183,9 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
     if (state.name == "set-up") continue;
     // Checks that the key arrived in this state: the plate returns to 0 before the recording has the row `begin`.
     const std::string journal = journal_of(session.folder), name = "\"recording\":\"";
+    const std::string until_stop = journal.substr(0, journal.find("\"event\":\"plate_stopped"));
+    if (state.event == "attempt") EXPECT_EQ(occurrences(until_stop, "\"event\":\"attempt"), state.count);
+    if (state.name == "practice") continue;
     std::size_t at = 0;
     for (std::size_t i = 0; i < state.count; ++i) at = journal.find(name, at) + name.size();
     const std::string stem = "data/sub-01/ses-01/recordings/" + journal.substr(at, journal.find('"', at) - at);
