@@ -9,7 +9,7 @@ namespace hrt::app {
 /// Thrown when a signal, or a key of the user, has requested that the program end.
 class Interrupted : public std::runtime_error {
  public:
-  explicit Interrupted(const char* why = "interrupted") : std::runtime_error(why) {}
+  Interrupted() : std::runtime_error("interrupted") {}
 };
 
 /// True after SIGINT (Ctrl-C), SIGTERM or SIGHUP (the terminal was closed), if note_interrupts() was called before.

@@ -46,7 +46,6 @@ void State::end_trial(TrialRecord::End of_trial) {
 void State::apply_reach(const Event& event) {
   TrialRecord& record = trials[block][pending.front()];
   record.reach = event.data;
-  is_open = false;
   reaches += static_cast<unsigned>(event.data.at("parts").size());
   const std::string profile = event.data.value("profile", "");
   if (!profile.empty()) profiles[schedule.blocks[block].trials[pending.front()].condition] = profile;
@@ -91,7 +90,6 @@ void State::apply(const Event& event) {
   boot = boot_now;
   last = now;
   if (event.name == "opened") {
-    is_open = false;  // an attempt that has no reach yet was interrupted
     is_placed = false;
     registers = data.at("registers");
   } else if (event.name == "consent") {
@@ -121,7 +119,6 @@ void State::apply(const Event& event) {
     ++record.attempts;
     record.attempt = data;
     record.began_utc_ms = event.utc_ms;
-    is_open = true;
   } else if (event.name == "reach") {
     apply_reach(event);
   } else if (event.name == "answer") {

@@ -59,7 +59,6 @@ struct State {
   unsigned block = 0;
   std::vector<unsigned> pending;  ///< indices of the remaining trials of the block, next one first
   bool rest_due = false;
-  bool is_open = false;  ///< an attempt has begun and its reach has not ended
   bool awaits_answer = false;
   unsigned reaches = 0;  ///< number of ended reaches, valid or not
   unsigned presented = 0;

@@ -41,7 +41,7 @@ struct ReachOutcome {
 };
 
 /// Keys of the experimenter, returned by Subject::key().
-enum class Key { none, refuse, note, rest, stop_plate, unblind, leave };
+enum class Key { none, note, rest, stop_plate, unblind, leave };
 
 /// Thrown by calls that wait, if the experimenter interrupts the task; reach() returns a problem instead.
 /// Subject::key() then returns the key, unless the key only marks a reach or slide as invalid.

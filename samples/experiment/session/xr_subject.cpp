@@ -417,7 +417,6 @@ ReachOutcome XrSubject::reach(const ReachOrder& order) {
   const app::ScopeExit of_own([&] {
     targets_.session = own;
     context_.on_frame = nullptr;
-    felt_deg_.reset();
   });
   try {
     turn_to_zero();
@@ -427,7 +426,6 @@ ReachOutcome XrSubject::reach(const ReachOrder& order) {
     context_.on_frame = [&](const app::TargetPair&, const app::Moment& moment) {
       if (live_ != nullptr) live_->moment(context_, pair, moment, !last);
       last = moment;
-      felt_deg_ = moment.felt_direction_deg;
       if (!moved && app::distance_along_plate_m(moment.position_m, targets_.start_m) > app::start_radius_m / 2)
         moved = moment.time;
     };

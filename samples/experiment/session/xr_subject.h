@@ -72,7 +72,6 @@ class XrSubject : public Subject {
   app::Options options_;
   std::optional<SimulatedSubject> simulated_;
   Live* live_;
-  std::optional<double> felt_deg_;
   app::Prompt prompt_;
   app::Keyboard keyboard_;
   app::Plugin plugin_;

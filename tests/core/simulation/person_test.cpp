@@ -255,7 +255,6 @@ TEST(SimulationPerson, RidgesAlongTheMotion_CauseNoShift) {
   Person person = linear();
   person.steering = Steering::crossings;
   EXPECT_NEAR(walk_beside(person, 90.0).person.direction_deg(), virtual_deg, 1e-9);
-  const Walk crossed = walk_beside(person, 40.0);
   double min_deg = virtual_deg;
   SlidingPerson now(person, {}, virtual_deg, path_mm, draws());
   while (!now.done()) {
