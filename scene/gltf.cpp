@@ -39,8 +39,12 @@ std::uint32_t little_endian(std::string_view four_bytes) {
 
 // Replaces the value from `begin` to `end` by 0. Keeps line ends, so that the parser reports the right line numbers.
 void blank(std::string& json, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i)
-    if (json[i] != '\n') json[i] = i == begin ? '0' : ' ';
+  bool is_written = false;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (json[i] == '\n') continue;
+    json[i] = is_written ? ' ' : '0';
+    is_written = true;
+  }
 }
 
 // Makes one pass over the text before it is parsed. Checks the limits, because the parser could exhaust stack or

@@ -124,6 +124,11 @@ TEST(SceneRefusal, NodesWithoutARoleMayHaveAnyTransform) {
                  "node \"Group\": scale");
 }
 
+TEST(SceneRefusal, SkippedSectionsMayBeginOnTheNextLine) {
+  std::string text = good().dump();
+  EXPECT_EQ(refusal(text.insert(1, "\"meshes\":\n[\n7],")), "");
+}
+
 TEST(SceneRefusal, RejectsInstancingOfAHapticNode) {
   const std::string instances = R"({"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}})";
   Json file = Json::parse(with("/nodes/3/extensions", instances));
