@@ -159,6 +159,17 @@ TEST_F(ConditionsTest, DifferentConditionsLogAWarning) {
   EXPECT_EQ(log.text, "");
 }
 
+TEST_F(ConditionsTest, ResetClearsTheConditionsOfTheMeasurement) {
+  ASSERT_OK(load_profile(of_desk_1));
+  ASSERT_OK(hrt_profile_reset(session));
+  EXPECT_STREQ(measured().plate, "");
+  EXPECT_STREQ(measured().tracker, "");
+  EXPECT_EQ(measured().time_s, 0);
+  set(conditions("desk 2", "Quest"));
+  EXPECT_EQ(measured().differing, 0u);
+  EXPECT_EQ(log.text, "");
+}
+
 TEST_F(ConditionsTest, InvalidConditionsAreRejectedAndChangeNothing) {
   ASSERT_OK(load_profile(of_desk_1));
   const auto refused = [&](const hrt_conditions& bad, hrt_result code, const char* part) {

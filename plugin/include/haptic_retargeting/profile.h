@@ -74,7 +74,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
 /** Returns the conditions under which the user was measured: those of the last calibration in this session or of the
- *  last loaded profile, whichever is later. Without either, all fields are 0 or empty.
+ *  last loaded profile, whichever is later. Without either, and after hrt_profile_reset(), all fields are 0 or empty.
  *
  *  @param out_conditions  Conditions of the measurement. `differing` compares them with the present ones.
  *  @threadsafety [one-thread] */
@@ -103,8 +103,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t 
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 
 /** Prepares the session for another user: resets fingertip_offset_m, all fields of hrt_session_person except
- *  max_felt_error_deg, and the fields of hrt_session_paper that profiles contain. Plate, tracker, registration and
- *  targets are kept. If the plate is registered, HRT_SETUP_ALL_MISSING then measures only fingertip and user.
+ *  max_felt_error_deg, the fields of hrt_session_paper that profiles contain, and the conditions under which the user
+ *  was measured. Plate, tracker, registration, targets and the present conditions are kept. If the plate is registered,
+ *  HRT_SETUP_ALL_MISSING then measures only fingertip and user.
  *
  *  @return WRONG_STATE during a reach or a set-up.
  *  @threadsafety [one-thread] */

@@ -65,6 +65,8 @@ hrt_result hrt_profile_reset(hrt_session session) noexcept {
     SessionModel defaults, model = s.session().model();
     HRT_RETURN_IF_FAILED(read_or_default(nullptr, &defaults));
     forget_user(defaults, &model);
-    return s.set_model(model);
+    HRT_RETURN_IF_FAILED(s.set_model(model));
+    s.conditions.set_measured({});
+    return HRT_OK;
   });
 }
