@@ -229,6 +229,19 @@ TEST_F(GuidesTest, RequiresARegistrationAndARealTarget) {
   expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE);
 }
 
+TEST_F(GuidesTest, RealTargetsAfterTheEighthMayBeTooNearForAGuide) {
+  make_session();
+  hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
+  target.distance_m = reach_m;
+  for (const double direction_deg : {-10.0, -5.0, 5.0, 14.0, 18.0}) {
+    target.direction_deg = direction_deg;
+    add(target);
+  }
+  target.distance_m = 0.03;
+  add(target);
+  EXPECT_OK(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr));
+}
+
 // The frame is shifted by 8 mm, which does not change the bearings from a start that is found by touch.
 TEST_F(GuidesTest, FeltStartRemovesAnOffsetOfTheFrame) {
   for (const bool felt : {false, true}) {

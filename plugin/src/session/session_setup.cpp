@@ -54,6 +54,7 @@ void set_usual_marks(const SessionModel& model, SetupConfig* config) {
 hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupConfig* config) {
   const PlatePoint& start = start_of(model);
   for (const auto& [id, target] : targets.all()) {
+    if (config->guide_count == GuidedSlides::max_objects) break;
     if (target.role != TargetRole::real) continue;
     const TargetView seen = view(model, target.place);
     const double length_mm = seen.distance_mm - mm_per_m * target.place.radius_m;
@@ -61,7 +62,6 @@ hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupC
       return fail(HRT_ERROR_OUT_OF_RANGE, "the near side of real target \"", target.name.data(), "\" is ",
                   length_mm / mm_per_m, " m from start_position_m; allowed for a guide: at least ",
                   GuidedSlides::min_guide_mm / mm_per_m);
-    if (config->guide_count == GuidedSlides::max_objects) break;
     config->guides[static_cast<std::size_t>(config->guide_count++)] = point_ahead(start, seen.direction_deg, length_mm);
   }
   if (config->guide_count > 0) return HRT_OK;
