@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,11 +16,14 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-inline bool is_control_character(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
-/// Returns `text` with control characters replaced by '?'.
+/// Returns `text`, in UTF-8, with each byte of the control characters U+0000 to U+001F and U+007F to U+009F replaced by
+/// '?'.
 inline std::string printable(std::string text) {
-  std::replace_if(text.begin(), text.end(), is_control_character, '?');
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(at < text.size() ? text[at] : 0); };
+    if (byte(i) < 0x20 || byte(i) == 0x7f) text[i] = '?';
+    if (byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0) text[i] = text[i + 1] = '?';
+  }
   return text;
 }
 

@@ -89,11 +89,12 @@ TEST_F(TargetTest, InvalidPositionsAndNamesAreRejected) {
   refused([](hrt_target_config& c) { std::strcpy(c.name, "\xed\xa0\x80"); }, "UTF-8");
   refused([](hrt_target_config& c) { std::strcpy(c.name, "\xc0\x80"); }, "UTF-8");
   refused([](hrt_target_config& c) { std::strcpy(c.name, "caf\xc3"); }, "UTF-8");
-  refused([](hrt_target_config& c) { std::strcpy(c.name, "a\nb"); }, "control character");
+  for (const char* name : {"a\nb", "a\x7f", "a\xc2\x80", "\xc2\x9f"})
+    refused([&](hrt_target_config& c) { std::strcpy(c.name, name); }, "control character");
 }
 
 TEST_F(TargetTest, NamesMayBeInAnyScript) {
-  for (const char* name : {"caf\xc3\xa9", "\xe6\x9d\xaf", "\xf0\x9f\x8d\xb5"}) {
+  for (const char* name : {"caf\xc3\xa9", "\xc2\xa0", "\xe6\x9d\xaf", "\xf0\x9f\x8d\xb5"}) {
     auto config = output<hrt_target_config>();
     ASSERT_OK(hrt_target_get(session, add(HRT_TARGET_REAL, 0.0, name), &config));
     EXPECT_STREQ(config.name, name);

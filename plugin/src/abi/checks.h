@@ -147,16 +147,17 @@ hrt_result check_fields(const S& values) {
   return result;
 }
 
-/// Checks a name in a struct of the host: UTF-8 without ASCII control characters. Sets the bytes after the name to 0.
+/// Checks a name in a struct of the host: UTF-8 without control characters. Sets the bytes after the name to 0.
 inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
   const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
   if (!end)
     return fail(HRT_ERROR_OUT_OF_RANGE, field, " has no terminating zero; allowed: up to ", sizeof name - 1, " bytes");
   const auto length = static_cast<std::size_t>(end - name);
   std::memset(name + length, 0, sizeof name - length);
-  if (!is_utf8({name, length})) return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not UTF-8; convert it to UTF-8");
+  const std::string_view text(name, length);
+  if (!is_utf8(text)) return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not UTF-8; convert it to UTF-8");
   for (std::size_t i = 0; i < length; ++i) {
-    if (static_cast<unsigned char>(name[i]) < 0x20 || name[i] == 0x7f)
+    if (begins_with_control_character(text.substr(i)))
       return fail(HRT_ERROR_OUT_OF_RANGE, field, " has a control character at byte ", i, "; remove it");
   }
   return HRT_OK;

@@ -78,9 +78,7 @@ class Text {
   void make_printable() {
     for (std::size_t i = 0; i < length_;) {
       const std::size_t size = utf8_character_size(view().substr(i)), taken = size == 0 ? 1 : size;
-      const auto byte = static_cast<unsigned char>(text_[i]);
-      const bool c1_control = byte == 0xc2 && static_cast<unsigned char>(text_[i + 1]) < 0xa0;
-      if (size == 0 || byte < 0x20 || byte == 0x7f || c1_control) std::memset(text_ + i, '?', taken);
+      if (size == 0 || begins_with_control_character(view().substr(i))) std::memset(text_ + i, '?', taken);
       i += taken;
     }
   }

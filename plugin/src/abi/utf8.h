@@ -31,6 +31,13 @@ inline bool is_utf8(std::string_view text) {
   return true;
 }
 
+/// True if `text` begins with a control character: U+0000 to U+001F or U+007F to U+009F. Requires valid UTF-8.
+inline bool begins_with_control_character(std::string_view text) {
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+  if (text.empty()) return false;
+  return byte(0) < 0x20 || byte(0) == 0x7f || (byte(0) == 0xc2 && byte(1) < 0xa0);
+}
+
 /// Returns the longest beginning of `text` that has at most `size` bytes and ends with a complete character.
 inline std::string_view utf8_beginning(std::string_view text, std::size_t size) {
   if (text.size() <= size) return text;
