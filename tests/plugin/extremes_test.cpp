@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <random>
 
 #include "generated/fields.h"
@@ -24,15 +25,15 @@ const std::vector<Range> ranges = [] {
   return found;
 }();
 
-// Returns the offset of the first double that is not finite, or 0. From `offset`, all members are doubles.
+// Returns the offset of the first double that is not finite, or nullopt. From `offset`, all members are doubles.
 template <class Struct>
-std::size_t first_not_finite(const Struct& value, std::size_t offset) {
+std::optional<std::size_t> first_not_finite(const Struct& value, std::size_t offset) {
   for (; offset < sizeof value; offset += sizeof(double)) {
     double number = 0.0;
     std::memcpy(&number, reinterpret_cast<const char*>(&value) + offset, sizeof number);
     if (!std::isfinite(number)) return offset;
   }
-  return 0;
+  return std::nullopt;
 }
 
 class Extremes : public SessionTest {
@@ -111,7 +112,7 @@ class Extremes : public SessionTest {
     reach.duration_s = one_of({0.0, 0.1, 1.0, 20.0});
     auto gap = output<hrt_gap>();
     if (hrt_gap_query(session, reach.real_target, reach.virtual_target, &gap) == HRT_OK) {
-      EXPECT_EQ(first_not_finite(gap, offsetof(hrt_gap, gap_deg)), 0u);
+      EXPECT_EQ(first_not_finite(gap, offsetof(hrt_gap, gap_deg)), std::nullopt);
     }
     return hrt_reach_begin(session, &reach);
   }
@@ -141,8 +142,8 @@ class Extremes : public SessionTest {
   void check_what_is_kept() {
     hrt_session_config config = config_of(session);
     for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(range.of(config)));
-    EXPECT_EQ(first_not_finite(config.person.mean, 0), 0u);
-    EXPECT_EQ(first_not_finite(config.person.covariance, 0), 0u);
+    EXPECT_EQ(first_not_finite(config.person.mean, 0), std::nullopt);
+    EXPECT_EQ(first_not_finite(config.person.covariance, 0), std::nullopt);
     EXPECT_OK(hrt_session_set(session, &config));
     EXPECT_OK(load_profile(save_profile()));
   }
@@ -156,11 +157,11 @@ class Extremes : public SessionTest {
       hrt_command command = update(sample);
       ASSERT_EQ(command.flags & HRT_COMMAND_FAULT, 0u) << "in sample " << i;
       command.paper.step = 0;  // the only field that is not a double
-      ASSERT_EQ(first_not_finite(command, offsetof(hrt_command, plate_orientation_deg)), 0u);
+      ASSERT_EQ(first_not_finite(command, offsetof(hrt_command, plate_orientation_deg)), std::nullopt);
     }
     const hrt_reach_summary summary = end();
     ASSERT_EQ(summary.flags & HRT_COMMAND_FAULT, 0u);
-    ASSERT_EQ(first_not_finite(summary, offsetof(hrt_reach_summary, bearing_deg)), 0u);
+    ASSERT_EQ(first_not_finite(summary, offsetof(hrt_reach_summary, bearing_deg)), std::nullopt);
     check_what_is_kept();
   }
 
