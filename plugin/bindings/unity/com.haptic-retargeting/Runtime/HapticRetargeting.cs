@@ -64,8 +64,9 @@ namespace Hrt
 
         public event Action<ReachSummary> ReachEnded;
 
-        /// <summary>Raised when the instruction to the user in a set-up changes: show its text, and its position with
-        /// <see cref="PlaceOf"/>. At Step.Finish the user waits for a fit, which continues in each frame.</summary>
+        /// <summary>Raised when a step of a set-up differs from the previous one in more than the plate orientation: show
+        /// its text, and its position with <see cref="PlaceOf"/>. At Step.Finish the user waits for a fit, which continues
+        /// in each frame.</summary>
         public event Action<SetupStep> SetupStepped;
 
         /// <summary>Raised when all parts of the set-up have ended, and results are applied.</summary>
@@ -255,9 +256,8 @@ namespace Hrt
             bool first = !commanded;
             commanded = true;
             if (first || setupStep.plateOrientationDeg != last.plateOrientationDeg) Turn(setupStep.plateOrientationDeg);
-            if (first || setupStep.instruction != last.instruction || setupStep.part != last.part ||
-                setupStep.problem != last.problem || setupStep.done != last.done || setupStep.number != last.number)
-                SetupStepped?.Invoke(setupStep);
+            last.plateOrientationDeg = setupStep.plateOrientationDeg;
+            if (first || !setupStep.Equals(last)) SetupStepped?.Invoke(setupStep);
             if (fits && IsSettingUp) TakeResult(result);
         }
 

@@ -356,6 +356,23 @@ namespace Hrt.Tests
             Assert.IsFalse(component.IsSettingUp);
         }
 
+        [Test]
+        public void AStepIsReportedIfOnlyTheObservedMistakeChanges()
+        {
+            var steps = new List<SetupStep>();
+            component.SetupStepped += steps.Add;
+            component.BeginSetup(SetupFlags.Calibration);
+            for (int frame = 0; frame <= 2000; ++frame) // 22 s
+            {
+                component.finger.position = OnPlate(0.04 + 1e-5 * (frame % 2), 0); // a repeated position is a dropout
+                component.Guide(At(frame * 11111111L));
+            }
+            SetupStep last = steps[steps.Count - 1];
+            Assert.AreEqual(Observed.Elsewhere, last.observed);
+            StringAssert.Contains("from the requested position", last.text.ToString());
+            component.CancelSetup();
+        }
+
         Sample At(long timeNs)
         {
             Sample sample = component.ReadFinger();
