@@ -172,7 +172,7 @@ namespace Hrt
         }
 
         /// <summary>Converts a position in plate coordinates, such as that of a step, to Unity's world.</summary>
-        public Vector3 PlaceOf(Double3 placeM) => plate.TransformPoint(Axes.ToUnity(placeM));
+        public Vector3 PlaceOf(Double3 placeM) => plate.position + plate.rotation * Axes.ToUnity(placeM);
 
         /// <summary>Returns finger and plate in this frame as a sample for a reach or a set-up.</summary>
         public Sample ReadFinger()

@@ -43,7 +43,7 @@ namespace HrtSamples
         void Update()
         {
             Sample sample = person.Move((long)(Time.unscaledTimeAsDouble * 1e9), retargeting.LastCommand.plateOrientationDeg);
-            retargeting.finger.position = retargeting.plate.TransformPoint(Axes.ToUnity(sample.fingerPositionM));
+            retargeting.finger.position = retargeting.PlaceOf(sample.fingerPositionM);
             retargeting.MeasuredPlateOrientationDeg = sample.plateOrientationDeg;
         }
 

@@ -373,6 +373,14 @@ namespace Hrt.Tests
             component.CancelSetup();
         }
 
+        [Test]
+        public void PlacesIgnoreTheScaleOfThePlate()
+        {
+            component.plate.localScale = new Vector3(2, 3, 4);
+            Vector3 place = component.PlaceOf(new Double3(0.01, 0, 0.05));
+            Assert.That((place - OnPlate(0.01, 0)).magnitude, Is.EqualTo(0).Within(1e-6));
+        }
+
         Sample At(long timeNs)
         {
             Sample sample = component.ReadFinger();
