@@ -95,7 +95,7 @@ void write_implausible(const Implausible& found, Text<320>& text) {
     case Kind::none:
       break;
     case Kind::radians:
-      text << "the directions of all targets are below 1.6 degrees and probably in radians: set direction_deg in "
+      text << "the directions of all targets are at most 1.6 degrees and probably in radians: set direction_deg in "
               "degrees";
       break;
     case Kind::target_off_plate:
