@@ -18,8 +18,6 @@ _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand",
             "hrt_setup_step": "FHapticSetupStep", "hrt_setup_result": "FHapticSetupResult"}
 _OUTPUTS = [name for name in _STRUCTS if name != settings.STRUCT]
 _TO_CONFIG = "hrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, const hrt_session_config& Before)"
-# Fields of the outputs that the structs for Blueprints lack.
-_NOT_SHOWN = (*HIDDEN, "plate_rotation", "covariance", "sd_m")
 # Enumerations of the component's arguments.
 _ENUMERATIONS = ("HRT_TARGET",)
 _ACRONYMS = {"MPC"}
@@ -64,7 +62,7 @@ class _Renderer(Names):
 
     def members_of(self, struct: Struct) -> list[_Member]:
         if struct.name != settings.STRUCT:
-            fields = [f for f in struct.fields if f.name not in _NOT_SHOWN]
+            fields = [f for f in struct.fields if f.name not in HIDDEN]
             return [m for f in fields for m in (self.interval(f) if f.type.name == "hrt_interval" else [self.member(f)])]
         members = []
         for f in (f for fields in settings.by_section(self.abi).values() for f in fields):
