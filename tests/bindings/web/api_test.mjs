@@ -1,12 +1,12 @@
 // Tests the package from JavaScript: the interface in index.d.ts, and invalid arguments.
-//   usage: node --expose-gc api_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLES DESK_GLTF GOLDEN_RECORDING GOLDEN_HASH
+//   usage: node --expose-gc api_test.mjs FOLDER_OF_THE_PACKAGE DESK_GLTF GOLDEN_RECORDING GOLDEN_HASH
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { inspect } from "node:util";
 
-const [, , folder, examples, deskGltf, goldenRecording, goldenHash] = process.argv;
+const [, , folder, deskGltf, goldenRecording, goldenHash] = process.argv;
 const hrt = await import(pathToFileURL(`${folder}/node.mjs`));
 const library = await hrt.load();
 
