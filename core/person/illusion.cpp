@@ -61,9 +61,11 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg) {
   return {offset_deg, felt};
 }
 
-double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max) {
+FeasibleShift feasible_shift(const Illusion& illusion, double shift_deg, double bound_deg) {
+  const MaxShift max = max_shift(illusion, bound_deg);
   const double wanted_deg = std::abs(shift_deg);
-  if (wanted_deg >= max.felt.shift_deg) return std::copysign(max.offset_deg, shift_deg);
+  if (wanted_deg >= max.felt.shift_deg)
+    return {std::copysign(max.felt.shift_deg, shift_deg), std::copysign(max.offset_deg, shift_deg)};
   // Newton's method, which begins on the chord of g; bisection replaces a step that leaves the bracket.
   double low_deg = 0.0;
   double high_deg = max.offset_deg;
@@ -76,22 +78,22 @@ double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShi
     offset_deg = next_deg >= low_deg && next_deg <= high_deg ? next_deg : 0.5 * (low_deg + high_deg);
     if (std::abs(offset_deg - last_deg) < max_newton_change_deg) break;
   }
-  return std::copysign(offset_deg, shift_deg);
+  return {shift_deg, std::copysign(offset_deg, shift_deg)};
 }
 
 GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
                                double bound_deg) {
   const double gap_deg = goal_direction_deg - real_direction_deg;
-  const MaxShift max = max_shift(illusion, bound_deg);
-  const double held_gap_deg = std::clamp(gap_deg, -max.felt.shift_deg, max.felt.shift_deg);
-  const double settling_deg = goal_direction_deg - held_gap_deg;
+  const double max_gap_deg = max_shift(illusion, bound_deg).felt.shift_deg;
+  const FeasibleShift held = feasible_shift(illusion, gap_deg, bound_deg);
+  const double settling_deg = goal_direction_deg - held.shift_deg;
   return {
-      .reachable = held_gap_deg == gap_deg,
+      .reachable = held.shift_deg == gap_deg,
       .gap_deg = gap_deg,
-      .max_gap_deg = max.felt.shift_deg,
-      .margin_deg = max.felt.shift_deg - std::abs(gap_deg),
-      .plate_orientation_deg = settling_deg + offset_for_shift(illusion, held_gap_deg, max),
-      .settling_direction_deg = held_gap_deg == gap_deg ? real_direction_deg : settling_deg,
+      .max_gap_deg = max_gap_deg,
+      .margin_deg = max_gap_deg - std::abs(gap_deg),
+      .plate_orientation_deg = settling_deg + held.offset_deg,
+      .settling_direction_deg = held.shift_deg == gap_deg ? real_direction_deg : settling_deg,
   };
 }
 

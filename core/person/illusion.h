@@ -46,9 +46,15 @@ struct MaxShift {
 /// Requires weight > 0 and bound_deg > 0.
 MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
-/// Inverts g on its rising branch: returns the offset that causes `shift_deg`, clamped to +-max.offset_deg. `max`: from
-/// max_shift().
-double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max);
+/// A shift that the ridges can cause, and the offset of the ridge normal from the motion that causes it.
+struct FeasibleShift {
+  double shift_deg;
+  double offset_deg;
+};
+
+/// Returns the feasible shift that is nearest to `shift_deg`, for ridge normals within `bound_deg` of the motion; see
+/// max_shift(). Inverts g on its rising branch.
+FeasibleShift feasible_shift(const Illusion& illusion, double shift_deg, double bound_deg);
 
 /// Compares the gap from the real to the goal direction with the largest feasible gap for a person with this illusion.
 /// Directions: finite. `bound_deg`: see max_shift().

@@ -38,8 +38,9 @@ PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, doubl
   const double goal_deg = reach.virtual_direction_deg;
   if (std::isinf(stops.lower_deg) && std::isinf(stops.upper_deg)) return {stops, goal_deg};
   const Illusion illusion{config.person.mean(X::weight), config.person.mean(X::curve)};
-  const double holding_deg = reach.real_direction_deg + offset_for_shift(illusion, goal_deg - reach.real_direction_deg,
-                                                                         max_shift(illusion, config.control.bound_deg));
+  const double gap_deg = goal_deg - reach.real_direction_deg;
+  const double holding_deg =
+      reach.real_direction_deg + feasible_shift(illusion, gap_deg, config.control.bound_deg).offset_deg;
   return {stops, goal_deg, config.control.bound_deg, holding_deg, plate_deg};
 }
 

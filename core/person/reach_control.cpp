@@ -56,48 +56,37 @@ Motion carry_over_dead_time(const PersonFilter& filter, const ReachOutlook& outl
           .shift_deg = felt.shift_deg};
 }
 
-struct Arrival {
-  double miss_mm;          // m: miss at arrival for Gamma = 0
-  double leverage_mm_deg;  // M: derivative of the miss by Gamma
-};
-
-Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) {
-  const double rate = filter.rate();
-  const double remaining_s = std::max(0.0, 1.0 - from.phase) / rate;
-  const double step_s = remaining_s / arrival_nodes;
-  const double half_kept = exponential(-0.5 * filter.mean(X::gain) * step_s);
-  const double step_turn_kept = filter.turn_kept(step_s);
-  Arrival arrival{from.lateral_mm, 0.0};
-  double steered_deg = from.steered_deg;
-  double unsteered = 1.0;  // e^(-k t): fraction of Gamma to which the person has not responded
-  double turn_kept = from.turn_kept;
-  for (int i = 0; i < arrival_nodes; ++i) {
-    const Progress p = filter.pace(from.phase + (i + 0.5) * rate * step_s);
-    const double goal_deg = filter.goal_deg(turn_kept);
-    const double middle_deg = goal_deg + (steered_deg - goal_deg) * half_kept;
-    const double travel_mm = filter.path_mm() * rate * p.rate * step_s;
-    const SinCos off_line = sin_cos_deg(middle_deg - line_deg);
-    arrival.miss_mm += travel_mm * off_line.sine;
-    arrival.leverage_mm_deg -= travel_mm * off_line.cosine * rad_per_deg * (1.0 - unsteered * half_kept);
-    steered_deg = goal_deg + (middle_deg - goal_deg) * half_kept;
-    unsteered *= half_kept * half_kept;
-    turn_kept *= step_turn_kept;
-  }
-  return arrival;
-}
-
 }  // namespace
 
 ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, const ReachOutlook& outlook) {
   const Tuning& tuning = filter.tuning();
   const Motion motion = carry_over_dead_time(filter, outlook);
-  const Arrival arrival = arrive(filter, motion, outlook.line_deg);
 
-  const double leverage = arrival.leverage_mm_deg;
-  const double present_shift_deg = motion.shift_deg;
-  double shift_deg =
-      present_shift_deg - leverage * (arrival.miss_mm + leverage * present_shift_deg) /
-                              (leverage * leverage + tuning.change_weight_mm_deg * tuning.change_weight_mm_deg);
+  // Integrates the path from there to arrival: the miss m for Gamma = 0, and its derivative M by Gamma.
+  double miss_mm = motion.lateral_mm;
+  double leverage_mm_deg = 0.0;
+  const double rate = filter.rate();
+  const double step_s = std::max(0.0, 1.0 - motion.phase) / rate / arrival_nodes;
+  const double half_kept = exponential(-0.5 * filter.mean(X::gain) * step_s);
+  const double step_turn_kept = filter.turn_kept(step_s);
+  double steered_deg = motion.steered_deg;
+  double unsteered = 1.0;  // e^(-k t): fraction of Gamma to which the person has not responded
+  double turn_kept = motion.turn_kept;
+  for (int i = 0; i < arrival_nodes; ++i) {
+    const Progress p = filter.pace(motion.phase + (i + 0.5) * rate * step_s);
+    const double goal_deg = filter.goal_deg(turn_kept);
+    const double middle_deg = goal_deg + (steered_deg - goal_deg) * half_kept;
+    const double travel_mm = filter.path_mm() * rate * p.rate * step_s;
+    const SinCos off_line = sin_cos_deg(middle_deg - outlook.line_deg);
+    miss_mm += travel_mm * off_line.sine;
+    leverage_mm_deg -= travel_mm * off_line.cosine * rad_per_deg * (1.0 - unsteered * half_kept);
+    steered_deg = goal_deg + (middle_deg - goal_deg) * half_kept;
+    unsteered *= half_kept * half_kept;
+    turn_kept *= step_turn_kept;
+  }
+
+  const double squares = square(leverage_mm_deg) + square(tuning.change_weight_mm_deg);
+  double shift_deg = motion.shift_deg - leverage_mm_deg * (miss_mm + leverage_mm_deg * motion.shift_deg) / squares;
   const double error_deg = motion.steered_deg - filter.goal_deg(motion.turn_kept);
   // A larger error that exists without the plate may remain; the plate must not increase this error.
   const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
@@ -106,13 +95,12 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * motion.pace.rate, filter.path_mm());
   // Too large a shift is easier to correct than too small a one, so the plan uses a w below its mean.
   illusion.weight = std::max(tuning.min_plan_weight, illusion.weight - tuning.weight_caution * filter.sd(X::weight));
-  const MaxShift max = max_shift(illusion, config.bound_deg);
-  const double feasible_shift_deg = std::clamp(shift_deg, -max.felt.shift_deg, max.felt.shift_deg);
-  return {.plate_deg = motion.steered_deg + motion.own_deg + offset_for_shift(illusion, feasible_shift_deg, max),
-          .felt_error_deg = error_deg + feasible_shift_deg,
-          .miss_mm = arrival.miss_mm + leverage * feasible_shift_deg,
-          .active = shift_deg < feasible_shift_deg   ? ActiveBound::lower
-                    : shift_deg > feasible_shift_deg ? ActiveBound::upper
+  const FeasibleShift feasible = feasible_shift(illusion, shift_deg, config.bound_deg);
+  return {.plate_deg = motion.steered_deg + motion.own_deg + feasible.offset_deg,
+          .felt_error_deg = error_deg + feasible.shift_deg,
+          .miss_mm = miss_mm + leverage_mm_deg * feasible.shift_deg,
+          .active = shift_deg < feasible.shift_deg   ? ActiveBound::lower
+                    : shift_deg > feasible.shift_deg ? ActiveBound::upper
                                                      : ActiveBound::none};
 }
 

@@ -73,20 +73,22 @@ TEST(Illusion, TheMaximum_IsAtZeroSlopeOrAtTheBound) {
   EXPECT_LT(max_shift(straight, 90.0).offset_deg, 90.0);
 }
 
-TEST(Illusion, TheOffsetForAShift_CausesThatShift) {
+TEST(Illusion, TheOffsetOfAFeasibleShift_CausesThatShift) {
   for (const Illusion illusion : {straight, curved, Illusion{0.3, -0.1}, Illusion{0.01, 0.5}, Illusion{0.6, 0.5},
                                   Illusion{0.05, 0.0}, Illusion{0.2, 0.05, 0.8, 0.3}}) {
     for (const double bound : {75.0, 30.0, 89.9}) {
       const MaxShift max = max_shift(illusion, bound);
       for (int i = -99; i <= 99; ++i) {
         const double wanted = 0.01 * i * max.felt.shift_deg;
-        const double offset = offset_for_shift(illusion, wanted, max);
+        const auto [shift, offset] = feasible_shift(illusion, wanted, bound);
+        EXPECT_EQ(shift, wanted);
         EXPECT_NEAR(felt_shift(illusion, offset).shift_deg, wanted, 2e-4 * max.felt.shift_deg) << i;
         EXPECT_LE(std::abs(offset), max.offset_deg);
-        EXPECT_EQ(offset_for_shift(illusion, -wanted, max), -offset);
+        EXPECT_EQ(feasible_shift(illusion, -wanted, bound).offset_deg, -offset);
       }
-      EXPECT_EQ(offset_for_shift(illusion, 1e9, max), max.offset_deg);
-      EXPECT_EQ(offset_for_shift(illusion, -1e9, max), -max.offset_deg);
+      EXPECT_EQ(feasible_shift(illusion, 1e9, bound).offset_deg, max.offset_deg);
+      EXPECT_EQ(feasible_shift(illusion, -1e9, bound).offset_deg, -max.offset_deg);
+      EXPECT_EQ(feasible_shift(illusion, -1e9, bound).shift_deg, -max.felt.shift_deg);
     }
   }
 }
