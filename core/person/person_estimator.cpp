@@ -40,7 +40,7 @@ PersonEstimator::PersonEstimator(const PersonBelief& belief, double virtual_dire
       filter_(belief, virtual_direction_deg, path_mm, finger_.noise(), tuning),
       gate_(tuning.max_outliers) {}
 
-bool PersonEstimator::observe(double time_s, const PlatePoint& position, const PlateTrace& plate) {
+bool PersonEstimator::observe(double time_s, const PlatePoint& position) {
   const bool was_waiting = !begun();
   const FingerPhase::Outcome outcome = finger_.process(time_s, position);
   if (outcome == FingerPhase::Outcome::ignored) return false;
@@ -53,7 +53,7 @@ bool PersonEstimator::observe(double time_s, const PlatePoint& position, const P
     begin_motion();
   } else if (outcome == FingerPhase::Outcome::set_down) {
     clock_stopped_ = true;
-    carry_to(time_s, plate);
+    carry_to(time_s);
     filter_.place_at(position - origin());
     return true;
   } else {
@@ -62,17 +62,17 @@ bool PersonEstimator::observe(double time_s, const PlatePoint& position, const P
       filter_.add_phase_sd(tuning().pause_clock_sd_s);
   }
   bool taken = true;
-  for (int i = 0; i < max_replayed && unprocessed_ > 0; ++i) taken = take(finger_.places()[--unprocessed_], plate);
+  for (int i = 0; i < max_replayed && unprocessed_ > 0; ++i) taken = take(finger_.places()[--unprocessed_]);
   if (caught_up()) finger_.find_pause();
   return taken;
 }
 
-void PersonEstimator::predict(double time_s, const PlateTrace& plate) {
-  if (begun() && caught_up()) carry_to(time_s, plate);
+void PersonEstimator::predict(double time_s) {
+  if (begun() && caught_up()) carry_to(time_s);
 }
 
-void PersonEstimator::lift(double time_s, const PlateTrace& plate) {
-  predict(time_s, plate);
+void PersonEstimator::lift(double time_s) {
+  predict(time_s);
   finger_.lift();
   clock_stopped_ = true;
   log_.close();
@@ -125,10 +125,10 @@ void PersonEstimator::begin_motion() {
   while (unprocessed_ < places.count() - 1 && places[unprocessed_].time_s > onset_s_) ++unprocessed_;
 }
 
-void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
+void PersonEstimator::carry_to(double time_s) {
   if (retarget_ && retarget_->time_s <= time_s) {
     const Retarget answered = *std::exchange(retarget_, std::nullopt);
-    carry_to(answered.time_s, plate);
+    carry_to(answered.time_s);
     filter_.retarget(answered.virtual_direction_deg, answered.longer_mm, true);
   }
   const double left_s = std::min(time_s - filter_s_, max_gap_s);
@@ -139,15 +139,15 @@ void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
     const int steps = static_cast<int>(std::ceil(left_s / PersonFilter::max_step_s));
     const double step_s = left_s / steps;
     for (int i = 0; i < steps; ++i) {
-      felt_plate_deg_ = plate.at(time_s - left_s + (i + 0.5) * step_s - tuning().sensory_delay_s);
+      felt_plate_deg_ = plate_.at(time_s - left_s + (i + 0.5) * step_s - tuning().sensory_delay_s);
       filter_.move(step_s, felt_plate_deg_);
     }
   }
   filter_s_ = time_s;
 }
 
-bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
-  carry_to(sample.time_s, plate);
+bool PersonEstimator::take(const TimedPoint& sample) {
+  carry_to(sample.time_s);
   const PersonFilter::Innovation innovation = filter_.innovation(sample.position - origin_);
   if (filter_.mean(PersonState::phase) < 1.0) log_.add(sample.time_s, sample.position - origin_, felt_plate_deg_);
   if (!moving()) {

@@ -64,15 +64,20 @@ class PersonEstimator {
   PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const PlatePoint& start,
                   const std::optional<TrackerNoise>& noise, const Tuning& tuning = {});
 
-  /// Processes a position observed at `time_s`, later than the previous one. `plate`: plate orientations of the last
-  /// second. Returns false for an outlier, and for a jump during the motion.
-  bool observe(double time_s, const PlatePoint& position, const PlateTrace& plate);
+  /// Adds a plate orientation at `time_s`, not earlier than the last one. Requires one before the first observation.
+  void add_plate(double time_s, double orientation_deg) { plate_.add(time_s, orientation_deg); }
+  /// Plate orientations of the last second.
+  const PlateTrace& plate() const { return plate_; }
+
+  /// Processes a position observed at `time_s`, later than the previous one. Returns false for an outlier,
+  /// and for a jump during the motion.
+  bool observe(double time_s, const PlatePoint& position);
 
   /// After the onset, advances the filter to `time_s` without a sample, if caught_up().
-  void predict(double time_s, const PlateTrace& plate);
+  void predict(double time_s);
 
   /// Reports that the finger is lifted. The finger may be set down at another position.
-  void lift(double time_s, const PlateTrace& plate);
+  void lift(double time_s);
 
   /// Reports that the target moved at `time_s`, to `virtual_direction_deg`, and made the path `longer_mm` longer. After
   /// the onset, the person responds Tuning::reaction_time_s later.
@@ -105,9 +110,9 @@ class PersonEstimator {
  private:
   const Tuning& tuning() const { return filter_.tuning(); }
   void begin_motion();
-  bool take(const TimedPoint& sample, const PlateTrace& plate);
+  bool take(const TimedPoint& sample);
   void relocate(const PlatePoint& position);
-  void carry_to(double time_s, const PlateTrace& plate);
+  void carry_to(double time_s);
   bool find_pause(double nis);
 
   struct Retarget {
@@ -119,6 +124,7 @@ class PersonEstimator {
   PersonBelief belief_;
   double virtual_direction_deg_;
   double path_mm_;
+  PlateTrace plate_;
   FingerPhase finger_;
   PersonFilter filter_;
   std::optional<Retarget> retarget_;  // move of the target to which the person has not responded yet

@@ -124,7 +124,7 @@ const PlateCommand& PersonReach::update(const FingerSample& sample) {
   plate_.advance(sample.time_ns);
   if (sample.plate_orientation_deg) plate_.report(*sample.plate_orientation_deg);
   seen_s_ = elapsed_s(*origin_ns_, sample.time_ns);
-  trace_.add(seen_s_, plate_.orientation_deg());
+  estimator_.add_plate(seen_s_, plate_.orientation_deg());
 
   const bool observed = observe(sample, seen_s_ - 1e-9 * static_cast<double>(config_.tracker_latency_ns));
   const std::optional<PersonFilter> answering = estimator_.after_retarget();
@@ -144,17 +144,17 @@ const PlateCommand& PersonReach::update(const FingerSample& sample) {
 bool PersonReach::observe(const FingerSample& sample, double time_s) {
   switch (sample.observation) {
     case Observation::lifted:
-      estimator_.lift(time_s, trace_);
+      estimator_.lift(time_s);
       return false;
     case Observation::position:
       if (position_ns_ != sample.time_ns) {  // otherwise the sample is a duplicate
         position_ns_ = sample.time_ns;
-        if (estimator_.observe(time_s, sample.position, trace_)) return true;
+        if (estimator_.observe(time_s, sample.position)) return true;
       }
       break;
     case Observation::none:
     case Observation::direction:
-      estimator_.predict(time_s, trace_);
+      estimator_.predict(time_s);
       break;
   }
   ++counts_.dropped_samples;
@@ -170,7 +170,7 @@ PersonReach::Decision PersonReach::decide(const PersonFilter& answered, std::int
   // Time at which the plate has the orientation that the person perceives in the middle of the dead time.
   const double felt_s = 0.5 * (estimator_.time_s() + effective_s) - config_.tuning.sensory_delay_s;
   const double felt_plate_deg =
-      felt_s < seen_s_ ? trace_.at(felt_s)
+      felt_s < seen_s_ ? estimator_.plate().at(felt_s)
                        : plate_.orientation_at_deg(later_ns(now_ns, std::llround(1e9 * (felt_s - seen_s_))));
   const ReachPlan plan = plan_reach(config_.control, answered,
                                     {.target = goal_.target - origin,

@@ -97,7 +97,6 @@ class PersonReach {
   ReachGoal goal_;
   PersonEstimator estimator_;
   PlateModel plate_;
-  PlateTrace trace_;
   PlateLimits limits_;
   Decision decision_;
   PlateCommand command_;

@@ -27,20 +27,18 @@ struct Finger {
 
 class PersonEstimatorTest : public ::testing::Test {
  protected:
-  PersonEstimatorTest() { plate_.add(0.0, 0.0); }
+  PersonEstimatorTest() { estimator_.add_plate(0.0, 0.0); }
 
   void watch(const Finger& finger, double from_s, double to_s) {
     for (double t = from_s; t < to_s; t += 1.0 / rate_hz_) {
-      const PlatePoint place = finger.at(t);
-      estimator_.observe(t, {place.right_mm + noise_mm_ * draws_.normal(), place.away_mm + noise_mm_ * draws_.normal()},
-                         plate_);
+      const PlatePoint noise_mm = noise_mm_ * PlatePoint{draws_.normal(), draws_.normal()};
+      estimator_.observe(t, finger.at(t) + noise_mm);
     }
   }
 
   double rate_hz_ = 90.0;
   double noise_mm_ = 0.0;
   Draws draws_{3, 0, 0, 0};
-  PlateTrace plate_;
   PersonEstimator estimator_{unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt};
 };
 
@@ -91,7 +89,7 @@ TEST_F(PersonEstimatorTest, APause_IsDetectedAndEnds) {
 TEST_F(PersonEstimatorTest, AnOutlierIsRejectedAndAJump_IsFollowed) {
   Finger finger;
   watch(finger, 0.0, 0.9);
-  EXPECT_FALSE(estimator_.observe(0.905, {80.0, -40.0}, plate_));
+  EXPECT_FALSE(estimator_.observe(0.905, {80.0, -40.0}));
   EXPECT_NEAR(estimator_.place().right_mm, 0.0, 2.0);
   finger.start.right_mm = 60.0;  // the tracker takes another finger for this one
   watch(finger, 0.92, 1.15);
@@ -101,7 +99,7 @@ TEST_F(PersonEstimatorTest, AnOutlierIsRejectedAndAJump_IsFollowed) {
 TEST_F(PersonEstimatorTest, ALiftedFinger_MayBeSetDownElsewhere) {
   Finger finger{.pause_from_s = 0.6, .pause_s = 0.3};
   watch(finger, 0.0, 0.9);
-  estimator_.lift(0.9, plate_);
+  estimator_.lift(0.9);
   EXPECT_TRUE(estimator_.begun() && !estimator_.moving());
   finger.start.right_mm = -30.0;
   watch(finger, 1.2, 1.25);
@@ -113,7 +111,7 @@ TEST_F(PersonEstimatorTest, ALiftedFinger_MayBeSetDownElsewhere) {
 TEST_F(PersonEstimatorTest, ADropout_IsPredicted) {
   const Finger finger;
   watch(finger, 0.0, 0.9);
-  for (double t = 0.9; t < 1.2; t += 0.01) estimator_.predict(t, plate_);
+  for (double t = 0.9; t < 1.2; t += 0.01) estimator_.predict(t);
   EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.19).away_mm, 6.0);
   watch(finger, 1.2, 1.4);
   EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.4).away_mm, 2.0);
@@ -121,8 +119,8 @@ TEST_F(PersonEstimatorTest, ADropout_IsPredicted) {
 
 TEST_F(PersonEstimatorTest, AGapOfCenturies_KeepsTheStateFinite) {
   watch({}, 0.0, 0.9);
-  estimator_.predict(1.8e10, plate_);
-  estimator_.observe(1.8e10 + 1.0, {0.0, 50.0}, plate_);
+  estimator_.predict(1.8e10);
+  estimator_.observe(1.8e10 + 1.0, {0.0, 50.0});
   EXPECT_TRUE(estimator_.filter().mean().allFinite());
   EXPECT_TRUE(estimator_.filter().covariance().allFinite());
 }
