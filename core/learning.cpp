@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 #include "core/math/linear_algebra.h"
 
 namespace hrt {

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "scene/gltf.h"
 #include "scene/haptic_properties.h"
 

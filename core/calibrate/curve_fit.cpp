@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 #include "core/math/linear_algebra.h"
 
 namespace hrt {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 namespace {

@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/math/exponential.h"
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/math/distributions.h"
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/plate/plate_limits.h"
 #include "core/tracker/finger_phase.h"
 #include "core/tracker/repeated_position.h"

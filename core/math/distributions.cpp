@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 namespace {

@@ -1,5 +1,5 @@
 // Statistics: intervals, distribution functions, medians. Uses only the four operations, the square root and
-// core/math/exponential.h, so that all hosts compute the same bits.
+// core/math/elementary.h, so that all hosts compute the same bits.
 #pragma once
 
 #include <algorithm>

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 #include "core/math/linear_algebra.h"
-#include "core/math/trigonometry.h"
 
 namespace hrt {
 namespace {

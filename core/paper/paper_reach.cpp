@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/paper/participant.h"
 
 namespace hrt {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 #include "core/reach/finger_sample.h"
 
 namespace hrt {

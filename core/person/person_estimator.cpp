@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 #include "core/person/motion_fit.h"
 #include "core/reach/finger_sample.h"
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 #include "core/math/time.h"
-#include "core/math/trigonometry.h"
 
 namespace hrt {
 namespace {

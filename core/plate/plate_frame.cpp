@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 

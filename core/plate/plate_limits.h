@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 

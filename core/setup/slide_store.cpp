@@ -1,7 +1,7 @@
 #include "core/setup/slide_store.h"
 
+#include "core/math/elementary.h"
 #include "core/math/time.h"
-#include "core/math/trigonometry.h"
 
 namespace hrt {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/setup/setup.h"
 #include "core/simulation/minimum_jerk.h"
 

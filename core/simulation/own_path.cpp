@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 #include "core/simulation/minimum_jerk.h"
 
 namespace hrt {

@@ -6,8 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/math/exponential.h"
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 namespace {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/exponential.h"
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/paper/participant.h"
 #include "core/simulation/minimum_jerk.h"
 

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/math/exponential.h"
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 

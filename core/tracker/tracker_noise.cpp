@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/math/exponential.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 namespace {

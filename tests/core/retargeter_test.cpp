@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/plate/frame_error.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "haptic_retargeting/gap.h"
 #include "haptic_retargeting/haptic_retargeting.h"
 #include "haptic_retargeting/host.h"

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/simulation/simulated_hand.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"

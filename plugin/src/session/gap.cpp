@@ -6,7 +6,7 @@
 
 #include "core/assignment.h"
 #include "core/math/distributions.h"
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/person/illusion.h"
 
 namespace hrt::plugin {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/elementary.h"
 #include "core/math/time.h"
-#include "core/math/trigonometry.h"
 
 namespace hrt::plugin {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/learning.h"
+#include "core/math/elementary.h"
 #include "core/math/time.h"
-#include "core/math/trigonometry.h"
 #include "plugin/src/abi/error.h"
 
 namespace hrt::plugin {

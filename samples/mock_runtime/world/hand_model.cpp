@@ -1,6 +1,6 @@
 #include "samples/mock_runtime/world/hand_model.h"
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt::mock {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "samples/mock_runtime/error.h"
 
 namespace hrt::mock {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/simulation/random.h"
 
 namespace hrt::mock {

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "core/calibrate/calibration.h"
-#include "core/math/exponential.h"
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/setup/setup.h"
 #include "core/simulation/people.h"
 #include "core/simulation/slide.h"

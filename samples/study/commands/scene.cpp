@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/paper/participant.h"
 #include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"

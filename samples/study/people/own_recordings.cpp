@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/numbers/csv.h"
 

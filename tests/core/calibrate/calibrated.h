@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/calibrate/calibration.h"
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/simulation/slide.h"
 
 namespace hrt::test {

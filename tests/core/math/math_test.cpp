@@ -1,4 +1,4 @@
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "core/math/distributions.h"
-#include "core/math/exponential.h"
 
 namespace hrt {
 namespace {

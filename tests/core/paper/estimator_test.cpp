@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/elementary.h"
 #include "core/math/time.h"
-#include "core/math/trigonometry.h"
 #include "core/paper/participant.h"
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 namespace {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 
 namespace hrt {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/math/trigonometry.h"
+#include "core/math/elementary.h"
 #include "core/simulation/minimum_jerk.h"
 #include "samples/study/cli/arguments.h"
 #include "tests/samples/text.h"

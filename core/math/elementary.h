@@ -1,10 +1,22 @@
-// Sine, cosine and arctangent in degrees from the four arithmetic operations, comparisons and floor. The functions of C
-// libraries differ in the last bit between hosts, and a recording must replay to the same bits.
+// Elementary functions: square, exponential, logarithm, sine, cosine, arctangent. They use arithmetic operations,
+// comparisons and exact functions like floor and frexp. The functions of C libraries differ in the last bit between
+// hosts, and a recording must replay to the same bits.
 #pragma once
 
 #include <cmath>
 
 namespace hrt {
+
+/// Returns e^x, with x clamped to +-700; the relative error is below 1e-13.
+double exponential(double x);
+
+constexpr double square(double x) { return x * x; }
+
+/// Returns tanh(x); the relative error is below 1e-13 for |x| >= 1e-3.
+double hyperbolic_tangent(double x);
+
+/// Returns the natural logarithm of x in [1e-300, 1e300]; the absolute error is below 2e-13.
+double logarithm(double x);
 
 inline constexpr double rad_per_deg = 0.017453292519943295;
 inline constexpr double deg_per_rad = 57.29577951308232;
