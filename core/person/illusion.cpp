@@ -81,6 +81,13 @@ FeasibleShift feasible_shift(const Illusion& illusion, double shift_deg, double 
   return {shift_deg, std::copysign(offset_deg, shift_deg)};
 }
 
+LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
+                               double curve_variance) {
+  constexpr double fraction = (60.0 / scale_deg) * (60.0 / scale_deg);  // (t / 75)^2 at 60 degrees
+  const double variance = weight_variance - 2.0 * fraction * covariance + fraction * fraction * curve_variance;
+  return {std::clamp(weight - fraction * curve, 0.001, 0.499), std::sqrt(variance > 0.0 ? variance : 0.0)};
+}
+
 GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
                                double bound_deg) {
   const double gap_deg = goal_direction_deg - real_direction_deg;

@@ -56,6 +56,15 @@ struct FeasibleShift {
 /// max_shift(). Inverts g on its rising branch.
 FeasibleShift feasible_shift(const Illusion& illusion, double shift_deg, double bound_deg);
 
+/// Weight of the linear illusion that causes the same shift at 60 degrees as the curve with w and b, clamped
+/// to [0.001, 0.499], and the SD of this weight.
+struct LinearIllusion {
+  double weight;
+  double weight_sd;
+};
+LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
+                               double curve_variance);
+
 /// Compares the gap from the real to the goal direction with the largest feasible gap for a person with this illusion.
 /// Directions: finite. `bound_deg`: see max_shift().
 GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,

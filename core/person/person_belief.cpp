@@ -71,13 +71,6 @@ PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning) {
   return steering;
 }
 
-LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
-                               double curve_variance) {
-  constexpr double fraction = (60.0 / 75.0) * (60.0 / 75.0);  // (t / 75)^2 at 60 degrees
-  const double variance = weight_variance - 2.0 * fraction * covariance + fraction * fraction * curve_variance;
-  return {std::clamp(weight - fraction * curve, 0.001, 0.499), std::sqrt(variance > 0.0 ? variance : 0.0)};
-}
-
 LinearIllusion linear_illusion(const PersonBelief& belief) {
   const auto& p = belief.covariance;
   return linear_illusion(belief.mean(T::weight), belief.mean(T::curve), p(T::weight, T::weight), p(T::weight, T::curve),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math/distributions.h"
+#include "core/person/illusion.h"
 #include "core/person/person_state.h"
 #include "core/person/tuning.h"
 
@@ -41,14 +42,6 @@ void set_variance(PersonBelief& belief, int trait, double variance);
 /// Tuning::steered_habit_sd_deg.
 PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning);
 
-/// Weight of the linear illusion that causes the same shift at 60 degrees as the curve with w and b (illusion.h),
-/// clamped to [0.001, 0.499], and the SD of this weight.
-struct LinearIllusion {
-  double weight;
-  double weight_sd;
-};
-LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
-                               double curve_variance);
 LinearIllusion linear_illusion(const PersonBelief& belief);
 
 /// Returns true if each mean is in its range, and the covariance is finite, symmetric and positive definite.
