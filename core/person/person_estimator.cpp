@@ -62,7 +62,7 @@ bool PersonEstimator::observe(double time_s, const PlatePoint& position) {
       filter_.add_phase_sd(tuning().pause_clock_sd_s);
   }
   bool taken = true;
-  for (int i = 0; i < max_replayed && unprocessed_ > 0; ++i) taken = take(finger_.places()[--unprocessed_]);
+  for (int i = 0; i < max_replayed && unprocessed_ > 0; ++i) taken = take_next();
   if (caught_up()) finger_.find_pause();
   return taken;
 }
@@ -146,7 +146,9 @@ void PersonEstimator::carry_to(double time_s) {
   filter_s_ = time_s;
 }
 
-bool PersonEstimator::take(const TimedPoint& sample) {
+// Processes the oldest position in the unprocessed positions. Returns false if it is an outlier or a jump.
+bool PersonEstimator::take_next() {
+  const TimedPoint& sample = finger_.places()[--unprocessed_];
   carry_to(sample.time_s);
   const PersonFilter::Innovation innovation = filter_.innovation(sample.position - origin_);
   if (filter_.mean(PersonState::phase) < 1.0) log_.add(sample.time_s, sample.position - origin_, felt_plate_deg_);

@@ -110,7 +110,7 @@ class PersonEstimator {
  private:
   const Tuning& tuning() const { return filter_.tuning(); }
   void begin_motion();
-  bool take(const TimedPoint& sample);
+  bool take_next();
   void relocate(const PlatePoint& position);
   void carry_to(double time_s);
   bool find_pause(double nis);

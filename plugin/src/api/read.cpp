@@ -34,29 +34,6 @@ Vec3 to_vec3(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 Quaternion to_quaternion(const double (&q)[4]) { return {q[0], q[1], q[2], q[3]}; }
 
-hrt_result check_sample(const hrt_sample& sample) {
-  HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::flags));
-  const std::uint32_t finger = sample.flags & finger_flags;
-  if ((finger & (finger - 1)) != 0)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
-                "; allowed: at most one of DIRECTION, PLATE_POSITION and WORLD_POSITION");
-  if (finger == HRT_SAMPLE_DIRECTION)
-    HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::finger_direction_deg));
-  else if (finger != 0)
-    HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::finger_position_m));
-  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION)
-    HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::plate_orientation_deg));
-  if (sample.flags & HRT_SAMPLE_JOINT_ROTATION) {
-    if (finger != HRT_SAMPLE_WORLD_POSITION)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
-                  "; allowed: JOINT_ROTATION with WORLD_POSITION only");
-    HRT_RETURN_IF_FAILED(check_rotation("joint_rotation", sample.joint_rotation));
-  }
-  if ((sample.flags & HRT_SAMPLE_PLATE_POSE) == 0) return HRT_OK;
-  HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::plate_position_m));
-  return check_rotation("plate_rotation", sample.plate_rotation);
-}
-
 // Returns the position of the point of contact on the skin, in the coordinates of the sample.
 Vec3 skin_m(const PlateMount& mount, const hrt_sample& sample) {
   const Vec3 tip_m = to_vec3(sample.finger_position_m);
@@ -111,20 +88,40 @@ hrt_result read(const hrt_target_config& given, Target* out) {
 }
 
 hrt_result read(const PlateMount& mount, const TouchedFrame& touched, const hrt_sample& given, FingerSample* out) {
-  HRT_RETURN_IF_FAILED(check_sample(given));
   *out = {.time_ns = given.time_ns};
-  if (given.flags & HRT_SAMPLE_PLATE_ORIENTATION) out->plate_orientation_deg = given.plate_orientation_deg;
+  HRT_RETURN_IF_FAILED(check_field(given, SampleFields::flags));
+  const std::uint32_t finger = given.flags & finger_flags;
+  const bool in_plate = finger == HRT_SAMPLE_PLATE_POSITION;
+  Pose plate = mount.pose;
+  if ((finger & (finger - 1)) != 0)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", given.flags,
+                "; allowed: at most one of DIRECTION, PLATE_POSITION and WORLD_POSITION");
+  if (finger == HRT_SAMPLE_DIRECTION)
+    HRT_RETURN_IF_FAILED(check_field(given, SampleFields::finger_direction_deg));
+  else if (finger != 0)
+    HRT_RETURN_IF_FAILED(check_field(given, SampleFields::finger_position_m));
+  if (given.flags & HRT_SAMPLE_PLATE_ORIENTATION) {
+    HRT_RETURN_IF_FAILED(check_field(given, SampleFields::plate_orientation_deg));
+    out->plate_orientation_deg = given.plate_orientation_deg;
+  }
+  if (given.flags & HRT_SAMPLE_JOINT_ROTATION) {
+    if (finger != HRT_SAMPLE_WORLD_POSITION)
+      return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", given.flags,
+                  "; allowed: JOINT_ROTATION with WORLD_POSITION only");
+    HRT_RETURN_IF_FAILED(check_rotation("joint_rotation", given.joint_rotation));
+  }
+  if (given.flags & HRT_SAMPLE_PLATE_POSE) {
+    HRT_RETURN_IF_FAILED(check_field(given, SampleFields::plate_position_m));
+    HRT_RETURN_IF_FAILED(check_rotation("plate_rotation", given.plate_rotation));
+    plate = {to_vec3(given.plate_position_m), to_quaternion(given.plate_rotation)};
+  }
+  if (in_plate) plate = {};
   if (given.flags & HRT_SAMPLE_LIFTED) {
     out->observation = Observation::lifted;
-  } else if (given.flags & HRT_SAMPLE_DIRECTION) {
+  } else if (finger == HRT_SAMPLE_DIRECTION) {
     out->observation = Observation::direction;
     out->direction_deg = given.finger_direction_deg;
-  } else if (given.flags & finger_flags) {
-    const bool in_plate = (given.flags & HRT_SAMPLE_PLATE_POSITION) != 0;
-    Pose plate = mount.pose;
-    if (given.flags & HRT_SAMPLE_PLATE_POSE)
-      plate = {to_vec3(given.plate_position_m), to_quaternion(given.plate_rotation)};
-    if (in_plate) plate = {};
+  } else if (finger != 0) {
     const Vec3 position_m = plate_coordinates(plate, in_plate ? 1.0 : mount.scale, skin_m(mount, given));
     const double radius_m = mount.surface.radius_m;
     out->off_plate = position_m.x * position_m.x + position_m.z * position_m.z > radius_m * radius_m;
