@@ -125,7 +125,18 @@ const PlateCommand& PersonReach::update(const FingerSample& sample) {
   seen_s_ = elapsed_s(*origin_ns_, sample.time_ns);
   estimator_.add_plate(seen_s_, plate_.orientation_deg());
 
-  const bool observed = observe(sample, seen_s_ - 1e-9 * static_cast<double>(config_.tracker_latency_ns));
+  const double observed_s = seen_s_ - 1e-9 * static_cast<double>(config_.tracker_latency_ns);
+  bool observed = false;
+  if (sample.observation == Observation::lifted) {
+    estimator_.lift(observed_s);
+  } else if (sample.observation != Observation::position) {
+    estimator_.predict(observed_s);
+  } else if (position_ns_ != sample.time_ns) {  // otherwise the sample is a duplicate
+    position_ns_ = sample.time_ns;
+    observed = estimator_.observe(observed_s, sample.position);
+  }
+  counts_.dropped_samples += !observed && sample.observation != Observation::lifted;
+
   const std::optional<PersonFilter> answering = estimator_.after_retarget();
   const PersonFilter& answered = answering ? *answering : estimator_.filter();
   const bool decides =
@@ -138,26 +149,6 @@ const PlateCommand& PersonReach::update(const FingerSample& sample) {
   command_.predicted = estimator_.begun() && sample.observation == Observation::none;
   count(observed);
   return command_;
-}
-
-bool PersonReach::observe(const FingerSample& sample, double time_s) {
-  switch (sample.observation) {
-    case Observation::lifted:
-      estimator_.lift(time_s);
-      return false;
-    case Observation::position:
-      if (position_ns_ != sample.time_ns) {  // otherwise the sample is a duplicate
-        position_ns_ = sample.time_ns;
-        if (estimator_.observe(time_s, sample.position)) return true;
-      }
-      break;
-    case Observation::none:
-    case Observation::direction:
-      estimator_.predict(time_s);
-      break;
-  }
-  ++counts_.dropped_samples;
-  return false;
 }
 
 // `answered`: the estimator's filter or, while a response to a moved target is pending, the copy of after_retarget().

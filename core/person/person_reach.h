@@ -85,7 +85,6 @@ class PersonReach {
   };
 
   void prepare_plate();
-  bool observe(const FingerSample& sample, double time_s);
   Decision decide(const PersonFilter& answered, std::int64_t now_ns) const;
   bool gap_is_feasible(const PersonFilter& answered) const;
   PlateCommand command_now(const PersonFilter& answered, bool decided) const;
