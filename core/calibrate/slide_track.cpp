@@ -9,7 +9,7 @@
 #include "core/math/elementary.h"
 #include "core/plate/plate_limits.h"
 #include "core/tracker/finger_phase.h"
-#include "core/tracker/repeated_position.h"
+#include "core/tracker/recent_places.h"
 
 namespace hrt {
 namespace {

@@ -44,7 +44,7 @@ struct SlideTrack {
 /// Returns the direction of the second half of a path.
 inline double settled_direction_deg(const SlideDirections& directions) { return 0.5 * (directions(2) + directions(3)); }
 
-/// Returns the samples without copies of a position (core/tracker/repeated_position.h).
+/// Returns the samples without copies of a position (core/tracker/recent_places.h).
 std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples);
 
 inline constexpr double min_slide_mm = 30.0;

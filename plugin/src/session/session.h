@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/retargeter.h"
-#include "core/tracker/repeated_position.h"
+#include "core/tracker/recent_places.h"
 #include "plugin/src/session/contact.h"
 #include "plugin/src/session/plausibility.h"
 #include "plugin/src/session/session_setup.h"

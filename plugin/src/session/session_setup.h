@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/setup/setup_fit.h"
-#include "core/tracker/repeated_position.h"
+#include "core/tracker/recent_places.h"
 #include "plugin/src/session/setup_results.h"
 #include "plugin/src/session/targets.h"
 
