@@ -147,7 +147,20 @@ const PlateCommand& PersonReach::update(const FingerSample& sample) {
   }
   command_ = command_now(answered, std::exchange(prepared_, false) || decides);
   command_.predicted = estimator_.begun() && sample.observation == Observation::none;
-  count(observed);
+
+  counts_.misfit = counts_.misfit || command_.misfit;
+  if (command_.step < 0) return command_;
+  counts_.nis = std::max(counts_.nis, command_.nis);
+  if (estimator_.moving()) {
+    counts_.peak_felt_error_deg = std::max(counts_.peak_felt_error_deg, std::abs(command_.felt_error_deg));
+    square_felt_sum_deg2_ += square(command_.felt_error_deg);
+    ++felt_samples_;
+  }
+  if (observed && command_.step != counted_step_) {
+    counted_step_ = command_.step;
+    ++counts_.steps;
+    counts_.saturated_steps += command_.active != ActiveBound::none;
+  }
   return command_;
 }
 
@@ -256,21 +269,6 @@ void PersonReach::add_progress(const PersonFilter& answered, PlateCommand& comma
   command.misfit = !estimator_.model_fits();
   command.off_target = phase > tuning.first_judged_phase && std::abs(command.predicted_miss_deg) > goal_.near_deg();
   command.resting = !moving;
-}
-
-void PersonReach::count(bool observed) {
-  counts_.misfit = counts_.misfit || command_.misfit;
-  if (command_.step < 0) return;
-  counts_.nis = std::max(counts_.nis, command_.nis);
-  if (estimator_.moving()) {
-    counts_.peak_felt_error_deg = std::max(counts_.peak_felt_error_deg, std::abs(command_.felt_error_deg));
-    square_felt_sum_deg2_ += square(command_.felt_error_deg);
-    ++felt_samples_;
-  }
-  if (!observed || command_.step == counted_step_) return;
-  counted_step_ = command_.step;
-  ++counts_.steps;
-  counts_.saturated_steps += command_.active != ActiveBound::none;
 }
 
 ReachSummary PersonReach::summary() const {

@@ -89,7 +89,6 @@ class PersonReach {
   bool gap_is_feasible(const PersonFilter& answered) const;
   PlateCommand command_now(const PersonFilter& answered, bool decided) const;
   void add_progress(const PersonFilter& answered, PlateCommand& command) const;
-  void count(bool observed);
   PlatePoint on_plate(const PlatePoint& seen) const;
 
   PersonReachConfig config_;
