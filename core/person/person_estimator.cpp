@@ -146,7 +146,7 @@ void PersonEstimator::carry_to(double time_s) {
   filter_s_ = time_s;
 }
 
-// Processes the oldest position in the unprocessed positions. Returns false if it is an outlier or a jump.
+// Processes the oldest position that the filter has not processed. Returns false if it is an outlier or a jump.
 bool PersonEstimator::take_next() {
   const TimedPoint& sample = finger_.places()[--unprocessed_];
   carry_to(sample.time_s);
