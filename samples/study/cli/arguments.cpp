@@ -207,7 +207,7 @@ CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<Pers
   for (const StateVariable& trait : std::span(person_state, PersonState::traits)) names.emplace_back(trait.name);
   return add_parsed<std::vector<PersonState::Index>>(
       app, name, traits, fmt::format("one or more from {}, each once", fmt::join(names, ",")), standard, help,
-      [](const std::string& names) { return parse_names<PersonState::Index>(names, trait_of); });
+      [](const std::string& given) { return parse_names<PersonState::Index>(given, trait_of); });
 }
 
 std::string tuning_names() {
