@@ -63,8 +63,12 @@ PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& l
   const double scatter_deg2 = variances_deg2(0, 0);
   const double doubt = 4.0 * learnt.covariance(T::scatter, T::scatter) / scatter_deg2;
   const double scatter_gain = doubt / (doubt + square_variance);
-  next.mean(T::scatter) = std::clamp(std::sqrt(scatter_deg2 + scatter_gain * (squares_deg2(0, 0) - scatter_deg2)),
-                                     tuning.min_scatter_deg, person_state[T::scatter].max);
+  // Straight paths leave more of the errors at the end to the aim: the priors of scatter and log_wander are correlated.
+  const double wander_factor =
+      exponential(-tuning.scatter_wander * (learnt.mean(T::log_wander) - before.mean(T::log_wander)));
+  next.mean(T::scatter) =
+      std::clamp(wander_factor * std::sqrt(scatter_deg2 + scatter_gain * (squares_deg2(0, 0) - scatter_deg2)),
+                 tuning.min_scatter_deg, person_state[T::scatter].max);
   next.covariance(T::scatter, T::scatter) *= 1.0 - scatter_gain;
   return next;
 }

@@ -81,6 +81,7 @@ std::vector<TuningField> tuning_fields(Tuning& t) {
       {"wander_evidence", &t.wander_evidence, 0.0, 1.0},
       {"min_taught_phase", &t.min_taught_phase, 0.0, 1.0},
       {"illusion_fall_deviations", &t.illusion_fall_deviations, 0.0, 1e9},
+      {"scatter_wander", &t.scatter_wander, 0.0, 3.0},
       {"min_scatter_deg", &t.min_scatter_deg, 1e-3, 10.0},
       {"min_known_noise_mm", &t.min_known_noise_mm, 1e-6, 10.0},
       {"white_noise_fraction", &t.white_noise_fraction, 0.0, 1.0},

@@ -135,6 +135,8 @@ struct Tuning {
   /// drop of the weight, in SDs before the reach, at which a reach that missed resets the illusion to its prior. Kept
   /// for SimulationPeople.AWeightThatDrops_IsEstimatedAgainWithinTwoReaches.
   double illusion_fall_deviations = 1.2;
+  /// fraction by which the estimated scatter falls for each unit by which the estimate of log_wander rises
+  double scatter_wander = 0.4;
   double min_scatter_deg = 0.2;  ///< deg: lower bound of the scatter
   /// lower bound of the SD of the tactile weight after a reach under the paper's controller, since people change
   double min_carried_weight_sd = 0.01;
