@@ -215,8 +215,8 @@ Design parse_design(const std::string& text, const std::string& name) {
   read_analysis(file["analysis"], name + ".analysis", design);
   design.start_text = file["instructions"].value("start", "");
   design.block_text = file["instructions"].value("block", "");
-  for (const Json& text : file.value("texts", Json::array()))
-    design.texts[text["text"].get<std::string>()] = text["instead"];
+  for (const Json& entry : file.value("texts", Json::array()))
+    design.texts[entry["text"].get<std::string>()] = entry["instead"];
   const Json& simulated = file["simulated"];
   design.simulated = {simulated["invalid_share"], simulated["lapse_share"], simulated["weights"]};
   check_field_combinations(name, design);
