@@ -234,10 +234,11 @@ TEST_P(MpcExact, RandomProblems_MeetTheOptimalityConditions) {
 }
 
 std::string name_of_case(const testing::TestParamInfo<Case>& tested) {
-  constexpr const char* rates[] = {"", "Rate", "SlowRate", "FractionOfBound"};
-  constexpr const char* gains[] = {"", "TwoThirdsZero", "MostlySmall"};
+  constexpr const char* rate_names[] = {"", "Rate", "SlowRate", "FractionOfBound"};
+  constexpr const char* gain_names[] = {"", "TwoThirdsZero", "MostlySmall"};
   const auto& [horizon, problems, rate, gain] = tested.param;
-  return "Horizon" + std::to_string(horizon) + rates[static_cast<int>(rate)] + gains[static_cast<int>(gain)];
+  return "Horizon" + std::to_string(horizon) + rate_names[static_cast<int>(rate)] +
+         gain_names[static_cast<int>(gain)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, MpcExact,
