@@ -58,9 +58,9 @@ TEST(SimulationRandom, StepsInAnyOrder_GiveTheDrawsOfTheirCounters) {
 
 // Philox of the counter {block, person, reach, stream + 1}: 64 bits for one uniform draw or two normal ones.
 TEST(SimulationDraws, EachDraw_TakesHalfABlock) {
-  const auto half = [](std::uint32_t block, std::size_t half) {
+  const auto half = [](std::uint32_t block, std::size_t index) {
     const PhiloxBlock words = philox({block, 3, 4, 3}, 7);
-    return static_cast<std::uint64_t>(words[2 * half + 1]) << 32 | words[2 * half];
+    return static_cast<std::uint64_t>(words[2 * index + 1]) << 32 | words[2 * index];
   };
   Draws draws(7, 2, 3, 4);
   EXPECT_EQ(draws.uniform(), static_cast<double>(half(0, 0) >> 11) * 0x1p-53);
