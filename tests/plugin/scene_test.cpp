@@ -114,7 +114,7 @@ TEST_F(SceneAbiTest, TargetsBeyondTenPlateRadiiLogAWarning) {
   EXPECT_EQ(log_of("-0.99"), "");
   const std::string warning = log_of("-1.01");
   EXPECT_TRUE(warning.starts_with(std::to_string(HRT_LOG_WARNING) + " desk: 1 of the targets")) << warning;
-  EXPECT_NE(warning.find("\"far\", at 1.01 m"), warning.npos) << warning;
+  EXPECT_NE(warning.find("\"far\" at 1.01 m"), warning.npos) << warning;
 }
 
 TEST_F(SceneAbiTest, InvalidArgumentsAreRejected) {

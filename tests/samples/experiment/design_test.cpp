@@ -200,7 +200,7 @@ TEST(ExperimentDesign, TheProtocolHasTheTimePlan) {
   const std::string text = protocol_text(read_design(HRT_EXPERIMENT_SOURCE "/example.json"));
   EXPECT_EQ(text.find_first_of("{}"), std::string::npos) << text;
   for (const char* part : {"| 5 | set-up", "| 11 | questionnaire SSQ", "| 12 | block 0: practice, 3 trials",
-                           "| 14 | block 1: reaches, 13 trials", "last of 12 participants", "15 minutes, the block"})
+                           "| 14 | block 1: reaches, 13 trials", "last of 12 participants", "15 minutes, all trials"})
     EXPECT_TRUE(has(text, part));
 }
 

@@ -184,7 +184,9 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
     // Checks that the key arrived in this state: the plate returns to 0 before the recording has the row `begin`.
     const std::string journal = journal_of(session.folder), name = "\"recording\":\"";
     const std::string until_stop = journal.substr(0, journal.find("\"event\":\"plate_stopped"));
-    if (state.event == "attempt") EXPECT_EQ(occurrences(until_stop, "\"event\":\"attempt"), state.count);
+    if (state.event == "attempt") {
+      EXPECT_EQ(occurrences(until_stop, "\"event\":\"attempt"), state.count);
+    }
     if (state.name == "practice") continue;
     std::size_t at = 0;
     for (std::size_t i = 0; i < state.count; ++i) at = journal.find(name, at) + name.size();
