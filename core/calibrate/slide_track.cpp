@@ -41,7 +41,7 @@ struct Place {
 };
 
 // Median of a coordinate over sample `i` and `reach` samples to each side.
-double middle_of(const std::vector<TimedPoint>& samples, int i, int reach, double PlatePoint::*coordinate) {
+double middle_of(const std::vector<TimedPoint>& samples, int i, int reach, double PlatePoint::* coordinate) {
   std::array<double, 2 * median_reach + 1> values;
   for (int k = -reach; k <= reach; ++k)
     values[static_cast<std::size_t>(reach + k)] = samples[static_cast<std::size_t>(i + k)].position.*coordinate;

@@ -22,9 +22,8 @@ void load(void* library, const char* name, Function& function) {
 Plugin::Plugin(const std::filesystem::path& library)
     : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE), dlclose) {
   if (library_ == nullptr)
-    throw Failure(ExitCode::plugin,
-                  std::string("the plugin cannot be opened: ") + dlerror() +
-                      ": install it, or select another one (hrt-reach: --plugin)");
+    throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror() +
+                                        ": install it, or select another one (hrt-reach: --plugin)");
 #define HRT_LOAD(name) load(library_.get(), #name, this->name);
   HRT_REACH_PLUGIN_FUNCTIONS(HRT_LOAD)
 #undef HRT_LOAD

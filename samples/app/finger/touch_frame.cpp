@@ -84,9 +84,10 @@ std::string TouchFrame::description() const {
   std::string text = format("Finger by %s, %.0f x %.0f mm", libevdev_get_name(device_.get()), settings_.at("width_mm"),
                             settings_.at("height_mm"));
   for (const Contact& object : objects_)
-    text += format("; ignores what lay on it when opened, %.0f mm right of the plate's centre and %.0f mm beyond the "
-                   "centre",
-                   1e3 * object.place_m[0], -1e3 * object.place_m[2]);
+    text += format(
+        "; ignores what lay on it when opened, %.0f mm right of the plate's centre and %.0f mm beyond the "
+        "centre",
+        1e3 * object.place_m[0], -1e3 * object.place_m[2]);
   return text + ".";
 }
 

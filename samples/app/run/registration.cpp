@@ -146,12 +146,11 @@ double check_plate(RunContext& context, const RegisteredPlate& plate) {
   const std::array<Mark, 3> marks{plate.check, plate.check, plate.check};
   const hrt_setup_result found = touch(context, HRT_SETUP_CHECK, marks);
   if (found.done == 0)
-    throw Failure(
-        ExitCode::registration,
-        "the mark \"" + plate.check.name +
-            format("\" was touched %.0f mm from where it was registered: register the plate again "
-                   "(hrt-reach: --register)",
-                   millimetres * found.check_distance_m));
+    throw Failure(ExitCode::registration,
+                  "the mark \"" + plate.check.name +
+                      format("\" was touched %.0f mm from where it was registered: register the plate again "
+                             "(hrt-reach: --register)",
+                             millimetres * found.check_distance_m));
   context.tell_user(
       format("The plate has not moved: you touched %.0f mm from the mark.", millimetres * found.check_distance_m));
   place_plate(context, plate);
@@ -182,9 +181,8 @@ RegisteredPlate parse_registration(const std::string& text, const std::string& n
   try {
     return plate_of(Json::parse(text));
   } catch (const std::exception& error) {
-    throw Failure(ExitCode::registration,
-                  name + " is not a registration file (" + error.what() +
-                      "); register the plate again (hrt-reach: --register)");
+    throw Failure(ExitCode::registration, name + " is not a registration file (" + error.what() +
+                                              "); register the plate again (hrt-reach: --register)");
   }
 }
 

@@ -131,8 +131,8 @@ void read_noticeability(const Json& n, const std::string& where, Design& design)
   if (controller == Controller::none || controller == Controller::fixed)
     refuse(where + ".condition", "must be a condition whose controller is people or paper");
   if (notice.max_gap_deg < 2.0 * notice.min_gap_deg)
-    refuse(where + ".max_gap_deg", format("must be at least twice min_gap_deg, which is %g; it is %g",
-                                          notice.min_gap_deg, notice.max_gap_deg));
+    refuse(where + ".max_gap_deg",
+           format("must be at least twice min_gap_deg, which is %g; it is %g", notice.min_gap_deg, notice.max_gap_deg));
   design.noticeability = notice;
 }
 

@@ -50,8 +50,8 @@ Pose read_pose(const Json& object, const std::string& where, const Eigen::Quater
   if (object.contains("orientation")) {
     pose.orientation = Eigen::Quaterniond(object["orientation"].get<std::array<double, 4>>().data());
     if (std::abs(pose.orientation.norm() - 1.0) > 0.01)
-      refuse(where + ".orientation", "is " + object["orientation"].dump() +
-                                         "; must be a quaternion [x, y, z, w] whose length is 1 within 1 %");
+      refuse(where + ".orientation",
+             "is " + object["orientation"].dump() + "; must be a quaternion [x, y, z, w] whose length is 1 within 1 %");
     pose.orientation.normalize();
   }
   return pose;

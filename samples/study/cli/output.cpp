@@ -29,8 +29,9 @@ std::map<std::filesystem::path, bool>& named_files() {
 }
 
 void check_written(const std::string& path, int error) {
-  if (error != 0) throw std::runtime_error("cannot write " + path + ": " + std::strerror(error) +
-                                           "; free space, or name another path");
+  if (error != 0)
+    throw std::runtime_error("cannot write " + path + ": " + std::strerror(error) +
+                             "; free space, or name another path");
 }
 
 }  // namespace

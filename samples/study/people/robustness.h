@@ -67,7 +67,7 @@ struct ReachGroup {
 };
 
 struct RobustnessCell {
-  ReachGroup feasible;    ///< reaches of people for whom the gap is feasible
+  ReachGroup feasible;  ///< reaches of people for whom the gap is feasible
   ReachGroup infeasible;
   // Over all people.
   Share misfit;

@@ -237,8 +237,7 @@ std::string name_of_case(const testing::TestParamInfo<Case>& tested) {
   constexpr const char* rate_names[] = {"", "Rate", "SlowRate", "FractionOfBound"};
   constexpr const char* gain_names[] = {"", "TwoThirdsZero", "MostlySmall"};
   const auto& [horizon, problems, rate, gain] = tested.param;
-  return "Horizon" + std::to_string(horizon) + rate_names[static_cast<int>(rate)] +
-         gain_names[static_cast<int>(gain)];
+  return "Horizon" + std::to_string(horizon) + rate_names[static_cast<int>(rate)] + gain_names[static_cast<int>(gain)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, MpcExact,
