@@ -22,7 +22,7 @@ constexpr std::size_t min_line_places = 4;
 // Half of the time window of the lines that smooth the pace.
 constexpr double smoothing_s = 0.075;
 // A longer time without samples ends the slide.
-constexpr double max_gap_s = 5.0;
+constexpr double max_sample_gap_s = 5.0;
 // A position is an outlier if it is more than max_deviations SDs and more than min_outlier_mm from the median of the
 // positions that are at most `median_reach` samples away.
 constexpr int median_reach = 5;
@@ -108,7 +108,7 @@ std::optional<TimedPoint> find_onset(const std::vector<TimedPoint>& samples) {
   return std::nullopt;
 }
 
-// Samples from the onset until a time without samples that is longer than max_gap_s.
+// Samples from the onset until a time without samples that is longer than max_sample_gap_s.
 std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const TimedPoint& onset,
                              double goal_direction_deg) {
   const double sine = sin_deg(goal_direction_deg);
@@ -117,7 +117,7 @@ std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const Timed
   for (const TimedPoint& sample : samples) {
     if (sample.time_s < onset.time_s) continue;
     const double time_s = sample.time_s - onset.time_s;
-    if (!places.empty() && time_s - places.back().time_s > max_gap_s) break;
+    if (!places.empty() && time_s - places.back().time_s > max_sample_gap_s) break;
     const double right_mm = sample.position.right_mm - onset.position.right_mm;
     const double away_mm = sample.position.away_mm - onset.position.away_mm;
     places.push_back({time_s, away_mm * cosine - right_mm * sine, -right_mm * cosine - away_mm * sine});

@@ -70,13 +70,11 @@ void Disk::append(int file, const fs::path& name, std::string_view content) cons
 }
 
 void Disk::sync(int file, const fs::path& name) const {
-  step("before sync");
   check(sync(file) == 0, "synced", name);
   step("after sync");
 }
 
 void Disk::sync(const fs::path& file) const {
-  step("before sync");
   const int opened = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   check(opened >= 0, "opened", file);
   const int error = sync(opened) == 0 ? 0 : errno;
