@@ -113,7 +113,7 @@ std::vector<SweepPoint> sweep(Device& device) {
     const double commanded_deg = min_deg + (max_deg - min_deg) * (i + aside) / count;
     found.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
   };
-  for (int i = 0; i <= count; ++i) visit(i, i > 0);
+  for (int i = 0; i <= count; ++i) visit(i, true);
   for (int i = count - 1; i >= 0; --i) visit(i, false);
   // The first and the last point have the same orientation, and were approached from the same side, above.
   if (const double slip_deg = found.back().reported_deg - found.front().reported_deg; std::abs(slip_deg) > max_slip_deg)
