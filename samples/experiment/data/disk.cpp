@@ -66,10 +66,10 @@ void Disk::append(int file, const fs::path& name, std::string_view content) cons
   step("before write");
   errno = write_all(file, content);
   check(errno == 0, "written", name);
-  step("after write");
 }
 
 void Disk::sync(int file, const fs::path& name) const {
+  step("before sync");
   check(sync(file) == 0, "synced", name);
   step("after sync");
 }
