@@ -133,7 +133,7 @@ TEST(ReachBlock, ABlockedRuntimeMayHoldAStream) {
 
     const Files others;
     const Program program(others.arguments("60"), blocked_with(stream));
-    std::this_thread::sleep_for(2s);
+    std::this_thread::sleep_for(5s);  // the call blocks after 1.1 s, later on a busy machine
     const auto began = Clock::now();
     program.send_signal(SIGTERM);
     const Outcome interrupted = program.wait();
