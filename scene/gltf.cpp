@@ -141,7 +141,7 @@ tinygltf::Model parse_gltf(std::string json, const std::string& file) {
   if (!tinygltf::TinyGLTF().LoadASCIIFromString(&model, &error, &warning, json.c_str(),
                                                 static_cast<unsigned>(json.size()), "", tinygltf::REQUIRE_VERSION)) {
     if (error == std::bad_alloc().what()) throw std::bad_alloc();
-    refuse(file, "not a glTF file: {}; export the file again", reason(error));
+    refuse(file, "this is not a glTF file: {}; correct it, or export it again", reason(error));
   }
   if (!model.asset.version.starts_with("2."))
     refuse(file, "asset.version is {}; allowed: 2.x. Export as glTF 2.0", in_quotes(model.asset.version));

@@ -60,6 +60,7 @@ class SceneReader {
 
   Scene read() {
     const std::size_t count = model_.scenes.size();
+    if (count == 0) refuse(file_, "the file has no scene; export it with a scene");
     if (model_.defaultScene < 0 && count != 1)
       refuse(file_, "the file has {} scenes and no default scene; set `scene` to the index of a scene", count);
     const auto index = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
@@ -67,7 +68,7 @@ class SceneReader {
     visit_all(model_.scenes[index].nodes);
     if (haptic_nodes_ == 0) refuse(file_, "no node has a haptic role; set extras.haptic.role or extras.haptic_role");
     if (scene_.plate.node_path.empty())
-      refuse(file_, "no node has the role \"plate\"; set extras.haptic.role of one node");
+      refuse(file_, "no node has the haptic role \"plate\"; set the role of one node to \"plate\"");
     locate_start();
     for (SceneTarget& target : scene_.targets) {
       target.position_m = coordinates_in(plate_frame_, target.world_position_m);
@@ -91,8 +92,7 @@ class SceneReader {
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
       path_.push_back(index);
       if (is_visited_[static_cast<std::size_t>(index)])
-        refuse(where(),
-               "the node appears twice in the scene; allowed: one parent, which is not a descendant of the node");
+        refuse(where(), "the node appears twice in the scene; list it once, as a root or as child of one other node");
       is_visited_[static_cast<std::size_t>(index)] = true;
       if (path_.size() > gltf_limits::node_depth)
         refuse(where(), "the node has too many ancestors; allowed: up to {} levels", gltf_limits::node_depth);
@@ -181,7 +181,7 @@ class SceneReader {
       const std::string& name = properties.name.value_or(node.name.empty() ? path() : printable(node.name));
       const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
       if (!is_new)
-        refuse(where(), "the target's name {} is also the name of {}; give each its own name (extras.haptic.name)",
+        refuse(where(), "the target's name {} is also the name of {}; set another haptic property name for one of them",
                in_quotes(name), in_quotes(scene_.targets[same->second].node_path));
       scene_.targets.push_back(
           {.kind = properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object,
@@ -203,7 +203,7 @@ class SceneReader {
 
   void check_is_first(const std::string& other_path) const {
     if (!other_path.empty())
-      refuse(where(), "extras.haptic.role is the same as that of {}; only one node may have this role",
+      refuse(where(), "the haptic role is the same as that of {}; remove the role of one of the two nodes",
              in_quotes(other_path));
   }
 
@@ -246,7 +246,7 @@ class SceneReader {
     if (const std::optional<std::string>& wanted = served_by_[virtual_index]) {
       const auto found = index_of_.find(*wanted);
       if (found == index_of_.end() || targets[found->second].kind != TargetKind::real_object)
-        refuse(where(target.node_path), "extras.haptic.served_by is {}; allowed: the name of a real target",
+        refuse(where(target.node_path), "the haptic property served_by is {}; allowed: the name of a real target",
                in_quotes(*wanted));
       return found->second;
     }
@@ -299,7 +299,7 @@ Scene load_scene(const std::filesystem::path& path) {
   if (!std::filesystem::exists(status)) refuse(file, "the file does not exist; check its path");
   // Reading from a device or a pipe may never end.
   if (!std::filesystem::is_regular_file(status))
-    refuse(file, "the path is not a regular file; name a .gltf or .glb file");
+    refuse(file, "the path is not a regular file that can be read; name a .gltf or .glb file");
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   if (error || !stream) refuse(file, "the file cannot be read; check its permissions");

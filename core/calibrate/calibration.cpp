@@ -83,7 +83,8 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
     if (verdicts[i] == SlideVerdict::used) counting.push_back(slides.resting[i]);
   if (counting.size() < min_trials)
     return CalibrationRefusal{std::to_string(counting.size()) + " of " + std::to_string(slides.resting.size()) +
-                              " slides do not end along the ridges" + needed + ": use smaller plate angles"};
+                              " slides end in a direction that is not along the ridges" + needed +
+                              ": use smaller plate angles"};
   const int angles = different_angles(counting);
   const auto [low, high] =
       std::minmax_element(counting.begin(), counting.end(),
@@ -160,8 +161,8 @@ std::vector<std::string> Calibration::advice() const {
   std::vector<std::string> sentences;
   if (lack_of_fit.angle_p < min_fit_p)
     sentences.emplace_back(
-        "no illusion curve fits the directions: check the recorded plate angles and the target's direction, "
-        "then repeat the slides with the largest residuals");
+        "no illusion curve fits the directions: check the orientations of the plate and the target's direction, then "
+        "repeat the slides with the largest residuals");
   if (lack_of_fit.order_p < min_fit_p)
     sentences.emplace_back(
         "the person changed from the first slide to the last: let them practise, or rest, and "
@@ -172,9 +173,10 @@ std::vector<std::string> Calibration::advice() const {
         "one even motion, slower and longer, and repeat the calibration");
   if (fits() && !max_gap_deg.known)
     sentences.emplace_back(
-        "the largest gap is uncertain: add slides with plate angles farther from the target direction, on both sides");
+        "the largest gap is uncertain: slides are needed whose plate angles are farther from the target's direction, "
+        "on both sides");
   if (slides_turned > 0)
-    sentences.emplace_back("the plate turned within slides, which were excluded: let it rest while the person slides");
+    sentences.emplace_back("slides in which the plate turned were excluded: keep the plate still during slides");
   if (5 * count(SlideVerdict::outlying) > slides.size())
     sentences.emplace_back("more than a fifth of the slides are outliers: check the tracker and repeat");
   return sentences;

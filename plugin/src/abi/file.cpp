@@ -100,7 +100,7 @@ hrt_result fail_as_not_regular(const char* path) {
 
 hrt_result fail_as_taken(const char* path) {
   return fail(HRT_ERROR_SYSTEM, Shown{path},
-              ": another recording is being written to this file; stop it, or name another file");
+              ": another recording or program writes to this file; stop it, or name another file");
 }
 
 }  // namespace

@@ -94,7 +94,9 @@ hrt_result hrt_person_begin(hrt_person person, hrt_session session, hrt_target v
   return people.with("hrt_person_begin", person.value, [&](SimulatedUser& user) -> hrt_result {
     return sessions.with("hrt_person_begin", session.value, [&](RecordedSession& s) -> hrt_result {
       if (virtual_target.value == 0) {
-        HRT_RETURN_IF_FAILED(s.session().check_setting_up());
+        if (!s.session().is_setting_up())
+          return fail(HRT_ERROR_WRONG_STATE,
+                      "virtual_target is 0, and no set-up is in progress; pass a virtual target, or begin a set-up");
         user.hand.begin_setup();
         user.session = session.value;
         return HRT_OK;

@@ -89,7 +89,8 @@ class Replay {
         read_number(text.substr(0, text.find('\n')), &version) && version != 4)
       return fail(HRT_ERROR_BAD_FORMAT, "version ", version,
                   " of the recording is not supported; allowed: version 4. Record again");
-    return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin like a recording of version 4; pass a recording");
+    return fail(HRT_ERROR_BAD_FORMAT,
+                "the file or text does not begin like a recording of version 4; pass a recording");
   }
 
   hrt_result take(std::string_view line) {

@@ -56,7 +56,9 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
   model.registration.time_ns = 0;
   std::vector<Target> targets;
   for (const SceneTarget& from : scene.targets) {
-    HRT_RETURN_IF_FAILED(check_distance_from_plate(from.position_m));
+    Text<HRT_NAME_SIZE + 16> name;
+    name << "target \"" << Shown{from.name} << "\"";
+    HRT_RETURN_IF_FAILED(check_distance_from_plate(name.c_str(), from.position_m));
     targets.push_back(
         {.role = from.kind == TargetKind::real_object ? TargetRole::real : TargetRole::virtual_target,
          .place = {.kind = TargetPlace::Kind::plate_position,

@@ -35,14 +35,16 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
       text << "The tracker does not see the finger: keep the finger in its view. ";
       break;
     case Kind::lifted:
-      text << "The finger is above the plate in every sample: check the plate's height. ";
+      text << "The finger was above the plate in every sample: put it on the plate, or check the plate's height. ";
       break;
     case Kind::time:
       text << "Times advance by " << rounded(observed.first) << " ns per sample: time_ns must be in nanoseconds. ";
       break;
     case Kind::far_away:
-      text << "The finger is " << rounded(observed.first / mm_per_m)
-           << " m from the requested position: positions must be in metres. ";
+      text
+          << "The finger is " << rounded(observed.first / mm_per_m)
+          << " m from the requested position: positions must be in metres; move the finger there, or check the plate's "
+             "pose. ";
       break;
     case Kind::plate:
       text << "The plate reports " << rounded(observed.first) << " degrees, but " << rounded(observed.second)

@@ -29,7 +29,8 @@ hrt_result check_contact(const SessionModel& model, const ContactReport& report,
   const double far_mm = distance_mm(start_of(model), place);
   if (far_mm < min_contact_mm)
     return fail(HRT_ERROR_OUT_OF_RANGE, "the position of contact is ", far_mm / mm_per_m,
-                " m from start_position_m; allowed: at least ", min_contact_mm / mm_per_m);
+                " m from start_position_m; allowed: at least ", min_contact_mm / mm_per_m,
+                ". Report contacts with targets that are farther away");
   *out = {.finger = finger.place, .place = place, .variance_mm2 = sd_mm * sd_mm + finger.variance_mm2};
   const double off_mm = distance_mm(finger.place, place);
   const double max_mm = max_share * far_mm + max_sds * std::sqrt(out->variance_mm2);

@@ -61,7 +61,7 @@ hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupC
     if (length_mm < GuidedSlides::min_guide_mm)
       return fail(HRT_ERROR_OUT_OF_RANGE, "the near side of real target \"", target.name.data(), "\" is ",
                   length_mm / mm_per_m, " m from start_position_m; allowed for a guide: at least ",
-                  GuidedSlides::min_guide_mm / mm_per_m);
+                  GuidedSlides::min_guide_mm / mm_per_m, ". Move the target or the start");
     config->guides[static_cast<std::size_t>(config->guide_count++)] = point_ahead(start, seen.direction_deg, length_mm);
   }
   if (config->guide_count > 0) return HRT_OK;
@@ -106,9 +106,9 @@ hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets
     marks.push_back({asked.marks_mm[static_cast<std::size_t>(i)], asked.marks_mm[static_cast<std::size_t>(i)]});
   const bool registers = parts == setup_all_missing || (parts & setup_registration) != 0;
   if (registers && !marks.empty() && fit_registration({}, marks).verdict == RegistrationVerdict::degenerate)
-    return fail(
-        HRT_ERROR_OUT_OF_RANGE,
-        "marks_m: all marks are within 10 mm of one line or point; allowed: at least three marks that form a triangle");
+    return fail(HRT_ERROR_OUT_OF_RANGE,
+                "marks_m: the marks are less than 10 mm (root mean square) from one line; give marks that form a wide "
+                "triangle");
   if ((parts & slide_parts) != 0 && room_ahead_mm(model) < min_slide_room_mm)
     return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_mm(model) / mm_per_m,
                 " m for a slide straight ahead; allowed: at least ", min_slide_room_mm / mm_per_m,
@@ -123,8 +123,9 @@ SessionSetup::SessionSetup(const SessionModel& model, const Targets& targets, st
 
 hrt_result SessionSetup::check_shown(const SetupSample& sample) const {
   if (setup_.config().only_possible || is_over() || !sample.tracked_mm || setup_.can_show(sample)) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "flags lacks fields that this part of the set-up requires; set ",
-              part() == setup_fingertip ? "WORLD_POSITION with JOINT_ROTATION" : "WORLD_POSITION");
+  return fail(HRT_ERROR_OUT_OF_RANGE, "flags: this part of the set-up needs ",
+              part() == setup_fingertip ? "WORLD_POSITION and JOINT_ROTATION; set both flags, and their fields"
+                                        : "positions in the world; set WORLD_POSITION instead of PLATE_POSITION");
 }
 
 hrt_result SessionSetup::update(const SessionModel& model, const SetupSample& sample, SetupStep* out) {

@@ -19,7 +19,7 @@ hrt_result name_taken(const Target& target) {
 
 hrt_result no_such_target(std::uint64_t id) {
   return fail(HRT_ERROR_INVALID_HANDLE, "target ", id,
-              " does not exist in this session; it was removed or never added");
+              " does not exist in this session: it was removed or never added; pass an existing target");
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ hrt_result Targets::find(const char* argument, std::uint64_t id, TargetRole role
   const Target* found = find(id);
   if (!found)
     return fail(HRT_ERROR_INVALID_HANDLE, argument, ": target ", id,
-                " does not exist in this session; it was removed or never added");
+                " does not exist in this session: it was removed or never added; pass an existing target");
   if (role != TargetRole::any && found->role != role)
     return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", id, " is ",
                 role == TargetRole::real ? "virtual; allowed: a real target" : "real; allowed: a virtual target");

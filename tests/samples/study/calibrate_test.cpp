@@ -76,7 +76,7 @@ TEST(StudyCalibrate, SlidesOverARotatingPlateAreExcluded) {
   const json page = json::parse(run.out);
   EXPECT_EQ(page["slides_turned"], 1);
   EXPECT_EQ(page["slides"].size(), 21U);
-  EXPECT_TRUE(has(page["advice"].dump(), "the plate turned within slides"));
+  EXPECT_TRUE(has(page["advice"].dump(), "slides in which the plate turned"));
 }
 
 TEST(StudyCalibrate, ErrorsNameLineAndColumn) {
