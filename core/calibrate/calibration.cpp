@@ -92,8 +92,7 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
   if (angles >= min_plate_angles && high->plate_deg - low->plate_deg >= min_plate_span_deg) return std::nullopt;
   return CalibrationRefusal{"the plate was at " + std::to_string(angles) + " different angles over " +
                             decimal(high->plate_deg - low->plate_deg, 1) +
-                            " degrees; 3 that span 40 degrees are needed to separate tactile weight and bias. Add "
-                            "slides at other plate angles"};
+                            " degrees; needed: 3 that span 40 degrees. Add slides at other plate angles"};
 }
 
 void add_slide(const CalibrationTrial& trial, std::size_t index, double goal_direction_deg, CalibrationSlides* slides) {
@@ -161,20 +160,17 @@ std::vector<std::string> Calibration::advice() const {
   std::vector<std::string> sentences;
   if (lack_of_fit.angle_p < min_fit_p)
     sentences.emplace_back(
-        "no illusion curve fits the directions: check the orientations of the plate and the target's direction, then "
-        "repeat the slides with the largest residuals");
+        "no illusion curve fits the directions: check the plate's orientations and the target's direction, and repeat");
   if (lack_of_fit.order_p < min_fit_p)
     sentences.emplace_back(
         "the person changed from the first slide to the last: let them practise, or rest, and "
         "repeat the calibration");
   if (lack_of_fit.path_p < min_fit_p)
     sentences.emplace_back(
-        "the paths bend in a way that neither a habit nor the steering law explains: ask for "
-        "one even motion, slower and longer, and repeat the calibration");
+        "neither a habit nor the steering law explains how the paths bend: repeat with even, slower, longer motions");
   if (fits() && !max_gap_deg.known)
     sentences.emplace_back(
-        "the largest gap is uncertain: slides are needed whose plate angles are farther from the target's direction, "
-        "on both sides");
+        "the largest gap is uncertain: add slides on both sides, with plate angles farther from the target");
   if (slides_turned > 0)
     sentences.emplace_back("slides in which the plate turned were excluded: keep the plate still during slides");
   if (5 * count(SlideVerdict::outlying) > slides.size())
@@ -233,9 +229,8 @@ bool CalibrationFit::describe() {
   Calibration calibration = described(person_->result());
   const Interval& w = calibration.tactile_weight;
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight))
-    return refuse("the tactile weight is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) +
-                  " to " + decimal(w.upper, 3) +
-                  "; allowed: within 0.02 to 0.48. Add slides, and check that the finger feels the ridges");
+    return refuse("the tactile weight's 95 % interval is " + decimal(w.lower, 3) + " to " + decimal(w.upper, 3) +
+                  "; allowed: within 0.02 to 0.48. Check that the finger feels the ridges");
   calibration.slides_turned = slides_.turned;
   result_ = std::move(calibration);
   rests_.emplace();

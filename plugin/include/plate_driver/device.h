@@ -106,8 +106,8 @@ struct DeviceName {
   /// Throws std::invalid_argument, which names the option, if an option is not in `known` or is given twice.
   void check_options(std::initializer_list<std::string_view> known) const;
   /// Returns the value of an integer option; `default_value` if it is not given. Throws std::invalid_argument, which
-  /// names the range, if the value is not an integer in the range.
-  int integer(std::string_view option, int default_value, int min, int max) const;
+  /// names the range (or `allowed`, if it is not null), if the value is not an integer in the range.
+  int integer(std::string_view option, int default_value, int min, int max, const char* allowed = nullptr) const;
 };
 
 using LineOpener = std::function<std::unique_ptr<Line>(const std::string& path, int baud)>;

@@ -41,10 +41,8 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
       text << "Times advance by " << rounded(observed.first) << " ns per sample: time_ns must be in nanoseconds. ";
       break;
     case Kind::far_away:
-      text
-          << "The finger is " << rounded(observed.first / mm_per_m)
-          << " m from the requested position: positions must be in metres; move the finger there, or check the plate's "
-             "pose. ";
+      text << "The finger is " << rounded(observed.first / mm_per_m)
+           << " m from the requested position: check that positions are in metres, and the plate's pose. ";
       break;
     case Kind::plate:
       text << "The plate reports " << rounded(observed.first) << " degrees, but " << rounded(observed.second)

@@ -64,13 +64,14 @@ void DeviceName::check_options(std::initializer_list<std::string_view> known) co
   }
 }
 
-int DeviceName::integer(std::string_view option, int default_value, int min, int max) const {
+int DeviceName::integer(std::string_view option, int default_value, int min, int max, const char* allowed) const {
   for (const auto& [word, text] : options) {
     if (word != option) continue;
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value < min || value > max)
-      refuse("option " + word + " is \"" + text + "\"; allowed: " + std::to_string(min) + " to " + std::to_string(max));
+      refuse("option " + word + " is \"" + text +
+             "\"; allowed: " + (allowed != nullptr ? allowed : std::to_string(min) + " to " + std::to_string(max)));
     return value;
   }
   return default_value;

@@ -79,7 +79,7 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options, 
     } catch (const std::invalid_argument& wrong) {
       return fail(HRT_ERROR_OUT_OF_RANGE, wrong.what());
     } catch (const std::system_error& error) {
-      return fail(HRT_ERROR_SYSTEM, error.what());
+      return fail(HRT_ERROR_SYSTEM, error.what(), "; check its name and its permissions");
     }
     const std::string path = path_of(file ? file->device : name);
     auto driver =

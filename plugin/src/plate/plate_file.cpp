@@ -51,8 +51,7 @@ std::string content_of(const std::string& path) {
   std::string text(max_bytes + 1, '\0');
   if (file) text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   if (!file || std::ferror(file.get()) != 0)
-    throw std::system_error(errno, std::generic_category(),
-                            "plate file " + path + " cannot be read; check its name and its permissions");
+    throw std::system_error(errno, std::generic_category(), "plate file " + path + " cannot be read");
   if (text.size() > max_bytes)
     refuse(path, "has more than 1000000 bytes; give a file that hrt-plate commission has written");
   return text;

@@ -79,7 +79,7 @@ std::vector<Found> find_all(const std::vector<std::string>& paths, const Environ
   }
   if (found.empty())
     env.err << "hrt-plate: no plate was found"
-            << (tried.empty() ? "; this computer has no serial device. Connect the plate"
+            << (tried.empty() ? "; no serial board or adapter is connected. Connect the plate"
                               : tried + ". Check the plate's cable and supply")
             << "\n";
   return found;
@@ -139,7 +139,7 @@ int run_turn(const Options& options, const Environment& env) {
         format("angle is %g; allowed: %g to %g", options.angle_deg, limits.min_deg, limits.max_deg));
   ask(*device, dialogue_in(env), "Keep your hands off the plate. Press Enter to turn it.");
   turn_and_wait(*device, options.angle_deg);
-  ask(*device, dialogue_in(env), "The plate holds its orientation. Press Enter to release it.");
+  ask(*device, dialogue_in(env), "The plate holds its orientation. Press Enter to end.");
   return success;
 }
 
@@ -199,13 +199,13 @@ int run_tool(int argc, const char* const* argv, const Environment& env) {
     return added;
   };
   CLI::App* find_command = app.add_subcommand("find", "Find plates. Moves nothing, but boards restart");
-  find_command->add_option("device", options.devices, "Serial devices or names to try [/dev/ttyACM*, /dev/ttyUSB*]");
+  find_command->add_option("device", options.devices, "Serial devices or names to try [all that are connected]");
   CLI::App* show_command = command("show", "Show settings and self-test. Moves nothing");
   CLI::App* set_command =
       command("set", "Change settings of the firmware and save them, for example: zero=1505 speed=150");
   set_command->add_option("changes", options.changes, "NAME=NUMBER; samples/plate/firmware/README.md lists the names")
       ->required();
-  CLI::App* turn_command = command("turn", "Turn to an orientation, and hold it until Enter is pressed");
+  CLI::App* turn_command = command("turn", "Turn to an orientation, and wait there until Enter is pressed");
   turn_command->add_option("angle", options.angle_deg, "Orientation in degrees, counter-clockwise positive")
       ->required();
   CLI::App* trim_command = command("trim", "Move orientation 0 until notch and arrow agree, and save it in the plate");

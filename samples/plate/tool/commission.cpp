@@ -89,13 +89,13 @@ SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue
   const double below_deg = read_scale(device, dialogue, -scale_deg), reading_below = board.sensor_reading();
   if (std::abs(reading_above - reading_below) < min_readings)
     throw PlateFailure(Fault::device,
-                       "has no sensor at pin A0, so that it cannot be measured. Connect the sensor, or use the plate "
-                       "only for demonstrations");
+                       "cannot be measured: the reading of the sensor at pin A0 does not change. Check sensor, magnet "
+                       "and wire, or use the plate only for demonstrations");
   const double turn = (above_deg - below_deg) / (2.0 * scale_deg);
   const double span_us = turn == 0.0 ? 1e9 : std::round(first_span_us / turn);
   if (std::abs(span_us) < 500.0 || std::abs(span_us) > 2500.0)
-    throw PlateFailure(Fault::device, format("turned by %g degrees between the two readings; 60 were commanded. Start "
-                                             "again and read the scale carefully",
+    throw PlateFailure(Fault::device, format("turned by %g degrees between the two readings; allowed: 48 to 180, in "
+                                             "either direction. Start again and read the scale carefully",
                                              turn * 60.0));
   turn_and_wait(device, 0.0);
   board.change_setting("span", span_us);  // at orientation 0 this does not move the servo
@@ -189,7 +189,7 @@ void confirm_direction(Device& device, const Dialogue& dialogue) {
   settle_at(device, from_deg);
   if (answer != "y")
     throw PlateFailure(Fault::device,
-                       "turns clockwise or by another angle. Mount the servo with its horn up and without gears");
+                       "cannot be used: the answer was not y. Mount the servo with its horn up and without gears");
 }
 
 }  // namespace

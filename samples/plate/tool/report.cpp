@@ -38,8 +38,8 @@ std::string text_of(const Measurements& found) {
                      format("round trip           %.1f ms\n", milliseconds(found.round_trip));
   for (const Row& row : rows)
     text += format("%-20s %.4g +- %.2g\n", row.name, (found.*row.value).value, (found.*row.value).deviation);
-  return text + format("The controller plans with %.4g deg/s", plan_speed_deg_s(found)) +
-         format(" and %.1f ms.\n", found.latency_ms.value + milliseconds(found.round_trip) / 2.0);
+  return text + format("The controller plans with a speed of %.4g deg/s", plan_speed_deg_s(found)) +
+         format(" and a latency of %.1f ms.\n", found.latency_ms.value + milliseconds(found.round_trip) / 2.0);
 }
 
 std::string file_of(const Measurements& found, const std::string& device, const std::string& date) {

@@ -96,7 +96,7 @@ TEST(PlateTool, FindsThePlate) {
       has(none.out, {"board does not answer as a plate within 5 s", "board does not answer as a Dynamixel of id 1"}));
   EXPECT_TRUE(has(none.err, "no plate was found; tried: /nonexistent, board. Check"));
   EXPECT_LT(mute.now(), 8500ms);
-  EXPECT_TRUE(has(run_with(mute, {"find"}, {}, {}).err, "this computer has no serial device"));
+  EXPECT_TRUE(has(run_with(mute, {"find"}, {}, {}).err, "no serial board or adapter is connected"));
 }
 
 // One serial device has no plate, the other device is a pseudo-terminal with a servo. The input ends before Enter.
@@ -253,7 +253,7 @@ TEST(PlateCommission, RefusesAPlateWithoutASensorAndAnEndOfTheInput) {
   const TemporaryFolder folder;
   const Outcome blind =
       expect_exit(9, run_with(board, {"commission", "board", "--out", folder / "plate.json"}, scale_readings(board)));
-  EXPECT_TRUE(has(blind.err, "has no sensor at pin A0")) << blind.err;
+  EXPECT_TRUE(has(blind.err, "the sensor at pin A0 does not change")) << blind.err;
   EXPECT_EQ(run_with(board, {"commission", "board", "--out", folder / "plate.json"}).exit_code, 1);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path));
 }

@@ -395,9 +395,10 @@ class Servo : public Device {
 
 DeviceMaker dynamixel_device(const DeviceName& name) {
   name.check_options({"id", "baud", "speed", "effort"});
-  const int baud = name.integer("baud", 57600, 57600, 1'000'000);
+  constexpr const char* rates = "57600, 115200, 1000000";
+  const int baud = name.integer("baud", 57600, 57600, 1'000'000, rates);
   if (std::find(std::begin(baud_rates), std::end(baud_rates), baud) == std::end(baud_rates))
-    throw std::invalid_argument("option baud is " + std::to_string(baud) + "; allowed: 57600, 115200, 1000000");
+    throw std::invalid_argument("option baud is " + std::to_string(baud) + "; allowed: " + rates);
   const Settings settings{static_cast<std::uint8_t>(name.integer("id", 1, 0, 252)),
                           static_cast<double>(name.integer("speed", 300, 10, 1000)),
                           name.integer("effort", 50, 5, 100)};
