@@ -75,7 +75,7 @@ void run_one(const Options& options) {
       throw;
     }
   }
-  if (end == "left") end += " (run the same command again to resume)";
+  if (end == "left") end = "interrupted (run the same command again to resume)";
   std::cout << "sub-" << options.participant << ": " << end
             << (options.simulated ? ", SIMULATED: no person took part\n" : "\n");
 }

@@ -72,6 +72,10 @@ TargetSet load_targets(const Plugin& plugin, const Options& options) {
 }
 
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options) {
+  if (targets.pairs.empty())
+    throw Failure(
+        ExitCode::scene,
+        "the scene has no virtual target: give one node the property haptic_role \"virtual\" (scene/README.md)");
   std::vector<TargetPair> chosen;
   if (options.targets.empty()) chosen = targets.pairs;
   for (const std::string& name : options.targets) {
@@ -83,10 +87,6 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
                                          " (--target)");
     chosen.push_back(*found);
   }
-  if (chosen.empty())
-    throw Failure(
-        ExitCode::scene,
-        "the scene has no virtual target: give one node the property haptic_role \"virtual\" (scene/README.md)");
   std::vector<TargetPair> all;
   for (int round = 0; round < options.repeat; ++round) all.insert(all.end(), chosen.begin(), chosen.end());
   return all;

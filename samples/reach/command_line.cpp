@@ -105,7 +105,7 @@ void add_place(CLI::App& app, Options& options) {
                "tracker's bearings and the percentage of reaches on target that this error allows")
       ->excludes(register_to, "--registered");
   app.add_flag("--check-each", options.check_each,
-               "Ask for the touch that checks a registered plate before every reach, not only before the first");
+               "Also before every later reach, ask for the touch that checks the registered plate");
   app.add_option("--marks", options.marks,
                  "CSV file of the marks to touch, with the columns name,x_m,y_m,z_m [the scene's start and five marks\n"
                  "on the rim]")

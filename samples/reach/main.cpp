@@ -131,8 +131,9 @@ class Run {
     try {
       run_in_sessions();
     } catch (const Interrupted&) {
-      prompt_.say(calibrates() ? "The calibration was interrupted; no profile was written."
-                               : "The run was interrupted; the unfinished reach is not counted.");
+      prompt_.say(calibrates()               ? "The calibration was interrupted; no profile was written."
+                  : options_.measure_tracker ? "The measurement was interrupted; start it again."
+                                             : "The run was interrupted; the unfinished reach is not counted.");
       code = ExitCode::interrupted;
     } catch (const std::exception& error) {
       status_.clear();
@@ -401,7 +402,8 @@ int run_from(int argc, char** argv) {
     std::cerr << "hrt-reach: " << failure.what() << "\n";
     return static_cast<int>(failure.code());
   } catch (const XrFailure& failure) {
-    std::cerr << "hrt-reach: the OpenXR runtime failed: " << failure.what() << "\n";
+    std::cerr << "hrt-reach: the OpenXR runtime failed: " << failure.what()
+              << "; restart the runtime, then start again\n";
     return static_cast<int>(ExitCode::runtime_failed);
   } catch (const std::exception& error) {
     std::cerr << "hrt-reach: " << error.what() << "\n";

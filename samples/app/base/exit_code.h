@@ -13,10 +13,10 @@ namespace hrt::app {
   X(target_missed,   1, "a reach missed its target, or a calibration reached its limit of slides (and wrote its profile)") \
   X(usage,           2, "the command line is wrong") \
   X(plugin,          3, "the plugin cannot be opened, the profile is invalid, or another call of the plugin failed") \
-  X(scene,           4, "the scene cannot be loaded or lacks a virtual target, or start or marks do not suit a set-up") \
+  X(scene,           4, "the scene cannot be loaded or lacks the virtual target, or start or marks do not suit a set-up") \
   X(no_runtime,      5, "there is no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or it does not start") \
   X(runtime_lacks,   6, "the runtime has no headless sessions, no hand tracking or no headset") \
-  X(runtime_failed,  7, "the runtime failed, was lost too often, ended the session, or did not run the session in time") \
+  X(runtime_failed,  7, "the runtime failed, was lost too often, ended the session, or did not start or stop it in time") \
   X(no_hand,         8, "a reach did not begin or end in time (the summary has the other reaches), or a set-up was not completed") \
   X(plate,           9, "the plate cannot be opened or simulated, or it failed") \
   X(output,         10, "a file, or the standard output, cannot be written") \

@@ -69,8 +69,9 @@ TouchFrame::TouchFrame(const std::string& text)
     if (size_mm == 0.0 && info->resolution > 0)
       size_mm = (static_cast<double>(info->maximum) - info->minimum) / info->resolution;
     if (size_mm < 30.0)
-      fail(path_, format("has %s %g (0: unknown); allowed: 30 or more. Measure the touch area, and add ?%s=...",
-                         setting, size_mm, setting));
+      fail(path_, format("has %s %g (0: unknown); allowed: 30 or more. Measure the touch area, and give both sizes: "
+                         "--finger 'evdev:PATH?width_mm=W&height_mm=H'",
+                         setting, size_mm));
   }
   require_opened(-libevdev_set_clock_id(device_.get(), CLOCK_MONOTONIC), path_);
   require_opened(-libevdev_grab(device_.get(), LIBEVDEV_GRAB), path_);
@@ -85,8 +86,8 @@ std::string TouchFrame::description() const {
                             settings_.at("height_mm"));
   for (const Contact& object : objects_)
     text += format(
-        "; ignores what lay on it when opened, %.0f mm right of the plate's centre and %.0f mm beyond the "
-        "centre",
+        "; ignores the contact that was there at the start, %.0f mm right of the plate's centre and %.0f mm beyond "
+        "it (lift a finger that rested there, and start again)",
         1e3 * object.place_m[0], -1e3 * object.place_m[2]);
   return text + ".";
 }

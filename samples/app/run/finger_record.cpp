@@ -35,10 +35,11 @@ Hand FingerRecord::best_of(const RunContext& context) const {
                            [this](Hand a, Hand b) { return of(a).tracked < of(b).tracked; });
 }
 
-std::string FingerRecord::tracked_in_words(Hand hand) const {
+std::string FingerRecord::tracked_in_words(const RunContext& context, Hand hand) const {
   const Seen& seen = of(hand);
-  return format("The %s hand was tracked for %.0f %% of the time", name_of(hand),
-                100.0 * seen.tracked / std::max(1, seen.frames));
+  const double percent = 100.0 * seen.tracked / std::max(1, seen.frames);
+  return context.touch != nullptr ? format("The touch frame saw a finger for %.0f %% of the time", percent)
+                                  : format("The %s hand was tracked for %.0f %% of the time", name_of(hand), percent);
 }
 
 std::string FingerRecord::not_tracked(const RunContext& context) const {
@@ -72,8 +73,9 @@ std::string FingerRecord::position_in_words(const RunContext& context, const Poi
 std::string FingerRecord::where(const RunContext& context, bool plate_is_placed) const {
   for (const Hand hand : context.hands)
     if (of(hand).tracked_now)
-      return format("The %s index finger is ", name_of(hand)) +
+      return (context.touch != nullptr ? "The finger is " : format("The %s index finger is ", name_of(hand))) +
              (plate_is_placed ? position_in_words(context, of(hand).last_m) : "tracked") + ".";
+  if (context.touch != nullptr) return "No finger touches the frame now.";
   return context.hands.size() > 1 ? "No hand is tracked now."
                                   : format("The %s hand is not tracked now.", name_of(context.hands.front()));
 }
@@ -82,8 +84,9 @@ std::string FingerRecord::why_not_begun(const RunContext& context) const {
   const Hand hand = best_of(context);
   const Seen& seen = of(hand);
   if (seen.tracked == 0) return not_tracked(context);
-  std::string text = tracked_in_words(hand) + "; its index finger was last " + position_in_words(context, seen.last_m) +
-                     "; the finger's smallest distance from the start was " + mm(seen.nearest_m) + ". ";
+  std::string text = tracked_in_words(context, hand) + "; the finger was last " +
+                     position_in_words(context, seen.last_m) + ", and its smallest distance from the start was " +
+                     mm(seen.nearest_m) + ". ";
   if (context.touch != nullptr)
     return text +
            "Rest one fingertip on the start. If the finger was on the start, the position of the touch frame is wrong: "
@@ -102,19 +105,20 @@ std::string FingerRecord::why_not_ended(const RunContext& context, const TargetP
   const Hand hand = best_of(context);
   const Seen& seen = of(hand);
   if (seen.tracked == 0) return not_tracked(context);
-  std::string text = tracked_in_words(hand) + "; its index finger was last " + position_in_words(context, seen.last_m) +
-                     ", " + mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
+  std::string text = tracked_in_words(context, hand) + "; the finger was last " +
+                     position_in_words(context, seen.last_m) + ", " +
+                     mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
   if (!seen.tracked_now && context.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
   if (seen.farthest_m <= start_radius_m) return text + "The finger stayed at the start: slide it to the target.";
   return text +
-         "A reach ends when the finger is at the target, rests for 2 s or is lifted; hrt-reach --time-limit allows "
-         "more time.";
+         "A reach ends when the finger is at the target, rests for 2 s or is lifted (hrt-reach: --time-limit allows "
+         "more time).";
 }
 
 std::string FingerRecord::why_no_touch(const RunContext& context) const {
   const Hand hand = best_of(context);
   if (of(hand).tracked == 0) return not_tracked(context);
-  return tracked_in_words(hand) +
+  return tracked_in_words(context, hand) +
          ". Move the finger to the mark, where the headset's cameras see it, and hold it still for a second.";
 }
 

@@ -38,7 +38,7 @@ class FingerRecord {
 
   const Seen& of(Hand hand) const { return seen_[static_cast<std::size_t>(hand)]; }
   Hand best_of(const RunContext& context) const;
-  std::string tracked_in_words(Hand hand) const;
+  std::string tracked_in_words(const RunContext& context, Hand hand) const;
   std::string not_tracked(const RunContext& context) const;
   std::string position_in_words(const RunContext& context, const Point& tip_m) const;
 

@@ -181,7 +181,7 @@ RegisteredPlate parse_registration(const std::string& text, const std::string& n
   try {
     return plate_of(Json::parse(text));
   } catch (const std::exception& error) {
-    throw Failure(ExitCode::registration, name + " is not a registration file (" + error.what() +
+    throw Failure(ExitCode::registration, name + " is not a valid registration (" + error.what() +
                                               "); register the plate again (hrt-reach: --register)");
   }
 }

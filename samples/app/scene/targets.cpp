@@ -103,7 +103,7 @@ std::vector<Mark> read_marks(const std::filesystem::path& file) {
     ++number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.size() > max_line || !is_printable(line))
-      refuse(file, number, "a line of marks has at most 200 bytes and no control characters");
+      refuse(file, number, "the line has more than 200 bytes or a control character; shorten or correct it");
     if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     std::vector<std::string> cells = csv_fields(line);
     cells.resize(std::max<std::size_t>(cells.size(), 4));

@@ -244,7 +244,8 @@ hrt_session_config config_of(const Condition& condition) {
   for (const auto& [name, value] : condition.config) {
     const auto field = config_fields.find(name);
     if (field == config_fields.end())
-      throw Refusal("has the field \"" + name + "\", which is not a field of hrt_session_config with a number");
+      throw Refusal("has the field \"" + name +
+                    "\", which is not a field of hrt_session_config with a floating-point number; remove it");
     std::memcpy(reinterpret_cast<char*>(&config) + field->second, &value, sizeof value);
   }
   return config;

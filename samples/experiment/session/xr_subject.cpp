@@ -89,8 +89,8 @@ XrSubject::XrSubject(const Design& design, unsigned participant, const app::Opti
     simulated_.emplace(design, participant, options.seed);
   } else if (!keyboard_.has_terminal()) {
     throw Refusal(
-        "standard input is not a terminal, which the experimenter needs for the keys; run in a terminal, or add "
-        "--simulated SEED");
+        "standard input is not a terminal, which the experimenter needs for the keys; run in a terminal, or simulate "
+        "the participant (--simulated SEED, with the mock runtime)");
   } else {
     prompt_.say(keys_text);
   }

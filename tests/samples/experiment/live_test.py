@@ -105,7 +105,7 @@ def test_page(browser, session, addresses, journal):
     press("Quit")
     shows(look, "says.textContent", "Press q again")
     press("Quit")
-    assert session.communicate(timeout=60)[0].startswith("sub-1: left")
+    assert session.communicate(timeout=60)[0].startswith("sub-1: interrupted")
     shows(look, "says.textContent", "No data from the session")
 
 

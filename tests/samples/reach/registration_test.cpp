@@ -154,7 +154,7 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   refused(header + "a,0,0\n", "line 2: \"\" is not a number", "--marks");
   refused(header + "a,0,0,2\n", "line 2: \"2\" is not a number of metres from -1 to 1", "--marks");
   refused(header + ",0,0,0\n", "line 2: the mark has no name", "--marks");
-  refused(header + "a\x1b[2J,0,0,0\n", "line 2: a line of marks has at most 200 bytes", "--marks");
+  refused(header + "a\x1b[2J,0,0,0\n", "line 2: the line has more than 200 bytes or a control character", "--marks");
   refused(header + "a,0,0,0\nb,0,0,0.1\n", "line 3: there are fewer than 3 marks", "--marks");
 
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);

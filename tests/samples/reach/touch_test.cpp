@@ -101,8 +101,9 @@ TEST(TouchFrame, LocatesTheFingerAmongContacts) {
                        : std::string(tip.lifted ? "lifted" : "lost");
   };
   EXPECT_EQ(device.clock, CLOCK_MONOTONIC);
-  EXPECT_TRUE(has(frame.description(),
-                  "400 x 300 mm; ignores what lay on it when opened, -90 mm right of the plate's centre and 20 mm"));
+  EXPECT_TRUE(has(
+      frame.description(),
+      "400 x 300 mm; ignores the contact that was there at the start, -90 mm right of the plate's centre and 20 mm"));
   EXPECT_EQ(at(900), "lifted");
   for (int i = 0; i <= 2; ++i) device.report((1000 + 10 * i) * ms, 1, 4, 200, 150 + 10 * i);
   EXPECT_EQ(at(1015), "25.00 -20.00");
