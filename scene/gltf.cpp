@@ -104,6 +104,7 @@ std::string reason(std::string_view error) {
   const std::size_t name_end = error.find("] ");
   if (name_end != error.npos) error.remove_prefix(name_end + 2);
   error = error.substr(0, error.find("; last read"));
+  if (error.ends_with('.')) error.remove_suffix(1);
   return printable(std::string(error.substr(0, error.find('\n'))));
 }
 

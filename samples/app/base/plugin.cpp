@@ -13,7 +13,10 @@ template <class Function>
 void load(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(dlsym(library, name));
   if (function == nullptr)
-    throw Failure(ExitCode::plugin, "the plugin has no function " + std::string(name) + ": install a newer plugin");
+    throw Failure(ExitCode::plugin, "the library has no function " + std::string(name) +
+                                        ": it is not the plugin, or an older one; install version " +
+                                        std::to_string(HRT_VERSION_MAJOR) + "." + std::to_string(HRT_VERSION_MINOR) +
+                                        ", or select another plugin (hrt-reach: --plugin)");
 }
 
 }  // namespace

@@ -188,7 +188,7 @@ RegisteredPlate parse_registration(const std::string& text, const std::string& n
 
 RegisteredPlate read_registration(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream)
+  if (!stream || !std::filesystem::is_regular_file(file))
     throw Failure(ExitCode::registration,
                   file.string() + " cannot be read; give the file that --register wrote (--registered)");
   return parse_registration({std::istreambuf_iterator<char>(stream), {}}, file.string());

@@ -94,7 +94,7 @@ std::vector<Mark> marks_of(const TargetSet& targets) {
 
 std::vector<Mark> read_marks(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream)
+  if (!stream || !std::filesystem::is_regular_file(file))
     throw Failure(ExitCode::registration, file.string() + " cannot be read; select a CSV file of marks (--marks)");
   const std::array<std::string, 4> columns{"name", "x_m", "y_m", "z_m"};
   std::vector<Mark> marks;
@@ -123,6 +123,7 @@ std::vector<Mark> read_marks(const std::filesystem::path& file) {
     marks.push_back(mark);
     if (marks.size() > max_marks) refuse(file, number, "there are more than 8 marks; allowed: 3 to 8");
   }
+  if (number == 0) refuse(file, 1, "the first columns must be name,x_m,y_m,z_m; the file is empty");
   if (marks.size() < min_marks) refuse(file, number, "there are fewer than 3 marks; allowed: 3 to 8");
   return marks;
 }

@@ -59,6 +59,13 @@ std::string in_words(const Json& schema, const Json& type) {
   return type == "array" ? array_in_words(schema) : type == "object" ? "an object" : "null";
 }
 
+// Returns a short value as text for the end of an error, such as "; it is 3".
+std::string value_in_words(const Json& value) {
+  constexpr std::size_t max_shown = 80;
+  const std::string text = value.is_structured() ? "" : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.empty() || text.size() > max_shown ? "" : "; it is " + text;
+}
+
 class Checker {
  public:
   explicit Checker(const Json& root) : root_(root) {}
@@ -69,9 +76,10 @@ class Checker {
       const Json one = resolved(schema["anyOf"][0]);
       if (fits(value, one)) return;
       schema = schema["anyOf"][1];
-      if (!fits(value, schema)) refuse(where, "must be " + in_words(one, one["type"]) + ", or an array of them");
+      if (!fits(value, schema))
+        refuse(where, "must be " + in_words(one, one["type"]) + ", or an array of them" + value_in_words(value));
     }
-    if (!fits(value, schema)) refuse(where, "must be " + in_words(schema, schema["type"]));
+    if (!fits(value, schema)) refuse(where, "must be " + in_words(schema, schema["type"]) + value_in_words(value));
     if (value.is_object()) check_members(value, schema, where);
     for (std::size_t i = 0; value.is_array() && schema.contains("items") && i < value.size(); ++i)
       check(value[i], schema["items"], where + "[" + std::to_string(i) + "]");
@@ -136,7 +144,7 @@ Json parse_json(std::string_view text, const std::string& name) {
   } catch (const Refusal& refusal) {
     throw Refusal(name + ": " + refusal.what());
   } catch (const Json::exception& error) {  // also for a number that a double cannot represent
-    throw Refusal(name + ": this is not JSON: " + error.what());
+    throw Refusal(name + ": this is not valid JSON; correct it: " + error.what());
   }
 }
 

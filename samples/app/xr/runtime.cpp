@@ -27,7 +27,7 @@ bool means_no_runtime(XrResult result) {
                       "): read its own messages above, and check that its service runs and its device is connected");
   throw Failure(ExitCode::no_runtime,
                 "no OpenXR runtime could be loaded (" + to_string(result) +
-                    "): install one, or name its manifest in the environment variable XR_RUNTIME_JSON");
+                    "): install one, or set the environment variable XR_RUNTIME_JSON to the path of its manifest");
 }
 
 std::vector<std::string> available_extensions() {

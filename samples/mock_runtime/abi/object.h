@@ -72,7 +72,8 @@ class Registry {
   T& get_even_lost(Handle handle) const {
     const auto found = objects_.find(id_of(handle));
     require(found != objects_.end(), XR_ERROR_HANDLE_INVALID,
-            "handle {:#x} is null, destroyed or was never returned by this runtime", id_of(handle));
+            "handle {:#x} is null or destroyed, or was never returned by this runtime; pass a valid handle",
+            id_of(handle));
     require(found->second->type() == T::object_type, XR_ERROR_HANDLE_INVALID,
             "handle {:#x} has XrObjectType {}; the function needs XrObjectType {}", id_of(handle),
             static_cast<int>(found->second->type()), static_cast<int>(T::object_type));

@@ -22,7 +22,8 @@ void load_script() {
     const std::string text = script_from_environment();
     if (text != shared.script_text) shared.apply(text);
   } catch (const Error& error) {
-    shared.script_error = fmt::format("HRT_MOCK_SCRIPT: {}: {}", std::getenv("HRT_MOCK_SCRIPT"), error.why);
+    shared.script_error =
+        fmt::format("file {} of HRT_MOCK_SCRIPT (hrtx-run: --script): {}", std::getenv("HRT_MOCK_SCRIPT"), error.why);
     std::fprintf(stderr, "mock runtime: %s\n", shared.script_error.c_str());
   }
 }

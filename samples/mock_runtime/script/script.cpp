@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -196,11 +197,14 @@ std::string script_from_environment() {
   const char* path = std::getenv("HRT_MOCK_SCRIPT");
   if (path == nullptr) return "{}";
   std::ifstream file(path);
+  std::error_code ignored;
+  const int error = std::filesystem::is_directory(path, ignored) ? EISDIR : file ? 0 : errno;
+  if (error != 0)
+    throw Error{XR_ERROR_VALIDATION_FAILURE, fmt::format("it cannot be read: {}. Name a readable JSON file, or none "
+                                                         "for the default script",
+                                                         std::strerror(error))};
   std::ostringstream text;
-  if (!(text << file.rdbuf()))
-    throw Error{XR_ERROR_VALIDATION_FAILURE, fmt::format("cannot be read: {}. Set the variable to a readable JSON "
-                                                         "file, or unset it for the default script",
-                                                         std::strerror(errno))};
+  text << file.rdbuf();  // sets failbit for an empty file, which is not JSON
   return text.str();
 }
 

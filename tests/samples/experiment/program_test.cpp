@@ -141,7 +141,7 @@ struct AtPlate {
   void quit() {
     terminal.type("qq");
     const Outcome outcome = program->wait();
-    EXPECT_TRUE(has(outcome.out, "left")) << outcome.err;
+    EXPECT_TRUE(has(outcome.out, "interrupted")) << outcome.err;
   }
 
   TemporaryFolder folder;
