@@ -76,7 +76,7 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
   if (slides.resting.size() < min_trials)
     return CalibrationRefusal{std::to_string(slides.resting.size()) + " of " + std::to_string(trials) +
                               " trials have a slide of at least 30 mm over a plate at rest" + needed +
-                              ". Repeat the other slides"};
+                              ". Add slides, or repeat the others"};
   const std::vector<SlideVerdict> verdicts = slide_verdicts(slides.resting);
   std::vector<SlideTrack> counting;
   for (std::size_t i = 0; i < slides.resting.size(); ++i)

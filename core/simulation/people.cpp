@@ -92,7 +92,7 @@ constexpr PeopleFamily all_families[] = {
        c.person.steering = Steering::steps;
        c.person.start_direction_deg = 0.0;
      }},
-    {"predictive", "predict their own motion over the delay", false,
+    {"predictive", "predict their own motion over the sensory delay", false,
      [](PersonCondition& c, Draws&) { c.person.steering = Steering::predictive; }},
     {"clip-60", "illusion saturates at 60°", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::saturating>(c, 60.0); }},
@@ -104,11 +104,11 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::sine>(c, 45.0); }},
     {"dead-band", "no shift within 10°", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::dead_band>(c, 10.0); }},
-    {"unequal", "half the illusion to the right", false,
+    {"unequal", "illusion half as large to the right", false,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::unequal>(c, 45.0); }},
     {"bias-3", "visual bias ±3°", true, [](PersonCondition& c, Draws& d) { c.person.bias_deg = either_side(3.0, d); }},
     {"bias-6", "visual bias ±6°", true, [](PersonCondition& c, Draws& d) { c.person.bias_deg = either_side(6.0, d); }},
-    {"own-3", "bias of the felt own direction ±3°", true,
+    {"own-3", "bias of ±3° in the felt direction of their own motion", true,
      [](PersonCondition& c, Draws& d) { c.person.own_bias_deg = either_side(3.0, d); }},
     {"habit-5", "habit of curving by ±5°", true,
      [](PersonCondition& c, Draws& d) { c.person.habit_deg = either_side(5.0, d); }},
@@ -116,9 +116,9 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { c.person.habit_deg = either_side(10.0, d); }},
     {"place", "steer towards the virtual target's position", false,
      [](PersonCondition& c, Draws&) { c.person.steering = Steering::place; }},
-    {"heavy-arm", "a mass of 1 kg, muscles of 40 ms, feedback after 80 ms", false,
+    {"heavy-arm", "arm of 1 kg, muscles with a time constant of 40 ms, feedback after 80 ms", false,
      [](PersonCondition& c, Draws&) { arm(c, Steering::heavy_arm, 1.0, 0.04); }},
-    {"slow-arm", "a mass of 2 kg, muscles of 60 ms, feedback after 80 ms, gain times 0.6", true,
+    {"slow-arm", "arm of 2 kg, muscles with a time constant of 60 ms, feedback after 80 ms, gain times 0.6", true,
      [](PersonCondition& c, Draws&) {
        arm(c, Steering::heavy_arm, 2.0, 0.06);
        c.person.gain_per_s *= 0.6;
@@ -150,7 +150,7 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { c.person.scatter_deg = 3.0; }},
     {"scatter-4", "bias scatters by 4° from reach to reach", true,
      [](PersonCondition& c, Draws&) { c.person.scatter_deg = 4.0; }},
-    {"reversal", "overshoot by a tenth and come back", false,
+    {"reversal", "overshoot by a tenth of the path, and come back", false,
      [](PersonCondition& c, Draws&) { c.person.pace = Pace::reversal; }},
     {"path-5", "path 5 % (SD) too long or too short", false,
      [](PersonCondition& c, Draws& d) { c.person.path_scale = 1.0 + 0.05 * d.normal(); }},
@@ -174,7 +174,7 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { c.tracker.outlier_share = 0.03; }},
     {"dropouts", "tracking lost for 0.1 s, every third of a second", false,
      [](PersonCondition& c, Draws&) { c.tracker.dropout_share = 0.03; }},
-    {"slow-tracker", "30 Hz, uneven", false,
+    {"slow-tracker", "tracker of 30 Hz with jitter", false,
      [](PersonCondition& c, Draws&) {
        c.tracker.rate_hz = 30.0;
        c.tracker.jitter_share = 0.5;
@@ -191,7 +191,7 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { c.tracker.latency_s = 0.045; }},
     {"faults", "a fault of tracker or plate, or none, drawn in each reach", false,
      [](PersonCondition& c, Draws&) { c.faulty = true; }},
-    {"mixture", "clip-60, bias 2°, habit 3°, noise half correlated", true,
+    {"mixture", "clip-60, bias ±2°, habit ±3°, white and correlated noise", true,
      [](PersonCondition& c, Draws& d) {
        illusion<IllusionFamily::saturating>(c, 60.0);
        c.person.bias_deg = either_side(2.0, d);
@@ -217,7 +217,7 @@ constexpr PeopleFamily all_families[] = {
        c.random_side = true;
      },
      FamilyKind::recorded},
-    {"recorded-stay", "recorded wander over the first half, without return", false,
+    {"recorded-stay", "recorded wander over the first half of the path, without return to the line", false,
      [](PersonCondition& c, Draws& d) {
        recorded(c, d, 1.0);
        c.person.own_path.mean_deg = {};
@@ -232,7 +232,7 @@ constexpr PeopleFamily all_families[] = {
        c.person.steering = Steering::place;
      },
      FamilyKind::recorded},
-    {"recorded-lag", "recorded as a goal, followed with the lag of steering", false,
+    {"recorded-lag", "the recorded path is the goal, followed with the lag of steering", false,
      [](PersonCondition& c, Draws& d) {
        recorded(c, d, 1.0);
        c.person.own_path.lags = true;
@@ -246,7 +246,8 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { c.tracker.scale = 1.0 + either_side(0.05, d); }, FamilyKind::misplaced},
     {"sheared-2", "mid-line of the tracker frame off by ±2°, right axis correct", false,
      [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, FamilyKind::misplaced},
-    {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, FamilyKind::misplaced},
+    {"headset", "tracker of 72 Hz, 45 ms late, with an error that grows to 11 mm over the path", false, headset,
+     FamilyKind::misplaced},
     {"quest", "recorded, tracked by a headset of 2021 as it was measured", false,
      [](PersonCondition& c, Draws& d) {
        recorded(c, d, 1.0);
@@ -268,17 +269,17 @@ constexpr PeopleFamily all_families[] = {
        c.contact_sd_mm = 3.0;
      },
      FamilyKind::misplaced},
-    {"turned-touch1", "turned by ±2°, and a contact known to 1 mm after each reach", false,
+    {"turned-touch1", "family turned-2, and a contact known to 1 mm after each reach", false,
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 1.0); }, FamilyKind::misplaced},
-    {"turned-touch3", "turned by ±2°, and a contact known to 3 mm", false,
+    {"turned-touch3", "family turned-2, and a contact known to 3 mm after each reach", false,
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 3.0); }, FamilyKind::misplaced},
-    {"headset-touch", "headset, and a contact known to 1 mm", false,
+    {"headset-touch", "family headset, and a contact known to 1 mm after each reach", false,
      [](PersonCondition& c, Draws& d) {
        headset(c, d);
        c.contact_sd_mm = 1.0;
      },
      FamilyKind::misplaced},
-    {"placed-touch3", "correct frame, and a contact known to 3 mm: cost of contacts", false,
+    {"placed-touch3", "correct tracker frame, and a contact known to 3 mm after each reach: cost of contacts", false,
      [](PersonCondition& c, Draws&) { c.contact_sd_mm = 3.0; }, FamilyKind::misplaced},
     {"plate-off-5", "ridges ±5° off the reported plate orientation", false,
      [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, FamilyKind::misplaced},

@@ -60,13 +60,14 @@ Ridges simulate_ridges(const RidgeOptions& options) {
 
 std::string ridges_text(const RidgeOptions& options, const Ridges& angles) {
   std::string page =
-      wrapped(fmt::format(
-                  "The paper's Fig. 1c: {} simulated slides straight ahead over a plate that rests at each angle, "
-                  "tactile weight {}, motor variance {} deg^2. Ridges that shift the perceived direction to the left "
-                  "(positive angles) bend the path to the right. Fixed point: direction that is perceived as straight "
-                  "ahead. There was no human trial.",
-                  options.trials, options.tactile_weight, options.motor_variance_deg2),
-              110) +
+      wrapped(
+          fmt::format(
+              "As in the paper's Fig. 1c: {} simulated slides straight ahead over a plate that rests at each angle, "
+              "tactile weight {}, motor variance {} deg^2. Ridges that shift the perceived direction to the left "
+              "(positive angles) bend the path to the right. Fixed point: direction that is perceived as straight "
+              "ahead. There was no human trial.",
+              options.trials, options.tactile_weight, options.motor_variance_deg2),
+          110) +
       "\n\nplate, deg  final direction, deg: mean      SD  fixed point\n";
   for (const RidgeAngle& angle : angles)
     page += fmt::format("{:>10}{:>29.1f}{:>8.1f}{:>13.1f}\n", angle.plate_deg, angle.mean_deg, angle.sd_deg,
@@ -97,7 +98,7 @@ Figure figure_of(const Ridges& angles) {
           .title = "Fig. 1c: straight ahead over a plate at rest",
           .caption =
               "Simulated paths of a participant who slides straight ahead over a plate at rest, and their median. Each "
-              "color is an angle of the plate.",
+              "colour is an angle of the plate.",
           .data = data};
 }
 
@@ -115,7 +116,7 @@ Figure ridges_figure(std::uint64_t seed) { return figure_of(simulate_ridges({.se
 void add_ridges(CLI::App& app) {
   const auto options = std::make_shared<RidgeOptions>();
   CLI::App& command = add_command(
-      app, "ridges", "The paper's Fig. 1c: slides straight ahead over a fixed plate at five angles.",
+      app, "ridges", "The paper's Fig. 1c: slides straight ahead over a fixed plate at several angles.",
       R"(Paths approach the direction P that is perceived as straight ahead: w_T T + (1 - w_T) P = 0, where T is the
 plate orientation.
 

@@ -147,14 +147,14 @@ void judge_claims(std::vector<CellGroup>& claims) {
                        max_gap_deg(weight, bound_deg), bound_deg, max_gap_deg(weight, 90.0)));
     } else if (claim.name == "gap_12") {
       judge(claim);
-      claim.verdict += "; the caption of the paper's Fig. 7 calls 2 the variance";
+      claim.verdict += "; in the caption of the paper's Fig. 7, the variance is 2";
     } else if (claim.name == "gap_12_deviation_2") {
       judge(claim);
-      claim.verdict += "; the paper's text calls 2 the standard deviation";
+      claim.verdict += "; in the paper's text, the standard deviation is 2";
     } else if (claim.name == "gap_12_within_5") {
       judge(claim,
-            "NOT reproduced: the paper's text counts the 60 % within 1.5 deg, the caption of its Fig. 7 "
-            "within 5 deg; the model agrees with the text");
+            "NOT reproduced: in the caption of the paper's Fig. 7, 60 % of the trials end within 5 deg; in its text, "
+            "60 % end within 1.5 deg, with which the two rows above compare the model");
     } else if (claim.name == "no_controller") {
       judge_uncontrolled(claim);
     } else if (claim.name.starts_with("horizon_")) {

@@ -65,9 +65,10 @@ struct Table1 {
 };
 
 inline constexpr const char* in_sample_words =
-    "The p value is biased upwards, because the default bound on the plate (84.5 deg; the paper has 90) and the "
-    "default sensory variance (0.1 deg^2; the paper gives none) were fitted to these same cells. --plate-bound 90 uses "
-    "the paper's bound; samples/study/paper/README.md compares the possible interpretations of the paper.";
+    "The p value is biased upwards if the bound on the plate (84.5 deg; the paper has 90) and the sensory variance "
+    "(0.1 deg^2; the paper gives none) have their defaults, which were fitted to these same cells. hrt-study table1 "
+    "--plate-bound 90 uses the paper's bound; samples/study/paper/README.md compares the possible interpretations of "
+    "the paper.";
 
 /// The gap with the highest percentage in a condition, compared with the paper's 10 degrees.
 struct BestAmplitude {

@@ -43,8 +43,8 @@ std::string fit_text(const Table1& table) {
       "chi-squared {:.1f} over {} cells, p = {:.2f}: {} with the noise of the paper's 50 trials per cell.\n"
       "log-likelihood of the paper's trials {:.1f}\n"
       "{} of the {} cells lie outside their 95 % interval; one in twenty does by chance.\n{}\n"
-      "SD: over the six pairs. The model's SD is that of cells of 50 trials; its interval contains 95 % of the\n"
-      "SDs of six cells.\n",
+      "SD: standard deviation of the six pairs. That of the model is for cells of 50 trials, and its interval\n"
+      "contains 95 % of the SDs of six such cells.\n",
       table.chi_squared, table.degrees_of_freedom, table.p_value,
       table.p_value >= 0.05 ? "consistent" : "NOT consistent", table.log_likelihood, outside, table.degrees_of_freedom,
       wrapped(in_sample_words, 110));
@@ -77,8 +77,8 @@ std::string claims_text(const Table1& table) {
 
 std::string best_words(const BestAmplitude& best) {
   if (best.gap_deg == amplitudes_deg[paper_amplitude]) return "best at 10 deg";
-  return fmt::format("best at {} deg, by {:.1f} points{}", best.gap_deg, best.percent - best.paper_amplitude_percent,
-                     best.by_chance ? ", not significant" : "");
+  return fmt::format("best at {} deg, {:.1f} points above 10 deg{}", best.gap_deg,
+                     best.percent - best.paper_amplitude_percent, best.by_chance ? " (not significant)" : "");
 }
 
 std::string amplitudes_text(const Table1& table) {
