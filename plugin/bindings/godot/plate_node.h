@@ -67,7 +67,7 @@ inline constexpr size_t kArgumentsMax = 8;
 /** Bits of refused_: bits 1 to 99 are negated errors of the plugin; this bit is an error of the node's pose. */
 inline constexpr size_t kPoseReason = 127;
 inline constexpr const char* kNotRigid =
-    "the node is scaled, sheared or mirrored in the world; allowed: only translation and rotation. Set its scale to 1";
+    "the node is scaled, sheared or mirrored in the world; set its scale, and that of its parents, to 1";
 
 class PlateNode {
  public:

@@ -143,7 +143,7 @@ export function showFigures(library: Library): void {
       text: (percent) =>
         percent < 90
           ? "The person corrects the hand, so that it feels straight."
-          : "The person feels the hand at the glass. It really is to the right of it.",
+          : "The person feels the hand at the glass, but the hand is to the right of it.",
     },
     {
       caption:

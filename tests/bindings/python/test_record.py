@@ -81,7 +81,7 @@ def test_world_positions_are_converted_to_plate_coordinates() -> None:
     ("update,0,200028000", "update,0,9" + 20 * "9", "line 22: time_ns is 9+, which does not fit into int64"),
     ("update,0,200028000,", "update,0,", "line 22: the row has 69 columns; 70"),
     ('"horizon":20', '"horizon":"twenty"', "line 8"),
-    ('"horizon":20', '"horizon":-3', "line 8: SessionConfig.horizon is -3: the number does not fit into uint"),
+    ('"horizon":20', '"horizon":-3', "line 8: SessionConfig.horizon is -3: a number from 0 to"),
     ("# config {", "# config [", "line 8"),
     ("# config {", "# setup {", 'line 12: the line "# config" is missing before this row'),
 ])

@@ -206,7 +206,8 @@ def _converted(kind: Any, value: Any) -> Any:
         except TypeError:
             raise TypeError("a whole number is needed") from None
         if kind(number).value != number:
-            raise ValueError(f"the number does not fit into {kind.__name__[2:]}")
+            low = 0 if kind(-1).value > 0 else -2 ** (8 * ctypes.sizeof(kind) - 1)
+            raise ValueError(f"a number from {low} to {low + 2 ** (8 * ctypes.sizeof(kind)) - 1} is needed")
         return number
     if kind is ctypes.c_double:
         if isinstance(value, (str, bytes)):

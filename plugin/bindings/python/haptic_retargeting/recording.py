@@ -123,7 +123,7 @@ def _read(lines: Iterable[str]) -> Recording:
             reason = error if isinstance(error, (ValueError, TypeError)) else "the line is malformed; record again"
             raise RecordingError(f"line {number}: {reason}") from error
     if not header:
-        raise RecordingError(f"line {number}: the line of column names is missing; record again")
+        raise RecordingError(f"line {max(number, 1)}: the line of column names is missing; record again")
     return Recording([rows.record() for rows in reaches], complete, targets)
 
 
@@ -158,7 +158,7 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
     if call.startswith("setup_"):
         return  # a record of reaches has no set-ups
     if call not in _CALLS:
-        raise ValueError(f"the row's call is {call!r}; allowed: {', '.join(_CALLS)}")
+        raise ValueError(f"the row's call is {call!r}; allowed: {', '.join(_CALLS)}, setup_...; record again")
     if call == "begin" and done:
         if missing := [column for column in _AIM if row[column] is None]:
             raise ValueError(f"{missing[0]} is missing; record again")

@@ -75,7 +75,7 @@ export class FilePanel {
       report.first_different_line === 0n
         ? `All ${report.rows} calls gave the recorded numbers, bit for bit.`
         : `Line ${report.first_different_line} gave other numbers than those recorded.`;
-    const whole = report.ending === HRT_ENDING_COMPLETE ? "" : " The recording is not complete.";
+    const whole = report.ending === HRT_ENDING_COMPLETE ? "" : " The recording was cut off or altered, or lacks calls.";
     say(
       this.#replayed,
       `${name}: ${same}${whole} A recording does not contain perceived directions: the chart shows the ` +

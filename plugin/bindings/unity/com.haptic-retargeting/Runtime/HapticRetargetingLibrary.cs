@@ -91,8 +91,8 @@ namespace Hrt
             catch (DllNotFoundException e)
             {
                 throw new DllNotFoundException(
-                    $"The native library {Native.Library} was not found. The package needs the library for " +
-                    "each platform on which it runs: see \"The native libraries\" in the manual.",
+                    $"The native library {Native.Library} was not found. Add it for each platform on which the program " +
+                    "runs: see \"The native libraries\" in the manual (Unity), or \"Installing\" in the README (.NET).",
                     e);
             }
             if (major != Constants.VersionMajor || minor != Constants.VersionMinor)

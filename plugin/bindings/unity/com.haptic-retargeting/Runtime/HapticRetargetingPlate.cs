@@ -53,8 +53,8 @@ namespace Hrt
             catch (DllNotFoundException e)
             {
                 throw new DllNotFoundException(
-                    $"The native library {PlateNative.Library} was not found. The package has this library for Linux and " +
-                    "Windows on x64: see \"The native libraries\" in the manual.",
+                    $"The native library {PlateNative.Library} was not found. It exists for Linux and Windows on x64: see " +
+                    "\"The native libraries\" in the manual (Unity), or \"Installing\" in the README (.NET).",
                     e);
             }
         }
