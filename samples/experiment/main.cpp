@@ -113,6 +113,8 @@ void simulate(const Options& options) {
 
 void write_tables(const Options& options) {
   const std::filesystem::path study = options.data;
+  if (!std::filesystem::exists(study / "study.json"))
+    throw Refusal(study.string() + ": this folder has no study.json, with which a session begins; check --data");
   const Design design = read_design(study / "study.json");
   const Tables tables = export_study(design, study, options.unblinds);
   std::filesystem::create_directories(study / "export");
@@ -140,7 +142,7 @@ void add_commands(CLI::App& app, Options& options) {
   CLI::App* all = add("simulate", "Simulate the sessions of all participants of the design", true, simulate);
   CLI::App* tables = add("export", "Write the journals as tables with a data dictionary", false, write_tables);
   run->add_option("--participant", options.participant,
-                  "Number of the participant, from 1; participant N + (participants of the design) replaces N")
+                  "Number of the participant, from 1. In a design with P participants, number N + P replaces N")
       ->required();
   run->add_option("--session", options.session, "Number of the session, from 1 [1]")->check(CLI::Range(1, 99));
   run->add_option("--simulated", options.reach.seed,

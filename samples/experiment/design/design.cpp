@@ -52,7 +52,8 @@ void read_conditions(const Json& file, const std::string& name, Design& design) 
       refuse(where, unknown.what());
     }
     hrt_session session{};
-    if (hrt_session_create(HRT_VERSION, &config, &session) != HRT_OK) refuse(where, hrt_last_error());
+    if (hrt_session_create(HRT_VERSION, &config, &session) != HRT_OK)
+      refuse(where, std::string("is refused: ") + hrt_last_error());
     hrt_session_destroy(session);
     design.conditions.push_back(condition);
   }
@@ -140,7 +141,8 @@ void read_questionnaires(const Json& file, const std::string& name, Design& desi
   for (const Json& q : file.value("questionnaires", Json::array())) {
     const Questionnaire paper{q["name"], q["when"], q["answers"] == "text", q["low"], q["high"], q["items"]};
     if (paper.high <= paper.low)
-      refuse(name + format(".questionnaires[%zu].high", design.questionnaires.size()), "must be above low");
+      refuse(name + format(".questionnaires[%zu].high", design.questionnaires.size()),
+             format("must be above low, which is %u; it is %u", paper.low, paper.high));
     design.questionnaires.push_back(paper);
   }
 }

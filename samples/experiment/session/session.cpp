@@ -495,8 +495,9 @@ void freeze(const Design& design, const std::filesystem::path& study, const Disk
 
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk) {
   if (place.participant < 1 || place.participant > 2 * design.participants)
-    throw Refusal(format("--participant: %u is not allowed; allowed: 1 to %u, where N + %u replaces participant N",
-                         place.participant, design.participants, design.participants));
+    throw Refusal(
+        format("--participant: %u is not allowed; allowed: 1 to %u, or %u to %u for the replacements of these",
+               place.participant, design.participants, design.participants + 1, 2 * design.participants));
   freeze(design, place.study, disk);
   return SessionRun(design, place, subject, disk).run();
 }

@@ -174,7 +174,7 @@ const Wrong wrongs[] = {
     {".analysis.measure requires question", [](json& s) { s["analysis"] = {{"measure", "criterion"}}; }},
     {".conditions[0].config has the field \"person.weight\"",
      [](json& s) { s["conditions"][0]["config"] = {{{"field", "person.weight"}, {"value", 0.3}}}; }},
-    {".conditions[0].config hrt_session_create",
+    {".conditions[0].config is refused: hrt_session_create",
      [](json& s) { s["conditions"][0]["config"] = {{{"field", "person.tactile_weight"}, {"value", 3}}}; }},
     {".conditions[0].config has person.tactile_weight",
      [](json& s) {

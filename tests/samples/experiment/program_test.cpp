@@ -80,7 +80,7 @@ TEST(ExperimentProgram, ErrorsAreOneLine) {
              "--participant: 5 is not allowed"},
         Case{
             {"run", good, "--participant", "1", "--simulated", "1", "--plate", "servo"}, 2, "--plate requires --scene"},
-        Case{{"export", "--data", folder / "data"}, 1, "study.json: cannot be read"},
+        Case{{"export", "--data", folder / "data"}, 1, "this folder has no study.json"},
         Case{{"run", good, "--participant", "1", "--scene", scene}, 1, "standard input is not a terminal"}}) {
     const Outcome outcome = expect_exit(exit_code, Program(arguments).wait());
     EXPECT_TRUE(outcome.err.starts_with("hrt-experiment: "));
