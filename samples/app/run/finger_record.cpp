@@ -109,10 +109,11 @@ std::string FingerRecord::why_not_ended(const RunContext& context, const TargetP
                      position_in_words(context, seen.last_m) + ", " +
                      mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
   if (!seen.tracked_now && context.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
+  if (context.simulation != nullptr) return text + "Allow the simulated user more time (hrt-reach: --time-limit).";
   if (seen.farthest_m <= start_radius_m) return text + "The finger stayed at the start: slide it to the target.";
   return text +
-         "A reach ends when the finger is at the target, rests for 2 s or is lifted (hrt-reach: --time-limit allows "
-         "more time).";
+         "A reach ends when the finger is at the target, rests for 2 s after a third of the path, or is lifted "
+         "(hrt-reach: --time-limit allows more time).";
 }
 
 std::string FingerRecord::why_no_touch(const RunContext& context) const {
