@@ -90,7 +90,7 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
       std::minmax_element(counting.begin(), counting.end(),
                           [](const SlideTrack& a, const SlideTrack& b) { return a.plate_deg < b.plate_deg; });
   if (angles >= min_plate_angles && high->plate_deg - low->plate_deg >= min_plate_span_deg) return std::nullopt;
-  return CalibrationRefusal{"the plate was at " + std::to_string(angles) + " different angles over " +
+  return CalibrationRefusal{"different angles of the plate: " + std::to_string(angles) + ", over " +
                             decimal(high->plate_deg - low->plate_deg, 1) +
                             " degrees; needed: 3 that span 40 degrees. Add slides at other plate angles"};
 }
@@ -229,8 +229,8 @@ bool CalibrationFit::describe() {
   Calibration calibration = described(person_->result());
   const Interval& w = calibration.tactile_weight;
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight))
-    return refuse("the tactile weight's 95 % interval is " + decimal(w.lower, 3) + " to " + decimal(w.upper, 3) +
-                  "; allowed: within 0.02 to 0.48. Check that the finger feels the ridges");
+    return refuse("the tactile weight is between " + decimal(w.lower, 3) + " and " + decimal(w.upper, 3) +
+                  "; allowed: 0.02 to 0.48. Check that the finger feels the ridges");
   calibration.slides_turned = slides_.turned;
   result_ = std::move(calibration);
   rests_.emplace();

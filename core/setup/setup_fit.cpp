@@ -35,8 +35,8 @@ void fit_fingertip_of(const Setup& setup, SetupFit* fit) {
     fit->fingertip = found;
   else
     reject(SetupProblem::undetermined,
-           "the finger was tilted too little: the SD of the tip's offset is " + decimal(found.sd_mm.maxCoeff(), 0) +
-               " mm; allowed: below 5 mm. Tilt it more",
+           "tilt the finger more: the SD of the tip's offset is " + decimal(found.sd_mm.maxCoeff(), 0) +
+               " mm; allowed: below 5 mm",
            fit);
 }
 

@@ -64,7 +64,7 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
 
 void write_problem(SetupProblem problem, std::string_view reason, const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
   text << problem_texts[static_cast<std::size_t>(problem)];
-  if (!reason.empty()) text << "(" << reason << ") ";
+  if (!reason.empty() && observed.kind == Observed::Kind::none) text << "(" << reason << ") ";  // both do not fit
   write_observed(observed, text);
 }
 

@@ -93,7 +93,7 @@ TEST_F(ReachRegistration, TouchesInOneAttitudeDoNotDetermineTheSkin) {
   Path path;
   for (int touch = 0; touch < 18; ++touch) path.touch({marks[0]});
   const Outcome outcome = expect_exit(12, run(path, {"--register", file, "--fingertip"}));
-  expect_said(outcome, {"fingertip: The measurements are not sufficient.", "differed too little"});
+  expect_said(outcome, {"fingertip: The measurements are not sufficient.", "tilt the finger more"});
 }
 
 TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {

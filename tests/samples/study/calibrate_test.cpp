@@ -165,7 +165,7 @@ TEST(StudyCalibrate, AFailedCalibrationStatesTheReasonAndWritesNothing) {
   std::vector<std::string> arguments{"calibrate", data};
   arguments.insert(arguments.end(), outputs.begin(), outputs.end());
   const StudyRun refusal = expect_exit(1, run_study(arguments));
-  EXPECT_TRUE(has(refusal.err, "no calibration: the plate was at 1 different angles over "));
+  EXPECT_TRUE(has(refusal.err, "no calibration: different angles of the plate: 1, over "));
 
   write(data, slides_header + "1,0,0,zero,0\n");
   const StudyRun broken = expect_exit(2, run_study(arguments));
