@@ -85,7 +85,7 @@ void by_headset(PersonCondition& condition, Draws& draws) {
 }
 
 constexpr PeopleFamily all_families[] = {
-    {"linear", "linear illusion up to 90°, where its sign flips; continuous steering", true,
+    {"linear", "linear illusion up to t = 90°, where its sign flips; continuous steering", true,
      [](PersonCondition&, Draws&) {}},
     {"steps", "the paper's person, steering every 100 ms", true,
      [](PersonCondition& c, Draws&) {
@@ -94,15 +94,15 @@ constexpr PeopleFamily all_families[] = {
      }},
     {"predictive", "predict their own motion over the sensory delay", false,
      [](PersonCondition& c, Draws&) { c.person.steering = Steering::predictive; }},
-    {"clip-60", "illusion saturates at 60°", true,
+    {"clip-60", "illusion saturates at t = 60°", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::saturating>(c, 60.0); }},
-    {"clip-45", "illusion saturates at 45°", false,
+    {"clip-45", "illusion saturates at t = 45°", false,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::saturating>(c, 45.0); }},
     {"tanh-60", "illusion w 60° tanh(t / 60°)", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::tanh>(c, 60.0); }},
     {"sine-45", "illusion w 45° sin 2t", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::sine>(c, 45.0); }},
-    {"dead-band", "no shift within 10°", true,
+    {"dead-band", "no illusion for t within ±10°", true,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::dead_band>(c, 10.0); }},
     {"unequal", "illusion half as large to the right", false,
      [](PersonCondition& c, Draws&) { illusion<IllusionFamily::unequal>(c, 45.0); }},

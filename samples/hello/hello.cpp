@@ -142,8 +142,8 @@ struct Headset {
     info.enabledExtensionCount = extensions.size();
     info.enabledExtensionNames = extensions.data();
     check(xrCreateInstance(&info, &instance) == XR_SUCCESS,
-          "there is no OpenXR runtime with XR_MND_headless, XR_EXT_hand_tracking and XR_HRTX_ridged_plate: set the "
-          "environment variable XR_RUNTIME_JSON to hrtx_mock_runtime.json of the mock runtime");
+          "no OpenXR runtime with XR_MND_headless, XR_EXT_hand_tracking and XR_HRTX_ridged_plate could be started: set "
+          "the environment variable XR_RUNTIME_JSON to hrtx_mock_runtime.json of the mock runtime");
     locate_hand_joints = function<PFN_xrLocateHandJointsEXT>("xrLocateHandJointsEXT");
     get_plate_orientation = function<PFN_xrGetPlateOrientationHRTX>("xrGetPlateOrientationHRTX");
     set_plate_orientation = function<PFN_xrSetPlateOrientationHRTX>("xrSetPlateOrientationHRTX");

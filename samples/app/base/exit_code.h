@@ -13,7 +13,7 @@ namespace hrt::app {
   X(target_missed,   1, "a reach missed its target, or a calibration reached its limit of slides (and wrote its profile)") \
   X(usage,           2, "the command line is wrong") \
   X(plugin,          3, "the plugin cannot be opened, the profile is invalid, or another call of the plugin failed") \
-  X(scene,           4, "the scene cannot be loaded or lacks the virtual target, or start or marks do not suit a set-up") \
+  X(scene,           4, "the scene cannot be loaded, lacks a virtual target (--target), or start or marks do not suit a set-up") \
   X(no_runtime,      5, "there is no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or it does not start") \
   X(runtime_lacks,   6, "the runtime has no headless sessions, no hand tracking or no headset") \
   X(runtime_failed,  7, "the runtime failed, was lost too often, ended the session, or did not start or stop it in time") \
@@ -23,7 +23,7 @@ namespace hrt::app {
   X(runtime_blocked, 11, "the runtime did not return from a call in time") \
   X(registration,   12, "touches do not fit, the pose of the plate is unknown, or a file of marks or poses is invalid") \
   X(calibration,    13, "the slides of a calibration do not determine the user's parameters; nothing was written") \
-  X(tracker,        14, "the touch frame cannot be opened, or was unplugged") \
+  X(tracker,        14, "the touch frame cannot be opened or used, or was unplugged") \
   X(internal,       70, "any other error") \
   X(interrupted,   130, "interrupted (Ctrl-C, SIGTERM, SIGHUP)")
 // clang-format on

@@ -162,9 +162,8 @@ double settle_at(Device& device, double orientation_deg) {
 
 Measurements measure(Device& device, const std::function<void(const std::string&)>& print) {
   if (!device.is_measured())
-    throw PlateFailure(
-        Fault::device,
-        "has no sensor, so that it cannot be measured. Connect one, or use the plate for demonstrations");
+    throw PlateFailure(Fault::device,
+                       "has no sensor, so it cannot be measured. Connect one, or use the plate for demonstrations");
   Measurements found;
   found.device = device.description();
   found.limits = device.limits();
