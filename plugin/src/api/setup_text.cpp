@@ -129,7 +129,9 @@ void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]) {
   Text<HRT_TEXT_SIZE> text;
   for (const auto& [part, name] : part_texts)
     if (part == report.drop.part) text << name;
-  write_problem(report.drop.problem, report.drop_reason, report.drop.observed, text);
+  const bool lacks_data = report.drop.problem == SetupProblem::undetermined;
+  if (lacks_data) text << "The measurements are not sufficient. Please repeat this part. ";
+  write_problem(lacks_data ? SetupProblem::none : report.drop.problem, report.drop_reason, report.drop.observed, text);
   std::memcpy(out, text.c_str(), text.view().size() + 1);
 }
 

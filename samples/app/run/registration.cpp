@@ -36,7 +36,7 @@ std::string accuracy_text(const RunContext& context) {
   }
   return format(
              "Errors of registration and tracker displace the ends of reaches by %.2f degrees (standard deviation). "
-             "For this reason, %.1f of 100 reaches miss the target that is most affected.",
+             "For this reason, %.1f of 100 reaches to the most affected target miss it.",
              worst.bearing_sd_deg, 100.0 * worst.miss_share) +
          (worst.miss_share > 0.05 ? " Register the plate again for a better result." : "");
 }

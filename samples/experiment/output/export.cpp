@@ -106,7 +106,7 @@ const Table tables[] = {
      {{"end", "text", "", "done, stopped or open"},
       {"reason", "text", "", "why the session ended or was last interrupted"},
       {"library", "text", "", "library version at each start of the program, separated by spaces"},
-      {"set_up_known", "boolean", "", "true: the set-up determined the illusion curve"},
+      {"set_up_known", "boolean", "", "true: the set-up determined the tactile weight"},
       {"tactile_weight", "number", "", "w_T as estimated by the set-up"},
       {"tactile_weight_low", "number", "", "lower end of the 95 % interval of tactile_weight"},
       {"tactile_weight_high", "number", "", "upper end of the 95 % interval of tactile_weight"},
