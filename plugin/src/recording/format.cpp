@@ -14,8 +14,8 @@ constexpr std::string_view explanation =
     "# Lines that begin with # are comments. Each other line is a call; cells that do not apply to it are empty.\n"
     "# Angles: degrees counter-clockwise from the plate's mid-line. Positions: x right, y up, z towards the user, or\n"
     "# in the engine's world if sample_flags has WORLD_POSITION. Flags and results: reach.h, base.h. Input columns:\n"
-    "# all up to duration_s, and contact_*. Targets are given by their numbers in the comments; 0: no target. Output\n"
-    "# columns: all others. In a row \"begin\", plate_orientation_deg is the orientation of the plate at that time.\n";
+    "# call, time_ns to duration_s, and contact_*. Targets are given by their numbers in the comments; 0: no target.\n"
+    "# Output columns: all others. In a row \"begin\", plate_orientation_deg is the orientation at that time.\n";
 
 void write(const ConfigSet& set, hrt_result, RecordText& out) {
   out << config_comment;

@@ -100,7 +100,7 @@ void write_implausible(const Implausible& found, Text<320>& text) {
       break;
     case Kind::target_off_plate:
       text << "the start or the real target is " << found.first << " mm from the centre of a plate of radius "
-           << found.second << " mm: set positions in metres, and check them and the plate's pose";
+           << found.second << " mm: check that positions are in metres, and the plate's pose";
       break;
     case Kind::time_too_slow:
       text << "times advance by " << found.second << " ns per sample: set time_ns in nanoseconds";
