@@ -17,7 +17,7 @@ HIDDEN = ("struct_size", "reserved")
 
 
 class HostError(Exception):
-    """The files of a host cannot be written."""
+    """The files of a host cannot be generated."""
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ hrt_result read(const PlateMount& mount, const TouchedFrame& touched, const hrt_
   if (given.flags & HRT_SAMPLE_JOINT_ROTATION) {
     if (finger != HRT_SAMPLE_WORLD_POSITION)
       return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", given.flags,
-                  " and contains JOINT_ROTATION without WORLD_POSITION; set both or neither");
+                  " and contains JOINT_ROTATION without WORLD_POSITION; use WORLD_POSITION, or clear JOINT_ROTATION");
     HRT_RETURN_IF_FAILED(check_rotation("joint_rotation", given.joint_rotation));
   }
   if (given.flags & HRT_SAMPLE_PLATE_POSE) {
