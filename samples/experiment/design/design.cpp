@@ -192,10 +192,12 @@ void check_field_combinations(const std::string& name, const Design& design) {
   if (conditions == 1) rows = 1;
   const unsigned set = rows * std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   if (design.participants % set != 0)
-    refuse(name + ".participants", format("must be a multiple of %u, the number of orders%s, for balance", set,
-                                          design.levels.empty() ? "" : " times the number of levels"));
+    refuse(name + ".participants",
+           format("must be a multiple of %u, the number of orders%s, for balance; it is %u", set,
+                  design.levels.empty() ? "" : " times the number of levels", design.participants));
   if (design.pairs.size() == 1 && design.order != Order::random_in_blocks && design.repeats > design.max_run)
-    refuse(name + ".max_run", "must be at least repeats if there is only one pair");
+    refuse(name + ".max_run", format("must be at least repeats, %u, because there is only one pair; it is %u",
+                                     design.repeats, design.max_run));
 }
 
 }  // namespace
