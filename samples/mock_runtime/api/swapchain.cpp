@@ -28,7 +28,8 @@ void require_possible(const XrSwapchainCreateInfo& info, const Session& session)
   require_valid(info.sampleCount > 0 && info.arraySize > 0 && info.mipCount > 0,
                 "sampleCount is {}, arraySize is {} and mipCount is {}; none may be 0", info.sampleCount,
                 info.arraySize, info.mipCount);
-  require_valid(info.faceCount == 1 || info.faceCount == 6, "faceCount is {}; must be 1 or 6", info.faceCount);
+  require_valid(info.faceCount == 1 || info.faceCount == 6, "faceCount is {}; must be 1 (or 6, unsupported here)",
+                info.faceCount);
   const auto mips = static_cast<int>(std::bit_width(std::max(info.width, info.height)));
   require(info.mipCount <= static_cast<std::uint32_t>(mips), XR_ERROR_FEATURE_UNSUPPORTED,
           "mipCount is {}; for {} x {} pixels, must be at most {}", info.mipCount, info.width, info.height, mips);
