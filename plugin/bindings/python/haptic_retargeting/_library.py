@@ -1,4 +1,4 @@
-"""Loads the shared libraries, and converts errors and log lines of the plugin's library."""
+"""Loads the shared libraries, owns their handles, and converts errors and log lines of the plugin's library."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import logging
 import os
 import re
 import sys
+import weakref
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -15,6 +16,7 @@ from . import _abi
 from ._struct import Struct
 
 _S = TypeVar("_S", bound=Struct)
+_T = TypeVar("_T", bound="Closing")
 
 
 class Error(RuntimeError):
@@ -100,3 +102,24 @@ def output(kind: type[_S], function: Any, *arguments: Any) -> _S:
     out = kind()
     check(function(*arguments, ctypes.byref(out)))
     return out
+
+
+class Closing:
+    """An object that owns a handle of a library."""
+
+    def _own(self, handle: Struct, destroy: Any) -> None:
+        """Calls `destroy` with the handle once: when this object is closed or collected, or at exit."""
+        self._destroy = weakref.finalize(self, destroy, handle)
+
+    _check = staticmethod(check)  # check() of the library that owns the handle
+
+    def close(self) -> None:
+        """Destroys the handle. A second call does nothing."""
+        if self._destroy.alive:
+            self._check(self._destroy() or _abi.OK)
+
+    def __enter__(self: _T) -> _T:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()

@@ -7,9 +7,8 @@ from typing import Any
 
 from . import _abi
 from ._abi import PersonConfig, PersonState, Sample
-from ._closing import Closing
 from ._keywords import PersonKeywords
-from ._library import check, library, output
+from ._library import Closing, check, library, output
 from .session import Session, Target
 
 

@@ -14,8 +14,7 @@ import time
 from typing import Any
 
 from . import _abi, _plate_abi
-from ._closing import Closing
-from ._library import Error, load, renamed
+from ._library import Closing, Error, load, renamed
 from ._plate_abi import *
 
 __all__ = ["Plate", *_plate_abi.__all__]

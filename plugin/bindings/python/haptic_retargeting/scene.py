@@ -7,8 +7,7 @@ from ctypes import byref
 
 from . import _abi
 from ._abi import SceneInfo, SceneTarget
-from ._closing import Closing
-from ._library import check, library, output
+from ._library import Closing, check, library, output
 from .session import Session, Target, own_targets
 
 

@@ -17,10 +17,8 @@ from . import _abi
 from ._abi import (
     AssignFlag, Conditions, Gap, Place, RecordingStatus, Role, SessionConfig, SetupFlag, StateFlag, TargetConfig,
 )
-from ._closing import Closing
 from ._keywords import SessionKeywords, TargetKeywords
-from ._library import LOG, Error, check, library, output
-from ._struct import short
+from ._library import LOG, Closing, Error, check, library, output
 from .arrays import SAMPLE, Array, expect_rows
 from .reach import Reach
 from .record import RunRecord, target_place
@@ -115,7 +113,7 @@ class Session(SessionKeywords, Closing):
     def __repr__(self) -> str:
         if not self._destroy.alive:
             return "<Session, closed>"
-        return f"<Session: {len(self.targets())} targets, {short(self.state) if self.state else 'idle'}>"
+        return f"<Session: {len(self.targets())} targets, {'|'.join(self.state.names()) or 'idle'}>"
 
     @property
     def config(self) -> SessionConfig:
