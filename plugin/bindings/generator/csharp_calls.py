@@ -1,12 +1,12 @@
 """Generates methods in the style of C# for the C functions: functions of a handle become methods of its class, structs
-are passed by value with their size set, the main output is returned, errors are thrown. hrt_target_add becomes
-AddTarget of the session."""
+are passed by value with their size set, the output is returned, errors are thrown. hrt_target_add becomes AddTarget of
+the session."""
 
 from __future__ import annotations
 
 import textwrap
 
-from abi import Abi, Function, Type, Value, pascal
+from abi import Abi, Function, HostError, Type, Value, pascal
 from csharp import Renderer, camel
 
 _CLASSES = {"hrt_session": "HapticRetargetingSession", "hrt_person": "HapticRetargetingPerson",
@@ -53,9 +53,6 @@ class _Call:
         self.passed = ["Handle"] * (self.owner != _STATIC)  # arguments of the C function
         self.returned = ("void", "")  # type and expression of what the C# method returns
         self.parameters = function.params[len(self.passed):]
-        outputs = [p for p in self.parameters if p.name.startswith("out_") and p.name != "out_count"]
-        # If there are several outputs, the one that is a struct with a size is the main one.
-        self.main_output = min(outputs, key=lambda p: not self.has_size(p) or bool(p.count), default=function.params[0]).name
 
     def render(self) -> str:
         while self.parameters:
@@ -93,22 +90,16 @@ class _Call:
         self.passed.append(passed)
 
     def output(self, p: Value, name: str) -> None:
-        element = self.element(p)
-        if any(taken.split(" ")[-1] == name for taken in self.taken):
-            name = f"found{name[:1].upper()}{name[1:]}"
-        enum = self.names.enumerations.get(p.values, "")
-        declared = self.declare(p, enum or element, f"({enum}){name}" if enum else name, name)
+        element, enum = self.element(p), self.names.enumerations.get(p.values, "")
+        self.returns(enum or element, f"({enum}){name}" if enum else name)
         if self.has_size(p):
-            self.before.append(f"{declared}{name} = new {element} {{ structSize = SizeOf<{element}>.Value }};")
-        self.passed.append(f"ref {name}" if self.has_size(p) else f"out {element} {name}" if declared else f"out {name}")
+            self.before.append(f"var {name} = new {element} {{ structSize = SizeOf<{element}>.Value }};")
+        self.passed.append(f"ref {name}" if self.has_size(p) else f"out {element} {name}")
 
-    def declare(self, p: Value, type_: str, value: str, name: str) -> str:
-        """Returns the declaration of an output. The method returns the main output; others are its parameters."""
-        if p.name == self.main_output:
-            self.returned = (type_, value)
-            return "var "
-        self.taken.append(f"out {type_} {name}")
-        return ""
+    def returns(self, type_: str, value: str) -> None:
+        if self.returned[1]:
+            raise HostError(f"{self.function.name} has several outputs, which generator/csharp_calls.py does not support")
+        self.returned = (type_, value)
 
     def text(self, p: Value, name: str) -> None:
         if p.count:
@@ -135,8 +126,8 @@ class _Call:
             self.before.append(f"Check({self.names.native}.{self.function.name}({first}));")
         length = "count + 1" if text else f"{given}.Length" if given else "count"
         value = f"Encoding.UTF8.GetString({name}, 0, (int)count)" if text else name
-        declared = self.declare(p, "string" if text else f"{element}[]", value, name)
-        self.before.append(f"{declared}{name} = new {element}[{length}];")
+        self.returns("string" if text else f"{element}[]", value)
+        self.before.append(f"var {name} = new {element}[{length}];")
         if self.has_size(p):
             self.before.append(f"if ({name}.Length > 0) {name}[0].structSize = SizeOf<{element}>.Value;")
         self.passed += [f"(ulong){name}.Length", name, *([] if given else ["out count"])]
