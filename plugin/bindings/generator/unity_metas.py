@@ -1,16 +1,10 @@
-#!/usr/bin/python3
-"""Writes the .meta files by which Unity identifies each file and folder of the package, if they are missing or differ.
-CMake runs this script. The identifier, which must never change, is the hash of the file's path, so that git does not
-need the .meta files.
+"""Generates the .meta files by which Unity identifies each file and folder of the package. The identifier, which must
+never change, is the hash of the file's path, so that git does not need the .meta files."""
 
-    plugin/bindings/unity/metas
-"""
+from __future__ import annotations
 
 import hashlib
-import sys
 from pathlib import Path
-
-PACKAGE = Path(__file__).resolve().parent / "com.haptic-retargeting"
 
 # Platforms, in Unity's terms, on which the installed libraries are loaded. hrt_plate is not installed for Android.
 LINUX = {"Editor: Editor": {"CPU": "x86_64", "DefaultValueInitialized": "true", "OS": "Linux"},
@@ -32,19 +26,7 @@ MONO = "  serializedVersion: 2\n  defaultReferences: []\n  executionOrder: 0\n  
 END = "  userData: \n  assetBundleName: \n  assetBundleVariant: \n"
 
 
-def assets():
-    found = {path.relative_to(PACKAGE) for path in PACKAGE.rglob("*") if path.suffix != ".meta"}
-    for library in LIBRARIES:
-        found |= {Path(library), *Path(library).parents} - {Path(".")}
-    # Unity ignores names that begin with a dot, and folders that end with a tilde.
-    return sorted(path for path in found if not any(part.startswith(".") or part.endswith("~") for part in path.parts))
-
-
-def is_folder(asset):
-    return (PACKAGE / asset).is_dir() or any(asset in Path(library).parents for library in LIBRARIES)
-
-
-def platform_data(loaded_by):
+def platform_data(loaded_by: dict[str, dict[str, str]]) -> str:
     excluded = "".join(f"        Exclude {name}: {int(key not in loaded_by)}\n" for key, name in PLATFORMS.items())
     text = f"  platformData:\n  - first:\n      : Any\n    second:\n      enabled: 0\n      settings:\n{excluded}"
     text += "  - first:\n      Any: \n    second:\n      enabled: 0\n      settings: {}\n"
@@ -56,7 +38,7 @@ def platform_data(loaded_by):
     return text
 
 
-def meta(asset):
+def meta(asset: Path, is_folder: bool) -> str:
     guid = hashlib.md5(f"com.haptic-retargeting/{asset.as_posix()}".encode()).hexdigest()
     text = f"fileFormatVersion: 2\nguid: {guid}\n"
     if asset.as_posix() in LIBRARIES:
@@ -64,24 +46,18 @@ def meta(asset):
                 "  executionOrder: {}\n  defineConstraints: []\n  isPreloaded: 0\n  isOverridable: 0\n"
                 "  isExplicitlyReferenced: 0\n  validateReferences: 1\n"
                 + platform_data(LIBRARIES[asset.as_posix()]) + END)
-    if is_folder(asset):
+    if is_folder:
         return text + "folderAsset: yes\nDefaultImporter:\n  externalObjects: {}\n" + END
     importer = "PackageManifestImporter" if asset.name == "package.json" else IMPORTERS[asset.suffix]
     return text + f"{importer}:\n  externalObjects: {{}}\n" + (MONO if importer == "MonoImporter" else "") + END
 
 
-def main():
-    if sys.argv[1:]:
-        print(__doc__, file=sys.stderr)
-        return 2
-    wanted = {PACKAGE / f"{asset}.meta": meta(asset) for asset in assets()}
-    for path in set(PACKAGE.rglob("*.meta")) - set(wanted):
-        path.unlink()  # Unity reports a .meta without its file
-    for path, text in wanted.items():
-        if not path.exists() or path.read_text() != text:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-    return 0
-
-
-sys.exit(main())
+def render(package: Path, generated: list[str]) -> dict[str, str]:
+    """Returns the path in the package and the text of each .meta file. `generated`: files of the package that are
+    generated too."""
+    files = {path.relative_to(package) for path in package.rglob("*") if path.is_file() and path.suffix != ".meta"}
+    files |= {Path(name) for name in [*generated, *LIBRARIES]}
+    folders = {folder for file in files for folder in file.parents} - {Path(".")}
+    # Unity ignores names that begin with a dot, and folders that end with a tilde.
+    return {f"{asset.as_posix()}.meta": meta(asset, asset in folders) for asset in files | folders
+            if not any(part.startswith(".") or part.endswith("~") for part in asset.parts)}
