@@ -140,7 +140,7 @@ class SessionRun {
       if (first.at("subject") != subject_.description())
         throw Refusal(folder_.string() + ": this session was started with \"" + first.at("subject").get<std::string>() +
                       "\", not with \"" + subject_.description() +
-                      "\"; use the same participant and tracker, or another session (--session)");
+                      "\"; use the same participant, seed and tracker, or another folder (--data)");
       if (!state_.end.empty()) return;
       subject_.continue_after(*state_.last);
       is_long = is_long_pause();

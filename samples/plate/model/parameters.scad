@@ -234,13 +234,14 @@ assert(ridge_spacing_mm > ridge_width_mm, "ridge_spacing_mm must be above ridge_
 assert(ridge_width_mm > 0 && ridge_height_mm > 0, "ridge_width_mm and ridge_height_mm must be above 0");
 assert(dimple_depth_mm < dimple_diameter_mm / 2, "dimple_depth_mm must be below half of dimple_diameter_mm");
 assert(start_distance_mm + dimple_diameter_mm / 2 < plate_radius_mm - ridge_margin_mm,
-       "start_distance_mm must leave the start's dimple on the plate");
-assert(plate_pilot_z < -1.5, "plate_thickness_mm must leave 1.5 mm above the screws of the hub");
+       "start_distance_mm must leave the start's dimple on the plate; decrease it");
+assert(plate_pilot_z < -1.5, "plate_thickness_mm must leave 1.5 mm above the screws of the hub; increase it");
 assert(dimple_diameter_mm <= 10, "dimple_diameter_mm must be 10 or less: the marks would meet the scale");
 assert(horn_diameter_mm + slide_fit_mm < retainer_screw_circle_mm - m3_head_mm,
-       "horn_diameter_mm must leave room for the retainer's screws");
+       "horn_diameter_mm must leave room for the retainer's screws; decrease it");
 assert(rim_gap_mm <= 4, "rim_gap_mm must be 4 or less: wider gaps admit a fingertip");
-assert(object_gap_mm >= 1 && object_gap_mm <= 4, "object_gap_mm must be 1 to 4: wider gaps admit a fingertip");
+assert(object_gap_mm >= 1 && object_gap_mm <= 4,
+       "object_gap_mm must be 1 to 4: with less, the object may rub; with more, a fingertip fits in");
 assert(cup_width_mm < 2 * cup_radius_mm, "cup_width_mm must be below twice cup_radius_mm");
 assert(sensor_room_mm == 0 || sensor_room_mm >= clamp_z - sensor_arm_z + sensor_arm_mm + 3,
        "sensor_room_mm must be 0, or at least 14 to leave 3 mm below the sensor's arm");

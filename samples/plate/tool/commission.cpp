@@ -89,8 +89,8 @@ SensorLine find_sensor_line(Device& device, BoardSettings& board, const Dialogue
   const double below_deg = read_scale(device, dialogue, -scale_deg), reading_below = board.sensor_reading();
   if (std::abs(reading_above - reading_below) < min_readings)
     throw PlateFailure(Fault::device,
-                       "cannot be measured: the reading of the sensor at pin A0 does not change. Check sensor, magnet "
-                       "and wire, or use the plate only for demonstrations");
+                       "cannot be measured: the reading of the sensor at pin A0 does not change. Check the sensor, the "
+                       "magnet and the wire, or use the plate only for demonstrations");
   const double turn = (above_deg - below_deg) / (2.0 * scale_deg);
   const double span_us = turn == 0.0 ? 1e9 : std::round(first_span_us / turn);
   if (std::abs(span_us) < 500.0 || std::abs(span_us) > 2500.0)
