@@ -3,7 +3,7 @@
 # The call has no version, because the package of Eigen 5 rejects a request for 3.4, although Eigen 5 is compatible.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.4)
-  message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: 3.4 or later is needed")
+  message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: install 3.4 or later, or set Eigen3_DIR to its CMake files")
 endif()
 find_package(nlohmann_json 3.10 REQUIRED)
 find_package(Threads REQUIRED)

@@ -158,7 +158,7 @@ void Live::check(app::RunContext& context, std::optional<Clock::time_point> regi
   if (report == nullptr || report->state == 0)
     add(true, "Plate: simulated");
   else if ((report->flags & HRT_PLATE_REPORT_COMMISSIONED) == 0)
-    add(false, "Plate: not commissioned (hrt-plate commission)");
+    add(false, "Plate: opened without a plate file; hrt-plate commission writes one, for --plate");
   else if ((report->flags & HRT_PLATE_REPORT_DEVIATES) != 0)
     add(false, "Plate: the rotation differs from the plate file; commission the plate again (hrt-plate commission)");
   else
@@ -166,7 +166,7 @@ void Live::check(app::RunContext& context, std::optional<Clock::time_point> regi
   if (context.simulation != nullptr)
     add(true, "Registration: simulated");
   else if (!registered)
-    add(false, "Registration: the plate is not registered");
+    add(false, "Registration: not made or checked since the start of this run");
   else
     add(Clock::now() - *registered < fresh,
         format("Registration: made or checked %lld min ago",
