@@ -89,10 +89,14 @@ PlateFile read_plate_file(const std::string& path) {
     file.acceleration_deg_s2 = session.at("plate_max_acceleration_deg_s2");
     file.latency_ms = json.at("measured").at("latency_ms").at(0);
     file.error_deg = json.at("max_error_deg");
-    const auto is_within = [](double value, double low, double high) { return value >= low && value <= high; };
-    if (!is_within(file.speed_deg_s, 0.1, 1e5) || !is_within(file.acceleration_deg_s2, 1.0, 1e8) ||
-        !is_within(file.latency_ms, 0.0, 1000.0) || !is_within(file.error_deg, 0.0, 360.0))
-      refuse(path, "has a number that is out of range; commission the plate again");
+    const auto check = [&path](const char* name, double value, double low, double high) {
+      if (!(value >= low && value <= high))
+        refuse(path, std::string("has a number out of range, ") + name + "; commission the plate again");
+    };
+    check("plate_max_speed_deg_s", file.speed_deg_s, 0.1, 1e5);
+    check("plate_max_acceleration_deg_s2", file.acceleration_deg_s2, 1.0, 1e8);
+    check("latency_ms", file.latency_ms, 0.0, 1000.0);
+    check("max_error_deg", file.error_deg, 0.0, 360.0);
     return file;
   } catch (const nlohmann::json::exception&) {
     refuse(path, "lacks a member or has a member of a wrong type; commission the plate again");

@@ -64,7 +64,7 @@ void xrGetInstanceProcAddr(XrInstance handle, const char* name, PFN_xrVoidFuncti
     require(needs_no_instance(name), XR_ERROR_HANDLE_INVALID,
             "{} needs an instance, but the handle is null; call xrCreateInstance first", name);
   const auto id = find_function(name);
-  require(id.has_value(), XR_ERROR_FUNCTION_UNSUPPORTED, "this runtime has no function {}", name);
+  require(id.has_value(), XR_ERROR_FUNCTION_UNSUPPORTED, "this runtime has no function {}; check its name", name);
   const Extension needed = functions[static_cast<std::size_t>(*id)].needed;
   if (needed != Extension::core)
     require(instance->enabled(needed), XR_ERROR_FUNCTION_UNSUPPORTED, "{} needs the extension {}; enable it", name,
