@@ -112,6 +112,7 @@ std::string letters_of(const Design& design, unsigned participant, const std::ve
 std::string balance_text(const Design& design) {
   if (design.order == Order::random_in_blocks)
     return "balance: every block has every condition and pair equally often\n";
+  if (design.conditions.size() == 1) return "balance: there is only one condition\n";
   std::map<std::pair<unsigned, unsigned>, unsigned> follows;
   for (unsigned p = 1; p <= design.participants; ++p) {
     const std::vector<unsigned> order = order_for(design, p);

@@ -152,7 +152,9 @@ int run_set(const Options& options, const Environment& env) {
   for (const std::string& change : options.changes) {
     const std::size_t equals = std::min(change.find('='), change.size() - 1);
     const auto value = number_in(std::string_view(change).substr(equals + 1), -1e6, 1e6);
-    if (!value) throw std::invalid_argument("\"" + change + "\" must have the form name=number, as in zero=1505");
+    if (!value)
+      throw std::invalid_argument("\"" + change +
+                                  "\" must be name=number, as in zero=1505, with a number from -1000000 to 1000000");
     board->change_setting(change.substr(0, equals), *value);
   }
   board->save_settings();

@@ -140,7 +140,7 @@ std::string table1_text(const Table1& table) {
   std::string page = fmt::format(
       "Percentage of trials that end within 1.5 deg of the real target: paper (50 trials per cell) and model\n"
       "({} trials per cell, seed {}, horizon {}, plate bound {} deg,\nsensory variance {} deg^2, {} steps). Both are "
-      "simulation; there was no human trial. Directions in deg.\n\n",
+      "simulated; there was no human trial. Directions in deg.\n\n",
       options.trials, options.seed, options.horizon, options.plate_bound_deg, options.sensory_variance_deg2,
       options.steps);
   for (const CellGroup& group : table.conditions) page += condition_text(group);
@@ -149,7 +149,7 @@ std::string table1_text(const Table1& table) {
 
 Results table1_results(const Table1& table) {
   Results found{.about = {{"simulation", true},
-                          {"note", "Paper and model are both simulation; there was no human trial."},
+                          {"note", "Paper and model are both simulated; there was no human trial."},
                           {"trials_per_cell", table.options.trials},
                           {"seed", table.options.seed},
                           {"horizon", table.options.horizon},

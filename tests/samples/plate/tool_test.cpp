@@ -129,7 +129,7 @@ TEST(PlateTool, RefusesAWrongCommandLine) {
             "hrt-plate: option id is \"300\"; allowed: 0 to 252\n");
   EXPECT_EQ(run_with(board, {"turn", "board", "91"}).err, "hrt-plate: angle is 91; allowed: -90 to 90\n");
   EXPECT_EQ(run_with(board, {"set", "board", "zero"}).err,
-            "hrt-plate: \"zero\" must have the form name=number, as in zero=1505\n");
+            "hrt-plate: \"zero\" must be name=number, as in zero=1505, with a number from -1000000 to 1000000\n");
 }
 
 TEST(PlateTool, SetsSettings) {
