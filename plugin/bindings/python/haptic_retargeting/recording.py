@@ -88,7 +88,7 @@ def read_recording(path: str | os.PathLike[str]) -> Recording:
         try:
             return _read(file)
         except UnicodeDecodeError as error:
-            raise RecordingError(f"{os.fspath(path)} is not text: {error}") from error
+            raise RecordingError(f"{os.fspath(path)} is not text ({error}); pass a recording") from error
         except RecordingError as error:
             raise RecordingError(f"{os.fspath(path)}, {error}") from error
 
@@ -102,7 +102,7 @@ def _read(lines: Iterable[str]) -> Recording:
     number = 0
     for number, line in enumerate(lines, 1):
         if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 4":
-            raise RecordingError("line 1: not a recording of version 4; record again")
+            raise RecordingError("line 1: not a recording of version 4; pass one, or record again")
         if not line.endswith("\n") or line.startswith("# lost"):
             break  # the line is cut off, or calls are missing
         line = line.rstrip("\r\n")
@@ -116,12 +116,12 @@ def _read(lines: Iterable[str]) -> Recording:
             elif not line.startswith("#") and not header:
                 header = line.split(",")
                 if missing := [column for column in _NEEDED if column not in header]:
-                    raise ValueError(f"the column {missing[0]} is missing; record again")
+                    raise ValueError(f"the column {missing[0]} is missing")
             elif not line.startswith("#"):
                 _take(_row(header, line), config, reaches)
         except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
-            reason = error if isinstance(error, (ValueError, TypeError)) else "the line is malformed; record again"
-            raise RecordingError(f"line {number}: {reason}") from error
+            reason = error if isinstance(error, (ValueError, TypeError)) else "the line is malformed"
+            raise RecordingError(f"line {number}: {reason}; record again") from error
     if not header:
         raise RecordingError(f"line {max(number, 1)}: the line of column names is missing; record again")
     return Recording([rows.record() for rows in reaches], complete, targets)
@@ -129,39 +129,46 @@ def _read(lines: Iterable[str]) -> Recording:
 
 def _from_json(kind: type[_S], text: str) -> _S:
     """Returns a struct with the values of a JSON text. Fields that this version does not have are ignored."""
-    values = json.loads(text)
+    try:
+        values = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise ValueError(f"the JSON is invalid at its character {error.pos + 1}: {error.msg}") from None
     return kind(**{name: values[name] for name in kind.names() if name in values})
 
 
 def _row(header: list[str], line: str) -> _Row:
     cells = line.split(",")
     if len(cells) != len(header):
-        raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed; record again")
+        raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed")
     return {name: cell if name in _TEXTS else _number(name, cell) for name, cell in zip(header, cells)}
 
 
 def _number(name: str, cell: str) -> float | None:
     if not cell:
         return None
+    try:
+        number: float = int(cell) if name in _WHOLE else float(cell)
+    except ValueError:
+        raise ValueError(f"{name} is {cell!r}, which is not a {'whole ' if name in _WHOLE else ''}number") from None
     if name not in _WHOLE:
-        return float(cell)
-    number, kind = int(cell), _WHOLE[name]
+        return number
+    kind = _WHOLE[name]
     if not np.iinfo(kind).min <= number <= np.iinfo(kind).max:
-        raise ValueError(f"{name} is {cell}, which does not fit into {kind.name}; record again")
+        raise ValueError(f"{name} is {cell}, which does not fit into {kind.name}")
     return number
 
 
 def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
     if config is None:
-        raise ValueError('the line "# config" is missing before this row; record again')
+        raise ValueError('the line "# config" is missing before this row')
     call, done = row["call"], row["result"] == _abi.OK
     if call.startswith("setup_"):
         return  # a record of reaches has no set-ups
     if call not in _CALLS:
-        raise ValueError(f"the row's call is {call!r}; allowed: {', '.join(_CALLS)}, setup_...; record again")
+        raise ValueError(f"the row's call is {call!r}; allowed: {', '.join(_CALLS)}, setup_...")
     if call == "begin" and done:
         if missing := [column for column in _AIM if row[column] is None]:
-            raise ValueError(f"{missing[0]} is missing; record again")
+            raise ValueError(f"{missing[0]} is missing")
         reaches.append(_Rows(config, row))
     elif call == "update" and reaches and not reaches[-1].over:
         reaches[-1].updates.append(row)
