@@ -132,7 +132,10 @@ void add_commands(CLI::App& app, Options& options) {
   add("design", "Check a design, and print its trials, time plan, balance and orders", true,
       [](const Options& o) { std::cout << design_text(read_design(o.study)); });
   add("preregister", "Print the text of a registered report, in Markdown, to be completed", true, [](const Options& o) {
-    std::cout << preregistration_text(read_design(o.study), o.power.empty() ? "" : content_of(o.power));
+    const std::string power = o.power.empty() ? "" : content_of(o.power);
+    if (!o.power.empty() && power.empty())
+      throw Refusal(o.power + ": is empty; write the output of samples/experiment/power to it");
+    std::cout << preregistration_text(read_design(o.study), power);
   })->add_option("--power", options.power, "Output of samples/experiment/power for this design, to be included");
   add("protocol", "Print the experimenters' protocol, in Markdown", true,
       [](const Options& o) { std::cout << protocol_text(read_design(o.study)); });

@@ -94,7 +94,8 @@ void Disk::make_folder(const fs::path& folder) const {
 
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Refusal(file.string() + ": cannot be read: check the path and its permissions");
+  if (!stream || fs::is_directory(file))
+    throw Refusal(file.string() + ": cannot be read: check the path and its permissions");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

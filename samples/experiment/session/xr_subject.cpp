@@ -87,6 +87,9 @@ XrSubject::XrSubject(const Design& design, unsigned participant, const app::Opti
   if (simulation_ && !options_.person) {
     context_.simulation = &*simulation_;
     simulated_.emplace(design, participant, options.seed);
+  } else if (!options_.person) {
+    throw Refusal("the OpenXR runtime " + runtime_.name() +
+                  " does not simulate a participant (--simulated); use the mock runtime");
   } else if (!keyboard_.has_terminal()) {
     throw Refusal(
         "standard input is not a terminal, which the experimenter needs for the keys; run in a terminal, or simulate "
