@@ -57,7 +57,7 @@ foreach(page SETUP PROCESS README)  # README links to the others, and is therefo
   hrt_install_readme(${CMAKE_CURRENT_SOURCE_DIR}/plugin/${page}.md ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 endforeach()
 
-# Components tools and mock_runtime, for Debian packages. The package for Windows contains hrt-plate.
+# Components tools and mock_runtime, for Debian's packages. The package for Windows contains hrt-plate.
 set(component tools EXCLUDE_FROM_ALL)
 if(WIN32)
   set(component runtime)
@@ -76,8 +76,6 @@ if(HRT_BUILD_MOCK_RUNTIME)
   install(FILES samples/app/xr/openxr_hrtx_ridged_plate.h TYPE INCLUDE COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_script.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/hrtx COMPONENT mock_runtime EXCLUDE_FROM_ALL)
-  install(FILES LICENSE plugin/THIRD_PARTY_NOTICES.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hrtx-mock-runtime
-          COMPONENT mock_runtime EXCLUDE_FROM_ALL)
 endif()
 
 if(NOT PROJECT_IS_TOP_LEVEL)
@@ -90,30 +88,10 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 if(WIN32)
   set(CPACK_GENERATOR ZIP)
-else()  # for any Linux
+else()  # for any Linux; plugin/packaging makes Debian packages
   set(CPACK_GENERATOR TGZ)
 endif()
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL runtime development)
 set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)  # one archive contains both components
-
-# Debian packages: cpack -G DEB -D "CPACK_COMPONENTS_ALL=runtime;development;tools;mock_runtime".
-set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
-set(runtime libhaptic-retargeting${HRT_ABI_VERSION})
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${runtime})
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libhaptic-retargeting-dev)
-set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME haptic-retargeting-tools)
-set(CPACK_DEBIAN_MOCK_RUNTIME_PACKAGE_NAME openxr-mock-runtime-hrtx)
-foreach(component DEVELOPMENT TOOLS)
-  set(CPACK_DEBIAN_${component}_PACKAGE_DEPENDS "${runtime} (= ${PROJECT_VERSION})")
-endforeach()
-set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "The shared library, and a library that drives the plate.")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The C headers, a CMake package and pkg-config files.")
-set(CPACK_COMPONENT_TOOLS_DESCRIPTION "hrt-reach, an OpenXR application that retargets reaches; hrt-study, which simulates,
- calibrates and reports; hrt-plate, which finds, sets up and measures a plate; and two scenes.")
-set(CPACK_COMPONENT_MOCK_RUNTIME_DESCRIPTION "An OpenXR runtime that simulates a headset, hands and people, for tests of
- applications. XR_RUNTIME_JSON selects its manifest, /usr/lib/hrtx_mock_runtime.json.")
 include(CPack)
