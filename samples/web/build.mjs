@@ -23,16 +23,18 @@ const shared = {
   platform: "browser",
   legalComments: "none",  // licences.txt contains them
   alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"),
+           "marks.csv": join(here, "../plate/model/marks.csv"),
            "generic-hand": join(hands, "dist/profiles/generic-hand") },
   nodePaths: [modules],  // where three.mjs of the npm package finds three.js
   define: { "import.meta.url": '"about:blank"' },
   tsconfigRaw: {},
   logLevel: "warning",
 };
+const loader = { ".csv": "text" };
 await rm(pageFolder, { recursive: true, force: true });
 await mkdir(pageFolder, { recursive: true });
-const { metafile: { outputs } } = await build({ ...shared, metafile: true, format: "esm", splitting: true, chunkNames: "part_[hash]", assetNames: "[name]", loader: { ".wasm": "file", ".glb": "file" } });
-await build({ ...shared, entryPoints: [{ in: join(here, "src/main.ts"), out: "offline" }], format: "iife", loader: { ".wasm": "binary", ".glb": "binary" } });
+const { metafile: { outputs } } = await build({ ...shared, metafile: true, format: "esm", splitting: true, chunkNames: "part_[hash]", assetNames: "[name]", loader: { ...loader, ".wasm": "file", ".glb": "file" } });
+await build({ ...shared, entryPoints: [{ in: join(here, "src/main.ts"), out: "offline" }], format: "iife", loader: { ...loader, ".wasm": "binary", ".glb": "binary" } });
 await cp(join(here, "src/page.css"), join(pageFolder, "page.css"));
 await cp(join(here, "reveal.gif"), join(pageFolder, "reveal.gif"));
 // start.js becomes an inline script of index.html, so that the browser requests the files of the first picture

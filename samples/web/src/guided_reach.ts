@@ -39,6 +39,8 @@ export type Trace = Step[];
 export abstract class GuidedReach {
   /** A new array for each reach. */
   trace: Trace = [];
+  /** Orientation of a connected plate, which replaces the simulated one. NaN: no plate is connected. */
+  plateConnected_deg = NaN;
   /** Recording of the last reach that has ended, as CSV. */
   recording = "";
   protected settings: Settings;

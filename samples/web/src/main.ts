@@ -14,6 +14,7 @@ import { SceneMode } from "./modes/scene_mode";
 import { SlideMode } from "./modes/slide_mode";
 import { WatchMode } from "./modes/watch_mode";
 import { check, chosen, element, messageOf, part, radios, readColours, report, say } from "./page";
+import { PlatePanel } from "./plate/plate_panel";
 import { type Mode, modes, SettingsForm } from "./settings";
 import { SimulatedReach } from "./simulated_reach";
 import { Sounds } from "./sounds";
@@ -53,7 +54,8 @@ async function main(): Promise<void> {
   const hand = new VisitorReach(library, settings),
     unguided = new VisitorReach(library, { ...settings, controller: "off" });
   const compare = new Compare(),
-    sounds = new Sounds(still);
+    sounds = new Sounds(still),
+    plate = new PlatePanel();
   const watching = new WatchMode(watch, desk, still);
   const sliding = new SlideMode(hand, unguided, desk, compare, sounds, settings, still);
   const viewing = new SceneMode(library, settings, showMode);
@@ -131,6 +133,7 @@ async function main(): Promise<void> {
     const [{ HeadsetReach }, { HeadsetMode }] = parts,
       wear = new HeadsetReach(library, desk.stage?.plate ?? new HapticPlate(), form.settings);
     wearing = new HeadsetMode(wear, desk);
+    wearing.onFrame = follow;
     wearing.onLeft = () => {
       desk.setView(mode !== "hand");
       desk.resize();
@@ -154,6 +157,18 @@ async function main(): Promise<void> {
     return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, scene: viewing.watch }[mode];
   }
 
+  /** Sends the shown reach's command to a connected plate, whose reported orientation replaces the simulated one. */
+  function follow(): void {
+    const shown = reaches();
+    plate.frame(performance.now(), shown.command.plate_orientation_deg);
+    // A simulated reach that is paused or stepped does not run in real time, so it uses the simulated plate.
+    const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
+    for (const each of [watch, hand, unguided, viewing.watch, ...(wearing ? [wearing.wear] : [])])
+      each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
+  }
+
+  plate.onReady = (speed_deg_s) => form.setPlateSpeed(speed_deg_s);
+
   let before_ms = NaN, // time of the last frame; NaN: no frame is requested
     awake_ms = 0;
   const linger_ms = 300;
@@ -171,6 +186,7 @@ async function main(): Promise<void> {
     awake_ms -= elapsed_ms;
     if (!wearing?.worn) {
       if (!still) desk.ease(elapsed_ms);
+      follow();
       const shown = { watch: watching, hand: sliding, wear: wearing, scene: watching }[mode];
       shown?.frame(Math.min(elapsed_ms, maxFrame_ms));
     }
@@ -178,7 +194,7 @@ async function main(): Promise<void> {
     chart?.draw(recorded?.samples ?? reaches().trace, recorded?.course ?? shownCourse(), weight);
     files.allow(reaches().recording !== "");
     const moving = mode === "hand" ? sliding.busy : mode !== "wear" && watching.playing;
-    if (moving || awake_ms > 0) requestAnimationFrame(frame);
+    if (moving || awake_ms > 0 || plate.connected) requestAnimationFrame(frame);
     else before_ms = NaN;
   }
   for (const event of ["pointerdown", "pointermove", "keydown", "keyup", "click", "input", "change", "drop", "resize"])

@@ -29,7 +29,7 @@ export class SettingsForm {
   readonly #defaults: FormData;
 
   /** `changed` is called after each change of a setting, except by fromLink(). */
-  constructor(changed: () => void) {
+  constructor(private readonly changed: () => void) {
     this.#form.reset(); // browsers restore values when a page is reloaded
     this.#defaults = new FormData(this.#form);
     this.#form.addEventListener("submit", (event) => event.preventDefault());
@@ -49,6 +49,13 @@ export class SettingsForm {
   get settings(): Settings {
     const entries = [...new FormData(this.#form)].map(([name, text]) => [name, Number(text)]);
     return { ...Object.fromEntries(entries), controller: new FormData(this.#form).get("controller") };
+  }
+
+  /** Sets the plate's speed to the value of its slider that is nearest. */
+  setPlateSpeed(speed_deg_s: number): void {
+    element("plate_deg_s", HTMLInputElement).value = String(speed_deg_s);
+    this.#show();
+    this.changed();
   }
 
   showMaxGap(max_deg: number): void {

@@ -92,14 +92,16 @@ export class SimulatedReach extends GuidedReach {
     this.#sample();
   }
 
+  /** Returns the person of the settings, whose simulated servo is immediate if a plate is connected. */
   #choosePerson(): Person {
-    const { person: seed, tactile_weight, pace_s, noise_mm, plate_deg_s } = this.settings;
+    const { person: seed, tactile_weight, pace_s, noise_mm, plate_deg_s } = this.settings,
+      connected = !Number.isNaN(this.plateConnected_deg);
     const config = {
       tactile_weight,
       duration_s: pace_s,
       tracker_noise_m: Math.max(1e-9, noise_mm / 1000), // 0 selects the default of the plugin
-      plate_max_speed_deg_s: plate_deg_s,
-      plate_latency_ns: 1e6 * plateLatency_ms,
+      plate_max_speed_deg_s: connected ? 1e6 : plate_deg_s,
+      plate_latency_ns: connected ? 1 : 1e6 * plateLatency_ms,
     };
     const text = JSON.stringify([seed, config]);
     if (this.#person && text === this.#personConfig) return this.#person;
@@ -136,10 +138,11 @@ export class SimulatedReach extends GuidedReach {
     return (this.#sampleCount - 1) * period_ms;
   }
 
-  /** Advances the person over the commanded plate, and passes a sample of the tracker to the plugin. */
+  /** Advances the person over the commanded or connected plate, and passes a sample of the tracker to the plugin. */
   #sample(): void {
     const still = this.#sampleCount === 0 || this.controller === "off",
-      plate_deg = still ? this.#still_deg : this.command.plate_orientation_deg;
+      command_deg = still ? this.#still_deg : this.command.plate_orientation_deg;
+    const plate_deg = Number.isNaN(this.plateConnected_deg) ? command_deg : this.plateConnected_deg;
     ++this.#sampleCount;
     const person = this.#person!,
       time_ms = this.#sampleTime_ms,

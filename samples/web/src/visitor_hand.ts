@@ -13,7 +13,13 @@ const minSpeed_m_s = 0.004;
 class Servo {
   orientation_deg = 0;
   #target_deg = 0;
-  readonly #pending: { readonly due_ms: number; readonly orientation_deg: number }[] = [];
+  #pending: { readonly due_ms: number; readonly orientation_deg: number }[] = [];
+
+  /** Sets the orientation without a motion. */
+  put(orientation_deg: number): void {
+    this.orientation_deg = this.#target_deg = orientation_deg;
+    this.#pending = [];
+  }
 
   command(orientation_deg: number, now_ms: number): void {
     this.#pending.push({ due_ms: now_ms + plateLatency_ms, orientation_deg });
@@ -34,7 +40,7 @@ export abstract class VisitorHand extends GuidedReach {
   felt_deg = NaN;
   /** Time since the reach began. */
   protected time_ms = 0;
-  #servo = new Servo();
+  readonly #servo = new Servo();
   #speedRight_m_s = 0;
   #speedAway_m_s = 0;
 
@@ -54,7 +60,7 @@ export abstract class VisitorHand extends GuidedReach {
     this.cancel();
     this.trace = [];
     this.time_ms = 0;
-    this.#servo = new Servo();
+    this.#servo.put(0);
     Object.assign(this.finger, start);
     Object.assign(this.felt, start);
     this.#speedRight_m_s = this.#speedAway_m_s = 0;
@@ -68,6 +74,11 @@ export abstract class VisitorHand extends GuidedReach {
   protected advancePlate(milliseconds: number): void {
     this.time_ms += milliseconds;
     this.#servo.advance(this.time_ms, (milliseconds / 1000) * this.settings.plate_deg_s);
+    this.showConnectedPlate();
+  }
+
+  protected showConnectedPlate(): void {
+    if (!Number.isNaN(this.plateConnected_deg)) this.#servo.put(this.plateConnected_deg);
   }
 
   /** Moves the fingertip. `milliseconds`: duration of the motion, above 0. */

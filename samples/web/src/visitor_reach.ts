@@ -46,7 +46,7 @@ export class VisitorReach extends VisitorHand {
   get course() {
     return pageCourse(this.settings.gap_deg);
   }
-  /** True if the state stays the same until `wanted` changes. */
+  /** True if the state stays the same until `wanted` changes or a connected plate turns. */
   get resting(): boolean {
     return this.phase === "arrived" || this.#rested_ms > (this.phase === "waiting" ? settle_ms : maxRest_ms);
   }
@@ -83,7 +83,7 @@ export class VisitorReach extends VisitorHand {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;
       if (moved) this.#rested_ms = 0;
-      if (!moved && this.resting) return;
+      if (!moved && this.resting) return this.showConnectedPlate();
       this.#step(Math.min(step_ms, left_ms), Math.min(1, step_ms / left_ms));
     }
   }

@@ -8,3 +8,7 @@ declare module "*.glb" {
   const model: Uint8Array<ArrayBuffer> | string;
   export default model;
 }
+declare module "*.csv" {
+  const text: string;
+  export default text;
+}

@@ -24,6 +24,11 @@ globalThis.headset = {
     const at = hand.inputSource.hand.get("index-finger-tip")[P_SPACE].offsetMatrix;
     hand.position.set(x - at[12], y - at[13], z - at[14]);
   },
+  /** Draws a frame, and lets the double of a plate's serial line answer (plate_double.mjs). */
+  async frame(elapsed_ms) {
+    globalThis.drawFrame(elapsed_ms);
+    for (let i = 0; i < 50; ++i) await null;
+  },
   pinch(touch: boolean) { hand.updatePinchValue(touch ? 1 : 0); hand.poseId = touch ? "pinch" : "point"; hand.updateHandPose(); },
   /** Moves the other hand to a position, where it rests. */
   restOther(x, y, z) {

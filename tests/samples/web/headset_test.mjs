@@ -1,10 +1,12 @@
 // "Wear it" in an emulated headset (iwer) in headless Chromium. It has not been run on a real headset.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test as once } from "node:test";
 import { pathToFileURL } from "node:url";
 import { accessible, choose, ended, frames, pageFolder, phase, saved, shoot, sources, text, visit } from "./browser.mjs";
 import { optional, without } from "./emulated.mjs";
+import { plateDouble, served } from "./plate_double.mjs";
 
 const hrt = await import(pathToFileURL(join(pageFolder, "../npm/node.mjs"))), library = await hrt.load();
 
@@ -27,13 +29,13 @@ async function enter(page, button = "#enter-vr") {
 }
 
 /** Rests the fingertip at a position for two seconds. */
-async function rest(page, tip) {
-  await page.evaluate((place) => {
-    for (let i = 0; i < 20; ++i) {
+async function rest(page, tip, frame_ms = 100) {
+  await page.evaluate(async ([place, elapsed_ms]) => {
+    for (let i = 0; i < 2000 / elapsed_ms; ++i) {
       globalThis.headset.moveTip(...place);
-      globalThis.drawFrame(100);
+      await globalThis.headset.frame(elapsed_ms);
     }
-  }, tip);
+  }, [tip, frame_ms]);
 }
 
 /** Places the plate by a pinch of two seconds, then rests the fingertip, so that a slide begins. */
@@ -49,7 +51,7 @@ async function pinch(page, tip) {
  *  from the first to before the second, the headset does not see the hand. Returns the tracked positions, to the right
  *  of and away from the start. */
 function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = false, unseen = [0, 0], until = 1 } = {}) {
-  return page.evaluate((how) => {
+  return page.evaluate(async (how) => {
     const { headset } = globalThis, { dataset } = document.getElementById("stage"), seen = [];
     let x = 0, away = 0, heading_deg = how.first_deg;
     const count = 135;
@@ -61,10 +63,10 @@ function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = fa
       away += step_m * Math.cos(heading_deg * Math.PI / 180);
       headset.see(i < how.unseen[0] || i >= how.unseen[1]);
       headset.moveTip(how.from[0] + x, how.from[1], how.from[2] - away);
-      globalThis.drawFrame(1000 / 90);
+      await headset.frame(1000 / 90);
       if (i < how.unseen[0] || i >= how.unseen[1]) seen.push([x, away]);
     }
-    if (how.until === 1) for (let i = 0; i < 15; ++i) globalThis.drawFrame(40);
+    if (how.until === 1) for (let i = 0; i < 15; ++i) await headset.frame(40);
     return seen;
   }, { from, first_deg, length_m, follows, unseen, until });
 }
@@ -150,6 +152,15 @@ test("the hand is drawn where it is perceived: when it is seen at the glass, it 
   assert.ok(Math.hypot(...await shift(page)) < 1e-3, "after the slide the hand is drawn where it is");
 });
 
+once("over a connected plate the hand is drawn where it is", () => visit(async (page) => {
+  await page.click("#plate-serial");
+  await served(page, 15);
+  await enter(page);
+  await pinch(page, start);
+  await slide(page, { until: 0.6 });
+  assert.deepEqual([await phase(page), await shift(page)], ["sliding", [0, 0]]);
+}, { ...worn, script: `${without([])};(${plateDouble})()` }));
+
 test("a short loss of the hand is bridged; a long one, a recentred headset and the end of the session end the reach", async (page) => {
   await enter(page, "#enter-ar");
   await pinch(page, start);
@@ -182,4 +193,37 @@ test("a short loss of the hand is bridged; a long one, a recentred headset and t
   assert.equal(await phase(page), "placing");
   await page.evaluate(() => document.getElementById("leave").click());  // the emulator's picture covers it
   await page.waitForFunction(() => !globalThis.headset.device.activeSession, null, { polling: 20 });
+});
+
+// Marks of samples/plate/model/marks.csv, on a plate rotated by 20 degrees to the left about its centre.
+test("touches of the marks place the plate, and a wrong touch is rejected", async (page) => {
+  const marks = (await readFile(join(sources, "../plate/model/marks.csv"), "utf8")).trim().split("\n").slice(1)
+    .map((line) => line.split(",").slice(1, 4).map(Number));
+  const angle = 20 * Math.PI / 180, centre = [0.1, 1.1, -0.5];
+  const place = ([x, y, z]) => [centre[0] + x * Math.cos(angle) + z * Math.sin(angle), centre[1] + y, centre[2] - x * Math.sin(angle) + z * Math.cos(angle)];
+  const touch = async (touches) => {
+    for (const mark of touches) {
+      await rest(page, place(mark), 50);
+      await page.evaluate((at) => {
+        for (let i = 0; i < 5; ++i) {
+          globalThis.headset.moveTip(at[0], at[1] + 0.02 * i, at[2]);
+          globalThis.drawFrame(50);
+        }
+      }, place(mark));
+    }
+  };
+  await choose(page, "wear");
+  await choose(page, "marks");
+  await enter(page);
+  assert.match(await caption(page), /touch mark 1 .*"start" \(1 of 6\)/);
+  await touch(marks.slice(0, 2));
+  assert.match(await caption(page), /\(3 of 6\)/);
+  await shoot(page, "wear_marks", { fullPage: false });
+  await touch(marks.slice(2).map(() => marks[3]));
+  assert.match(await caption(page), /^The measurements do not agree\. .*\(1 of 6\)/);
+  const bad = marks.map((mark, i) => (i === 4 ? [mark[0] + 0.03, mark[1], mark[2]] : mark));
+  await touch(bad);
+  assert.equal(await phase(page), "ready");
+  await rest(page, place([0, 0, 0.05]));
+  assert.equal(await phase(page), "sliding", "the ring is at the registered start");
 });

@@ -14,9 +14,10 @@ await build({
   entryPoints: [join(dirname(fileURLToPath(import.meta.url)), "models.ts")],
   outfile: join(folder, "models.mjs"), bundle: true, format: "esm", platform: "node", target: "es2022", tsconfigRaw: {},
   alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"),
+           "marks.csv": resolve(page, "../plate/model/marks.csv"),
            "generic-hand": resolve(page, "node_modules/@webxr-input-profiles/assets/dist/profiles/generic-hand") },
   nodePaths: [resolve(page, "node_modules")],
-  loader: { ".wasm": "binary", ".glb": "binary" }, logLevel: "warning",
+  loader: { ".wasm": "binary", ".glb": "binary", ".csv": "text" }, logLevel: "warning",
 });
 export const models = await import(pathToFileURL(join(folder, "models.mjs")));
 await rm(folder, { recursive: true, force: true });

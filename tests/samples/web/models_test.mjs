@@ -129,15 +129,15 @@ test("a hand that is not steered ends at the glass, and the dot misses it", () =
   assert.ok(toGlass_mm < 1 && feltToGlass_mm > 12 && gap_deg > 7, `${toGlass_mm} ${feltToGlass_mm} ${gap_deg}`);
 });
 
-// By hand: perceived = true + w (plate - true), so a motion at 30 degrees over a plate at 0 is perceived at 30 (1 - w).
+// By hand: perceived = true + w (plate - true), so a motion at 0 over a plate at 50 degrees is perceived at 50 w.
 test("the dot moves in the weighted mean of true direction and plate orientation", () => {
   const hand = new models.VisitorReach(library, settings({ controller: "off", tactile_weight: 0.2, gap_deg: 0 }));
+  hand.plateConnected_deg = 50;
   for (let i = 0; i < 20; ++i) {
-    const { right_m, away_m } = models.ahead(models.start, 30, 0.003 * i);
-    hand.moveTo(right_m, away_m);
+    hand.moveTo(0, models.start.away_m + 0.003 * i);
     hand.advance(10);
   }
-  near(models.bearing_deg(models.start, hand.felt), 24, 1e-6, "felt direction");
+  near(models.bearing_deg(models.start, hand.felt), 10, 1e-6, "felt direction");
   near(models.length_m(models.start, hand.finger), models.length_m(models.start, hand.felt), 1e-12, "as far");
 });
 
@@ -201,6 +201,34 @@ test("six answers estimate the threshold with a wide interval, sixty answers pre
   const six = after(6), sixty = after(60);
   assert.ok(six.upper_deg - six.lower_deg > 3 && six.lower_deg < six.deg && six.deg < six.upper_deg, JSON.stringify(six));
   assert.ok(sixty.lower_deg < 9 && 9 < sixty.upper_deg && sixty.upper_deg - sixty.lower_deg < 5, JSON.stringify(sixty));
+});
+
+/** Returns the contact covariance after a reach to the cylinder in a headset, over a registered plate. */
+function meet(hasCylinder) {
+  const plate = new models.HapticPlate(), tip = { x: 0, y: 0, z: 0.05 };
+  const hand = new Map([["index-finger-tip", 1]]), eyes = { transform: { orientation: { x: 0, y: 0, z: 0, w: 1 } } };
+  const frame = { getJointPose: () => ({ transform: { position: tip } }), getViewerPose: () => eyes };
+  const wear = new models.HeadsetReach(library, plate, settings({ controller: "off" }));
+  wear.session.configure({ flags: wear.session.config.flags | models.hrt.HRT_SESSION_REGISTERED,
+                           plate_covariance: [1e-4, 0, 1e-6, 0, 0, 1e-6] });
+  wear.hasCylinder = hasCylinder;
+  wear.plateConnected_deg = 0;
+  wear.restart();
+  const end = models.ahead({ right_m: 0, away_m: 0 }, models.pageCourse(10).real_deg, models.distance_m - 0.0045);
+  for (let time_ms = 0; wear.phase !== "arrived" && time_ms < 6000; time_ms += 11) {
+    const s = Math.min(1, Math.max(0, (time_ms - 1500) / 1500)), share = s ** 3 * (10 - 15 * s + 6 * s * s);
+    Object.assign(tip, { x: share * end.right_m, z: 0.05 - share * end.away_m });
+    wear.frame(time_ms, frame, hand, 0);
+  }
+  assert.equal(wear.phase, "arrived");
+  near(wear.result.toCylinder_mm, 4.5, 0.5, "at the cylinder's side");
+  wear.apply(settings({ controller: "off", person: 2 }));
+  return wear.session.config.contact_covariance;
+}
+
+test("contact with the cylinder corrects the registration, and other settings keep it", () => {
+  assert.ok(meet(true).some((value) => value > 0));
+  assert.deepEqual(meet(false), Array(10).fill(0));
 });
 
 // The reach that all hosts run, as frames of a headset. The plate is at the origin, so that no digit is lost.

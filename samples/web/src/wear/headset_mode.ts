@@ -2,7 +2,7 @@
 import { Vector3 } from "three";
 import type { Desk } from "../desk";
 import { start } from "../geometry";
-import { element, messageOf, say } from "../page";
+import { chosen, element, messageOf, say } from "../page";
 import type { Settings } from "../settings";
 import { Headset } from "../stage/headset";
 import type { HeadsetReach } from "./headset_reach";
@@ -19,6 +19,7 @@ const settle_ms = 400;
 
 export class HeadsetMode {
   readonly #headset: Headset | null;
+  readonly #cylinder = element("cylinder", HTMLInputElement);
   readonly #state = element("wear-state", HTMLParagraphElement);
   readonly #leave = element("leave", HTMLButtonElement);
   readonly #buttons = kinds.map(([kind, id]) => ({ kind, button: element(id, HTMLButtonElement), supported: false }));
@@ -27,6 +28,8 @@ export class HeadsetMode {
   #before_ms = NaN;
   #shift = 0;
   #message = "You need a headset that tracks hands. Open this page in its browser, and slide with your own hand.";
+  /** Called in each frame of the headset, so that main.ts commands a connected plate. */
+  onFrame: () => void = () => {};
   /** Called when a headset session has ended and the page must draw again. */
   onLeft: () => void = () => {};
 
@@ -81,7 +84,7 @@ export class HeadsetMode {
       this.#leave.hidden = false;
       this.#handedness = "none";
       this.#before_ms = NaN;
-      this.wear.begin();
+      this.wear.begin(this.#byMarks);
       headset.show(true);
       await headset.present(
         session,
@@ -89,7 +92,7 @@ export class HeadsetMode {
         (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
         () => {
           this.#before_ms = NaN;
-          this.wear.begin("The headset was recentred, so the plate must be placed again. ");
+          this.wear.begin(this.#byMarks, "The headset was recentred, so the plate must be placed again. ");
         },
       );
     } catch (error) {
@@ -110,6 +113,10 @@ export class HeadsetMode {
     if (was) this.onLeft();
   }
 
+  get #byMarks(): boolean {
+    return chosen("placement") === "marks";
+  }
+
   /** Processes a frame of the headset. `now_ms`: time of the callback; some browsers have no predictedDisplayTime. */
   #frameWorn(now_ms: number, frame: XRFrame, space: XRReferenceSpace): void {
     const { stage } = this.desk,
@@ -118,12 +125,18 @@ export class HeadsetMode {
     if (Number.isNaN(this.#before_ms)) this.#placeAheadOfEyes(frame, space);
     const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms;
     this.#before_ms = now_ms;
-    wear.frame(now_ms, frame, this.#hand(frame, space), space);
+    this.onFrame();
+    const hand = this.#hand(frame, space);
+    wear.hasCylinder = this.#cylinder.checked;
+    wear.frame(now_ms, frame, hand, space);
     stage.place(wear);
-    this.#headset?.say("SIMULATION: hand drawn where it is felt", wear.text);
-    // A sliding hand is drawn at its perceived position. A visitor who steers the drawn hand to the glass thus touches a
-    // real object at the cylinder. After the slide, the drawn hand moves to its true position.
-    this.#shift = wear.phase === "sliding" ? 1 : this.#shift * Math.exp(-elapsed_ms / settle_ms);
+    const unfelt = Number.isNaN(wear.plateConnected_deg);
+    const title = unfelt ? "SIMULATION: hand drawn where it is felt" : "A plate is connected";
+    this.#headset?.say(title, wear.text);
+    // Without a connected plate, a sliding hand is drawn at its perceived position. A visitor who steers the drawn hand
+    // to the glass thus touches a real object at the cylinder. After the slide, the drawn hand moves to its true
+    // position.
+    this.#shift = wear.phase === "sliding" && unfelt ? 1 : this.#shift * Math.exp(-elapsed_ms / settle_ms);
     const right_m = this.#shift * (wear.felt.right_m - wear.finger.right_m),
       away_m = this.#shift * (wear.felt.away_m - wear.finger.away_m);
     this.#headset?.shift(right_m, away_m);

@@ -1,9 +1,9 @@
 // Reaches of a hand that a headset tracks: places the plate, waits for the hand in the ring, lets the plugin control
 // the slide, and reports its end. The caller passes the frames, so that tests need no browser.
-import { HRT_COMMAND_ARRIVED, type Library } from "haptic-retargeting";
+import { HRT_COMMAND_ARRIVED, HRT_SESSION_REGISTERED, type Library } from "haptic-retargeting";
 import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
-import { length_m, pageCourse, type SlideEnd, slideEnd, start } from "../geometry";
+import { cylinderRadius_m, length_m, pageCourse, type SlideEnd, slideEnd, start } from "../geometry";
 import type { Settings } from "../settings";
 import { VisitorHand } from "../visitor_hand";
 import { minReach_m } from "../visitor_reach";
@@ -15,8 +15,13 @@ const startRest_ms = 400;
 const lostLimit_ms = 1000; // after a shorter loss the slide continues
 const beyond_m = 0.15; // distance from the start at which the slide ends, because it has passed the targets
 const pinch_m = 0.025; // between the tips of thumb and index finger
-const liftHeight_m = 0.05; // generous, because nothing supports the finger
+const liftHeight_m = 0.05; // generous, because without a plate nothing supports the finger
 const maxFrame_ms = 100;
+/** Fields of the session's configuration that contain the registration of the plate. */
+const registered = [
+  ...(["plate_position_m", "plate_rotation", "plate_covariance", "registration_time_ns", "flags"] as const),
+  ...(["contact_correction", "contact_covariance"] as const),
+];
 
 export class HeadsetReach extends VisitorHand {
   phase: "placing" | "ready" | "sliding" | "arrived" = "placing";
@@ -25,12 +30,15 @@ export class HeadsetReach extends VisitorHand {
   text = "";
   /** True while the hand of the reach is not tracked. */
   lost = false;
+  /** True if a real cylinder is at the drawn position. */
+  hasCylinder = false;
   /** Called with the plate's pose, in the reference space of the frames, when it has been placed. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
 
   readonly #resting = new RestDetector(startRadius_m, startRest_ms);
   #reach: HandReach;
-  #placing = new Placement();
+  #placing!: Placement;
+  #byMarks = false;
   #why = "";
   #time_ms = NaN;
   #seen_ms = 0;
@@ -44,12 +52,13 @@ export class HeadsetReach extends VisitorHand {
     super(library, settings);
     this.session.configure({ lift_height_m: liftHeight_m });
     this.#reach = new HandReach(this.session, plate);
-    this.begin();
+    this.begin(false);
   }
 
-  /** Begins the placement of the plate by a pinch. `why`: text before the instruction. */
-  begin(why = ""): void {
-    this.#placing = new Placement();
+  /** Begins the placement of the plate, by touches of its marks or by a pinch. `why`: text before the instruction. */
+  begin(byMarks: boolean, why = ""): void {
+    this.#byMarks = byMarks;
+    this.#placing = new Placement(byMarks ? this.session : null);
     this.#time_ms = NaN;
     this.restart();
     this.phase = "placing";
@@ -57,13 +66,15 @@ export class HeadsetReach extends VisitorHand {
     this.text = why + this.#placing.text;
   }
 
-  /** Applies other settings, with a new session of the plugin. */
+  /** Applies other settings, with a new session of the plugin that keeps the registration. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
+    const { config } = this.session,
+      registration = Object.fromEntries(registered.map((name) => [name, config[name]]));
     this.restartSession(pageCourse(settings.gap_deg));
-    this.session.configure({ lift_height_m: liftHeight_m });
+    this.session.configure({ ...registration, lift_height_m: liftHeight_m });
     this.#reach = new HandReach(this.session, this.plate);
-    if (this.phase === "placing") this.begin();
+    if (this.phase === "placing") this.begin(this.#byMarks);
     else this.restart();
   }
 
@@ -89,6 +100,7 @@ export class HeadsetReach extends VisitorHand {
     const placed = this.#placing.update(this.#time_ms, tip, forward, pinches);
     this.text = this.#why + this.#placing.text;
     if (!placed) return;
+    if (!this.#byMarks) this.session.configure({ flags: this.session.config.flags & ~HRT_SESSION_REGISTERED });
     this.onPlaced(this.#placing.position, this.#placing.rotation);
     this.restart();
   }
@@ -120,6 +132,7 @@ export class HeadsetReach extends VisitorHand {
   #slide(frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
     const reach = this.#reach,
       { sample } = this.session;
+    reach.measuredPlate_deg = this.plateConnected_deg;
     reach.updateFromHand(this.#time_ms, frame, hand, space);
     this.turnPlate();
     this.plate.orientation_deg = this.plate_deg;
@@ -144,9 +157,14 @@ export class HeadsetReach extends VisitorHand {
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
+  /** Ends the reach. Over a connected, registered plate, a hand at a real cylinder corrects the registration. */
   #arrive(): void {
     this.result = slideEnd(this.finger, this.felt, pageCourse(this.settings.gap_deg));
     this.session.endReach();
+    if (!Number.isNaN(this.plateConnected_deg)) {
+      const meets = this.hasCylinder && this.result.toCylinder_mm <= 1000 * cylinderRadius_m;
+      if (meets && this.session.config.flags & HRT_SESSION_REGISTERED) this.session.reachTouched();
+    }
     this.recording = this.cancel();
     this.phase = "arrived";
     this.#resting.reset();
