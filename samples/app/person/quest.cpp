@@ -16,8 +16,8 @@ double entropy(double share) {
   return (share > 0.0 ? -share * std::log(share) : 0.0) + (other > 0.0 ? -other * std::log(other) : 0.0);
 }
 
-QuestPlus::Grid grid_between(double min_gap_deg, double max_gap_deg, double guess) {
-  QuestPlus::Grid grid{.slopes = {1.0, 1.5, 2.0, 3.0, 4.5}, .lapses = {0.0, 0.01, 0.02, 0.03, 0.05}, .guess = guess};
+QuestPlus::Grid grid_between(double min_gap_deg, double max_gap_deg) {
+  QuestPlus::Grid grid{.slopes = {1.0, 1.5, 2.0, 3.0, 4.5}, .lapses = {0.0, 0.01, 0.02, 0.03, 0.05}};
   constexpr double steps_per_decade = 20.0;
   const int steps = static_cast<int>(std::lround(steps_per_decade * std::log10(max_gap_deg / min_gap_deg)));
   for (int i = 0; i <= steps; ++i)
@@ -32,15 +32,13 @@ QuestPlus::Grid grid_between(double min_gap_deg, double max_gap_deg, double gues
 
 }  // namespace
 
-double right_share(double gap, double threshold, double slope, double lapse, double guess) {
-  return 1.0 - lapse - (1.0 - guess - lapse) * std::exp(-std::pow(gap / threshold, slope));
+double right_share(double gap, double threshold, double slope, double lapse) {
+  return 1.0 - lapse - (0.5 - lapse) * std::exp(-std::pow(gap / threshold, slope));
 }
 
-QuestPlus::QuestPlus(double min_gap_deg, double max_gap_deg, double guess)
-    : QuestPlus(grid_between(min_gap_deg, max_gap_deg, guess)) {}
+QuestPlus::QuestPlus(double min_gap_deg, double max_gap_deg) : QuestPlus(grid_between(min_gap_deg, max_gap_deg)) {}
 
-QuestPlus::QuestPlus(const Grid& grid)
-    : guess_(grid.guess), gaps_(grid.gaps), threshold_count_(grid.thresholds.size()) {
+QuestPlus::QuestPlus(const Grid& grid) : gaps_(grid.gaps), threshold_count_(grid.thresholds.size()) {
   for (std::size_t i = 0; i < threshold_count_; ++i)
     for (const double slope : grid.slopes)
       for (const double lapse : grid.lapses) {
@@ -51,7 +49,7 @@ QuestPlus::QuestPlus(const Grid& grid)
   for (double& probability : posterior_) probability /= sum;
   for (const double gap : gaps_)
     for (const Person& person : people_) {
-      right_.push_back(right_share(gap, person.threshold, person.slope, person.lapse, guess_));
+      right_.push_back(right_share(gap, person.threshold, person.slope, person.lapse));
       uncertainty_.push_back(entropy(right_.back()));
     }
 }
@@ -78,7 +76,7 @@ void QuestPlus::update(double gap_deg, bool is_right) {
   ++answers_;
   double sum = 0.0;
   for (std::size_t p = 0; p < people_.size(); ++p) {
-    const double right = right_share(gap_deg, people_[p].threshold, people_[p].slope, people_[p].lapse, guess_);
+    const double right = right_share(gap_deg, people_[p].threshold, people_[p].slope, people_[p].lapse);
     posterior_[p] *= is_right ? right : 1.0 - right;
     sum += posterior_[p];
   }

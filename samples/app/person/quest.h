@@ -10,9 +10,8 @@
 namespace hrt::app {
 
 /// Probability of a correct answer in a task with two intervals:
-/// 1 - lapse - (1 - guess - lapse) exp(-(gap / threshold)^slope). In a task with the answers yes and no, it is the
-/// probability of yes, and `guess` is that of a false alarm.
-double right_share(double gap, double threshold, double slope, double lapse, double guess = 0.5);
+/// 1 - lapse - (1/2 - lapse) exp(-(gap / threshold)^slope).
+double right_share(double gap, double threshold, double slope, double lapse);
 
 class QuestPlus {
  public:
@@ -20,13 +19,12 @@ class QuestPlus {
   /// and lapse rates have uniform priors. Thresholds must rise, and be spaced equally in their logarithm.
   struct Grid {
     std::vector<double> gaps, thresholds, prior, slopes, lapses;
-    double guess = 0.5;
   };
   explicit QuestPlus(const Grid& grid);
   /// Gaps from `min_gap_deg` to `max_gap_deg` in steps of about 1 dB (20 log10). The prior of the threshold is
   /// log-normal: median 14 degrees (threshold of touch, Keyson 1995), SD a factor of 2, so that 4.5 degrees (threshold
   /// of vision) is 1.6 SDs below the median.
-  QuestPlus(double min_gap_deg, double max_gap_deg, double guess = 0.5);
+  QuestPlus(double min_gap_deg, double max_gap_deg);
 
   /// Returns the most informative of the gaps up to `max_gap_deg`; the smallest gap if all are larger.
   double next_gap_deg(double max_gap_deg = std::numeric_limits<double>::infinity()) const;
@@ -50,7 +48,6 @@ class QuestPlus {
   };
 
   unsigned answers_ = 0;
-  double guess_;
   std::vector<double> gaps_;
   std::size_t threshold_count_;
   std::vector<Person> people_;       // points of the grid, sorted by threshold
