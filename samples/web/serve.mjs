@@ -1,14 +1,10 @@
 // Serves the page on this machine.
-//   usage: node serve.mjs FOLDER_OF_THE_PAGE [PORT]    default port: 8737
+//   usage: node serve.mjs FOLDER_OF_THE_PAGE PORT    port 0: any free port
 import { readdir, readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
 
-const [, , folder, port = "8737"] = process.argv;
-if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
-  console.error(`serve.mjs: port "${port}": use a whole number from 0 (any free port) to 65535`);
-  process.exit(2);
-}
+const [, , folder, port] = process.argv;
 
 // Files of other types are not served. A browser that accepts Brotli receives the compressed copy, if there is one.
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
