@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "samples/app/text/format.h"
@@ -230,10 +228,7 @@ Design parse_design(const std::string& text, const std::string& name) {
 }
 
 Design read_design(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(file))
-    throw Refusal(file.string() + ": cannot be read: check the path and its permissions");
-  return parse_design({std::istreambuf_iterator<char>(stream), {}}, file.filename().string());
+  return parse_design(content_of(file), file.filename().string());
 }
 
 hrt_session_config config_of(const Condition& condition) {
