@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import functools
 import operator
-import reprlib
 from collections.abc import Mapping, Sequence
 from enum import IntEnum, IntFlag
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Optional, TypeVar, Union, get_type_hints
@@ -26,8 +25,6 @@ Pointer = Annotated[Optional[int], ctypes.c_void_p]
 
 _INTEGERS = (ctypes.c_int32, ctypes.c_uint32, ctypes.c_int64, ctypes.c_uint64)
 _HIDDEN = ("struct_size", "reserved")
-_SHORT = reprlib.Repr()  # shortens long arrays
-_SHORT.maxlist, _SHORT.maxstring, _SHORT.maxother = 4, 300, 300
 
 
 class Choice(IntEnum):
@@ -100,7 +97,7 @@ class Struct(_Base):
         return {name: _plain(getattr(self, name)) for name in self.names()}
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{k}={_SHORT.repr(v)}' for k, v in self.as_dict().items())})"
+        return f"{type(self).__name__}({', '.join(f'{k}={short(v)}' for k, v in self.as_dict().items())})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, type(self)):
@@ -179,6 +176,21 @@ def _target(handle: Any, session: Any) -> Any:
 
     own = type(handle)(value=handle.value)
     return None if not handle.value else own if session is None else Target(session, own)
+
+
+def short(value: Any) -> str:
+    """Formats a value briefly: floats with six significant digits, flags by name, long arrays by their size."""
+    if isinstance(value, Flags):
+        return "|".join(value.names()) or "0"
+    if isinstance(value, Choice):
+        return value.name
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, list):
+        if len(value) <= 4:
+            return f"[{', '.join(short(item) for item in value)}]"
+        return f"<{len(value)} numbers>" if any(value) else f"<{len(value)} zeros>"
+    return repr(value)
 
 
 @functools.cache

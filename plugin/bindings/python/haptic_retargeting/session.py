@@ -19,6 +19,7 @@ from ._abi import (
 )
 from ._keywords import SessionKeywords, TargetKeywords
 from ._library import LOG, Closing, Error, check, library, output
+from ._struct import short
 from .arrays import SAMPLE, Array, expect_rows
 from .reach import Reach
 from .record import RunRecord, target_place
@@ -113,7 +114,7 @@ class Session(SessionKeywords, Closing):
     def __repr__(self) -> str:
         if not self._destroy.alive:
             return "<Session, closed>"
-        return f"<Session: {len(self.targets())} targets, {'|'.join(self.state.names()) or 'idle'}>"
+        return f"<Session: {len(self.targets())} targets, {short(self.state) if self.state else 'idle'}>"
 
     @property
     def config(self) -> SessionConfig:
