@@ -20,22 +20,35 @@ using namespace std::chrono_literals;
 constexpr auto max_finish = 30s;
 constexpr auto hint_period = 5s;
 
-// Replaces abbreviated units and the dashes of options by words: voices spell abbreviations letter by letter.
-std::string spoken(std::string text) {
-  static const std::pair<std::regex, const char*> words[] = {
-      {std::regex("(\\d) mm\\b"), "$1 millimetres"}, {std::regex("(\\d) m\\b"), "$1 metres"},
-      {std::regex("(\\d) s\\b"), "$1 seconds"},      {std::regex("\\b1 min\\b"), "one minute"},
-      {std::regex("(\\d) min\\b"), "$1 minutes"},    {std::regex("(\\d) deg\\b"), "$1 degrees"},
-      {std::regex("--(\\w)"), "option $1"}};
-  for (const auto& [abbreviation, word] : words) text = std::regex_replace(text, abbreviation, word);
-  return text;
-}
-
 }  // namespace
 
 const char* const keys_in_words =
-    "Keys: r repeats the instruction, w says where the finger is, n skips to the next target, b goes back to the "
-    "previous target, q quits, h lists the keys.";
+    "Keys: R repeats the instruction, W says where the finger is, N skips to the next target, B goes back to the "
+    "previous target, Q quits, H lists the keys.";
+
+std::string spoken(std::string text) {
+  static const std::pair<std::regex, const char*> words[] = {
+      {std::regex("\""), ""},
+      {std::regex(" \\((or )?(hrt-|--|SHA-256)[^()]*\\)"), ""},
+      {std::regex("\\bhrt_\\w+: "), ""},
+      {std::regex("( at)? /dev/[^\\s;,]*\\w"), ""},
+      {std::regex("\\S*/sub-0*(\\d+)/ses-0*(\\d+)[^\\s:;]*"), "participant $1, session $2"},
+      {std::regex("(^|[^\\d.-])1 mm\\b"), "$1one millimetre"},
+      {std::regex("(^|[^\\d.-])1 m\\b"), "$1one metre"},
+      {std::regex("(^|[^\\d.-])1 s\\b"), "$1one second"},
+      {std::regex("(^|[^\\d.-])1 min\\b"), "$1one minute"},
+      {std::regex("(^|[^\\d.-])1 deg(rees)?\\b"), "$1one degree"},
+      {std::regex("(\\d) mm\\b"), "$1 millimetres"},
+      {std::regex("(\\d) m\\b"), "$1 metres"},
+      {std::regex("(\\d) s\\b"), "$1 seconds"},
+      {std::regex("(\\d) min\\b"), "$1 minutes"},
+      {std::regex("(\\d) deg\\b"), "$1 degrees"},
+      {std::regex("(\\d) V\\b"), "$1 volts"},
+      {std::regex("--(\\w)"), "option $1"},
+      {std::regex("\\s+"), " "}};  // after several spaces, voices read a minus as a pause
+  for (const auto& [abbreviation, word] : words) text = std::regex_replace(text, abbreviation, word);
+  return text;
+}
 
 Prompt::Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
                std::map<std::string, std::string> texts)

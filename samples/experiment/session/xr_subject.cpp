@@ -19,9 +19,10 @@ namespace hrt::experiment {
 namespace {
 
 constexpr const char* keys_text =
-    "Keys. s or Escape: STOP THE PLATE. x: mark the reach as invalid. b: take a break after this step. n: write a "
-    "note. u twice: record that you are unblinded. r: repeat the last request. h: list the keys. q twice: quit; the "
-    "session can be resumed.";
+    "Keys: S or Escape stops the plate; X marks the reach as invalid; B begins a break after this step; N begins a "
+    "note; U pressed twice marks you as unblinded; R repeats the last request; H lists the keys; Q pressed twice "
+    "quits, "
+    "and the session can be resumed.";
 constexpr char erase = 0x7f, escape = 0x1b;
 
 // Applies a key to a typed text. Returns true if the key is Enter, which ends the text.

@@ -7,6 +7,7 @@
 
 #include "samples/app/base/exit_code.h"
 #include "samples/app/emulator/pty_device.h"
+#include "samples/app/person/prompt.h"
 #include "samples/app/plate/device_plate.h"
 #include "samples/app/plate/simulated_servo.h"
 #include "samples/app/run/options.h"
@@ -71,6 +72,24 @@ TEST(SimulatedServo, TurnsAtItsSpeedTheShortWayRoundAndStopsWhereItIs) {
   servo.command(3 * second, -90.0);
   servo.stop(3 * second + second / 20);
   EXPECT_DOUBLE_EQ(*servo.orientation_deg(9 * second), -85.0);
+}
+
+TEST(Spoken, HasUnitsInWordsAndNoNamesOfOptionsCallsAndFiles) {
+  const std::pair<const char*, const char*> texts[] = {
+      {"14 mm, 0.75 m, 30 s, 2.5 min, 6 deg, 4 V",
+       "14 millimetres, 0.75 metres, 30 seconds, 2.5 minutes, 6 degrees, 4 volts"},
+      {"1 mm, 1 m, 1 s, 1 min, 1 deg, 1 degrees",
+       "one millimetre, one metre, one second, one minute, one degree, one degree"},
+      {"2.1 min, 21 min, -1 deg", "2.1 minutes, 21 minutes, -1 degrees"},
+      {"bias   -1.2 deg\nlimit  75 deg", "bias -1.2 degrees limit 75 degrees"},
+      {"Slide to \"bottle\", ahead", "Slide to bottle, ahead"},
+      {"register the plate (hrt-reach: --register FILE).", "register the plate."},
+      {"Use it (or hrt-reach --hand left). Set --finger (--data)", "Use it. Set option finger"},
+      {"another design (SHA-256 3f9a); use it", "another design; use it"},
+      {"hrt_reach_touched: the plate is not registered", "the plate is not registered"},
+      {"the plate at /dev/serial/by-id/usb-0:1 is unplugged; open it", "the plate is unplugged; open it"},
+      {"data/sub-01/ses-02/recordings/cond-B.csv: 96 rows", "participant 1, session 2: 96 rows"}};
+  for (const auto& [text, words] : texts) EXPECT_EQ(spoken(text), words);
 }
 
 TEST(ReachRecordingFile, LostRowsFailTheRun) {

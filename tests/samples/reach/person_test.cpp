@@ -182,8 +182,8 @@ TEST(ReachSpeech, SpeaksWhatAPersonIsAsked) {
                           Path(plate_of_desk).hold(start_of_desk, 1500).slide({0.0, -0.05}, 800).script().substr(1),
                       person_and({"--speak-with", voice.program})));
   const std::string heard = voice.heard();
-  EXPECT_TRUE(has(heard, {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres away,",
-                          "Done.", "1 of 1 reaches with a feasible gap ended at the target"}));
+  EXPECT_TRUE(has(heard, {"Put your index finger on the start. Then slide it to bottle, 100 millimetres away,", "Done.",
+                          "1 of 1 reaches with a feasible gap ended at the target"}));
 }
 
 TEST(ReachSpeech, AVoiceThatHangsDelaysNothingAndEndsWithTheProgram) {
@@ -217,7 +217,7 @@ Outcome run_with_keys(const Path& path, const std::string& more_script, const st
 TEST(ReachKeys, ListRepeatAndSayWhere) {
   const Outcome outcome = expect_exit(0, run_with_keys(Path(plate_of_desk).reach(), "", "hrw", person_and()));
   EXPECT_EQ(occurrences(outcome.err, "Put your index finger"), 2U) << outcome.err;
-  expect_said(outcome, {"Keys: r repeats", "The right index finger is "});
+  expect_said(outcome, {"Keys: R repeats", "The right index finger is "});
 }
 
 TEST(ReachKeys, NextLeavesATargetOutAndStopEndsTheRun) {
@@ -274,7 +274,7 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
   terminal.type("rwn");
   expect_exit(0, program.wait());
   const std::string heard = voice.heard();
-  EXPECT_TRUE(has(heard, {"Keys: r repeats", "Mark 1 is  start ", "This key has an effect during reaches only.",
+  EXPECT_TRUE(has(heard, {"Keys: R repeats", "Mark 1 is start ", "This key has an effect during reaches only.",
                           "(3 of 3)", "The plate is registered", "Put your index finger on the start", "Done.",
                           "1 of 1 reaches with a feasible gap ended at the target"}));
 }
@@ -300,7 +300,7 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   };
   after("How high are your eyes above the floor", "1.2\n");
   after("let it rest. (1 of 16)", "h");
-  after("Keys: r repeats", "n");
+  after("Keys: R repeats", "n");
   after("(3 of 16)", "w");
   after("The right index finger is ", "r");
   const Outcome outcome = expect_exit(0, program.wait());
