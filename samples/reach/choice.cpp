@@ -50,11 +50,11 @@ std::string words_of(const ScenePlace& place, double above_floor_m) {
   const XrVector3f& at = place.pose.position;
   const char* from = place.space == XR_REFERENCE_SPACE_TYPE_STAGE ? "the centre of the room"
                                                                   : "your position when the view was last centred";
-  return format("The plate is assumed to be at its position in the scene: %.2f m above the floor, ", above_floor_m) +
+  return format("The plate is assumed to be %.2f m above the floor, ", above_floor_m) +
          format("%.2f m to the %s and ", std::abs(static_cast<double>(at.x)), at.x < 0.0f ? "left" : "right") +
          format("%.2f m %s, seen from ", std::abs(static_cast<double>(at.z)), at.z > 0.0f ? "behind" : "ahead") + from +
          " (" + name_of(place.space) +
-         " space). If the plate is elsewhere, start again with --register FILE to measure its pose by touches.";
+         " space). If it is elsewhere, start again and measure its position by touches (hrt-reach: --register FILE).";
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ class KeyHandler {
   void handle(XrTime time) {
     if (context_.session.recentrings() != recentrings_) {
       recentrings_ = context_.session.recentrings();
-      prompt_.say("The view was recentred. The position of the plate in the room is unchanged.");
+      prompt_.say("The view was centred again. The position of the plate in the room is unchanged.");
     }
     while (const std::optional<char> key = prompt_.key()) handle_key(*key, time);
   }
@@ -187,7 +187,7 @@ class Run {
       prompt_.listen();
       if (touch_)
         scene_place_ = {session.floor_space(), targets_.plate_pose,
-                        "The position of the plate relative to the touch frame is that of the option --finger."};
+                        "The position of the plate relative to the touch frame is that of --finger."};
       // place_of() may wait for an answer. An open plate, which needs service() in each frame, would stop meanwhile.
       if (!is_registered() && !scene_place_) scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
     }
@@ -216,7 +216,7 @@ class Run {
       session.place_plate(session.steady_space(), world);
       const std::string text = measure_tracker(context);
       std::cout << text;
-      prompt_.speak(text);
+      prompt_.speak(text.substr(0, text.find(',')) + ".");
       tracker_is_measured_ = true;
       return session.end();
     }
@@ -257,7 +257,7 @@ class Run {
       config.max_slides = options_.max_slides;
       calibration_.emplace(plugin_, targets_.session, HRT_SETUP_CALIBRATION, config);
       context.tell_user(
-          format("Please slide one fingertip straight ahead many times. Close your eyes during each slide, and move in "
+          format("Please slide one fingertip straight ahead many times. Shut your eyes during each slide, and move in "
                  "the direction that feels straight ahead. There are 16 to %u slides. Before each slide, you may rest "
                  "your hand for up to %.0f seconds.",
                  options_.max_slides, options_.time_limit_s));
@@ -322,18 +322,20 @@ class Run {
     }
     hrt_session_config config{.struct_size = sizeof config};
     plugin_.check(plugin_.hrt_session_get(targets_.session, &config, nullptr));
-    const std::string text = calibration_text(*calibrated_, config);
-    std::cout << "\n" << text;
+    std::cout << "\n" << calibration_text(*calibrated_, config) << verdict_text(*calibrated_);
     if (calibrated_->done == 0) {
       keep_recording_as_it_is();
-      throw Failure(ExitCode::calibration,
-                    "no profile was written: the slides do not determine the user's parameters; calibrate again with "
-                    "slower, even slides");
+      const char* const why =
+          "no profile was written: the slides do not determine the user's parameters; calibrate again with slower, "
+          "even slides";
+      prompt_.speak(why);
+      prompt_.finish();
+      throw Failure(ExitCode::calibration, why);
     }
     save_profile(plugin_, targets_.session, options_.calibrate);
     recording_->finish();
     check_output();
-    prompt_.speak(text);
+    prompt_.speak(verdict_text(*calibrated_));
     return is_enough(*calibrated_) ? ExitCode::success : ExitCode::target_missed;
   }
 

@@ -147,7 +147,7 @@ void print_summary(std::ostream& out, const Tally& tally) {
                 tally.feasible_reached, tally.feasible, tally.feasible_within_tolerance, tally.feasible, tolerance_deg);
   if (tally.feasible < tally.reaches) out << format("; %d more had an infeasible gap", tally.reaches - tally.feasible);
   if (tally.unfinished > 0) out << format("; %d more did not begin or end in time", tally.unfinished);
-  if (tally.skipped > 0) out << format("; %d more were skipped", tally.skipped);
+  if (tally.skipped > 0) out << format("; %d skipped", tally.skipped);
   out << ".\n";
 }
 
@@ -162,8 +162,11 @@ std::string calibration_text(const hrt_setup_result& result, const hrt_session_c
          line("largest feasible gap", result.max_gap_deg, "deg") + line("bias, left positive", result.bias_deg, "deg") +
          format("%-34s %8.0f deg\n", "limit, ridge normal to motion", config.person.motion_bound_deg) +
          format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker.noise_m) +
-         format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker.correlated_noise_m) +
-         lack_of_fit_text(result.lack_of_fit) +
+         format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker.correlated_noise_m);
+}
+
+std::string verdict_text(const hrt_setup_result& result) {
+  return lack_of_fit_text(result.lack_of_fit) +
          (is_enough(result) ? "The tactile weight is known with the required precision.\n"
                             : "The tactile weight is not known with the required precision.\n");
 }

@@ -69,7 +69,9 @@ void print_summary(std::ostream& out, const Tally& tally);
 /// True if the tactile weight is known as precisely as a set-up requires by default.
 bool is_enough(const hrt_setup_result& result);
 
-/// Result in lines to be printed or spoken. `config`: configuration of the session after the calibration.
+/// Table to be printed. `config`: configuration of the session after the calibration.
 std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config);
+/// Sentences to be printed and spoken: whether the model fits, and whether the precision suffices.
+std::string verdict_text(const hrt_setup_result& result);
 
 }  // namespace hrt::reach

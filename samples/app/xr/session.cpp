@@ -175,7 +175,7 @@ void XrHeadlessSession::follow_spaces(XrTime time) {
     throw Failure(
         ExitCode::registration,
         std::string("the OpenXR runtime moved its ") + name_of(plate_base_) +
-            " space, for instance because the view was recentred, and did not report by how much, so the pose "
+            " space, for instance because the view was centred again, and did not report by how much, so the pose "
             "of the plate is unknown; start again and register the plate (hrt-reach: --register FILE)");
   make_plate_space();
   ++recentrings_;

@@ -135,19 +135,19 @@ class SessionRun {
     if (!events.empty()) {
       const json& first = events.front().data;
       if (first.at("sha256") != design_.sha256)
-        throw Refusal(folder_.string() + ": this session was started with another design, whose SHA-256 is " +
-                      first.at("sha256").get<std::string>() + "; use the other design, or another folder (--data)");
+        throw Refusal(folder_.string() + ": this session was started with another design (SHA-256 " +
+                      first.at("sha256").get<std::string>() + "); give the other design, or another folder (--data)");
       if (first.at("subject") != subject_.description())
         throw Refusal(folder_.string() + ": this session was started with \"" + first.at("subject").get<std::string>() +
                       "\", not with \"" + subject_.description() +
-                      "\"; use the same participant, seed and tracker, or another folder (--data)");
+                      "\"; give the same participant, seed and tracker, or another folder (--data)");
       if (!state_.end.empty()) return;
       subject_.continue_after(*state_.last);
       is_long = is_long_pause();
     }
     if (!events.empty() && events.front().data.at("library") != library_version())
       subject_.say("The session was started with version " + events.front().data.at("library").get<std::string>() +
-                   " of the library. This program has version " + library_version() + ". The journal records both.");
+                   " of the library. This program has version " + library_version() + ". The journal has both.");
     is_open_ = true;
     log("opened", {{"study", design_.title},
                    {"sha256", design_.sha256},
@@ -490,7 +490,8 @@ void freeze(const Design& design, const std::filesystem::path& study, const Disk
   const std::string before = sha256_of(content_of(frozen));
   if (before != design.sha256)
     throw Refusal(frozen.string() + ": the data in this folder have another design (SHA-256 " + before +
-                  ") than the given one (" + design.sha256 + "); use the other design, or another folder (--data)");
+                  ") than the given one (SHA-256 " + design.sha256 +
+                  "); give the other design, or another folder (--data)");
 }
 
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk) {

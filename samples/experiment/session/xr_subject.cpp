@@ -327,7 +327,7 @@ std::string XrSubject::note() {
 
 bool XrSubject::consents() {
   if (simulated_) return simulated_->consents();
-  prompt_.ask("Has the participant read the information and given consent? Press y for yes, n for no.");
+  prompt_.ask("Did the participant read the information and give consent? Press y for yes, n for no.");
   return wait_for_key("yn") == 'y';
 }
 

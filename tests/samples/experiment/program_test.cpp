@@ -319,7 +319,7 @@ TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
   fs::copy(person.folder / "data/sub-01/ses-01/registration.json", person.folder / "plate.json");
   fs::remove_all(person.folder / "data");
   person.begin(Path());
-  person.stop("given consent? Press y for yes, n for no.");
+  person.stop("give consent? Press y for yes, n for no.");
   person.type("y");
   person.stop("Touch");
   person.quit();

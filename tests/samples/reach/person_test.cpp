@@ -225,7 +225,7 @@ TEST(ReachKeys, NextLeavesATargetOutAndStopEndsTheRun) {
       expect_exit(0, run_with_keys(Path(plate_of_desk).reach(), "", "n", person_and({"--target", "goblet"})));
   ASSERT_EQ(rows_of(next).size(), 1U);
   EXPECT_EQ(rows_of(next)[0].virtual_name, "goblet");
-  EXPECT_TRUE(has(next.out, "1 more were skipped"));
+  EXPECT_TRUE(has(next.out, "; 1 skipped."));
   expect_said(expect_exit(130, run_with_keys(Path(plate_of_desk).reach(), "", "q", person_and())), "interrupted");
 }
 
