@@ -177,7 +177,7 @@ typedef struct hrt_setup_step {
   double place_m[3];
   /** Plate orientation to turn to now. @ccw */
   double plate_orientation_deg;
-  /** Problem and instruction in one line of UTF-8, to display or to speak. */
+  /** Problem and instruction in one line of UTF-8, to display or to speak. A text in brackets is for the supervisor. */
   char text[HRT_TEXT_SIZE];
 } hrt_setup_step;
 

@@ -38,23 +38,23 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
       text << "The finger was above the plate in every sample: put it on the plate, or check the plate's height. ";
       break;
     case Kind::time:
-      text << "Times advance by " << rounded(observed.first) << " ns per sample: time_ns must be in nanoseconds. ";
+      text << "[Times advance by " << rounded(observed.first) << " ns per sample: time_ns must be in nanoseconds.] ";
       break;
     case Kind::far_away:
-      text << "The finger is " << rounded(observed.first / mm_per_m)
-           << " m from the requested position: check that positions are in metres, and the plate's pose. ";
+      text << "[The finger is " << rounded(observed.first / mm_per_m)
+           << " m from the requested position: check that positions are in metres, and the plate's pose.] ";
       break;
     case Kind::plate:
-      text << "The plate reports " << rounded(observed.first) << " degrees, but " << rounded(observed.second)
-           << " degrees were commanded: check the servo and the sign of its angles. ";
+      text << "[The plate reports " << rounded(observed.first) << " degrees, but " << rounded(observed.second)
+           << " degrees were commanded: check the servo and the sign of its angles.] ";
       break;
     case Kind::elsewhere:
       text << "The finger is " << std::round(observed.first)
            << " mm from the requested position: move it there, or check the plate's pose. ";
       break;
     case Kind::wrong_way:
-      text << "The finger slid towards " << std::round(observed.first)
-           << " degrees, where 0 is straight ahead: check for swapped or mirrored axes. ";
+      text << "[The finger slid towards " << std::round(observed.first)
+           << " degrees, where 0 is straight ahead: check for swapped or mirrored axes.] ";
       break;
     case Kind::no_rest:
       text << "The finger has not rested at the requested position yet: keep it still there. ";
@@ -64,7 +64,7 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
 
 void write_problem(SetupProblem problem, std::string_view reason, const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
   text << problem_texts[static_cast<std::size_t>(problem)];
-  if (!reason.empty() && observed.kind == Observed::Kind::none) text << "(" << reason << ") ";  // both do not fit
+  if (!reason.empty() && observed.kind == Observed::Kind::none) text << "[" << reason << "] ";  // both do not fit
   write_observed(observed, text);
 }
 
@@ -74,7 +74,7 @@ constexpr std::pair<std::uint32_t, const char*> part_texts[] = {
 
 const char* attitude_text(int number) {
   constexpr const char* attitudes[finger_attitudes] = {"flat",
-                                                       "steeply",
+                                                       "almost upright",
                                                        "tilted onto its left side",
                                                        "tilted onto its right side",
                                                        "flat, turned to the left",

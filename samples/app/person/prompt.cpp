@@ -30,6 +30,7 @@ std::string spoken(std::string text) {
   static const std::pair<std::regex, const char*> words[] = {
       {std::regex("\""), ""},
       {std::regex(" \\((or )?(hrt-|--|SHA-256)[^()]*\\)"), ""},
+      {std::regex(" ?\\[[^\\]]*\\]"), ""},
       {std::regex("\\bhrt_\\w+: "), ""},
       {std::regex("( at)? /dev/[^\\s;,]*\\w"), ""},
       {std::regex("\\S*/sub-0*(\\d+)/ses-0*(\\d+)[^\\s:;]*"), "participant $1, session $2"},

@@ -56,8 +56,9 @@ class Prompt {
 /// Text of listen(): the meaning of the keys.
 extern const char* const keys_in_words;
 
-/// `text` for a voice: units in words; without option names in parentheses, checksums, names of calls and of devices,
-/// quotes, and repeated spaces. Files of a session are named by its numbers, since their names may have a condition.
+/// `text` for a voice: units in words; without text in brackets, option names in parentheses, checksums, names of
+/// calls and of devices, quotes, and repeated spaces. Files of a session are named by its numbers, since their names
+/// may have a condition.
 std::string spoken(std::string text);
 
 }  // namespace hrt::app

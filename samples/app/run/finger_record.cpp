@@ -38,8 +38,9 @@ Hand FingerRecord::best_of(const RunContext& context) const {
 std::string FingerRecord::tracked_in_words(const RunContext& context, Hand hand) const {
   const Seen& seen = of(hand);
   const double percent = 100.0 * seen.tracked / std::max(1, seen.frames);
-  return context.touch != nullptr ? format("The touch frame saw a finger for %.0f %% of the time", percent)
-                                  : format("The %s hand was tracked for %.0f %% of the time", name_of(hand), percent);
+  return context.touch != nullptr
+             ? format(" [The touch frame saw a finger for %.0f %% of the time.]", percent)
+             : format(" [The %s hand was tracked for %.0f %% of the time.]", name_of(hand), percent);
 }
 
 std::string FingerRecord::not_tracked(const RunContext& context) const {
@@ -48,7 +49,7 @@ std::string FingerRecord::not_tracked(const RunContext& context) const {
   if (context.touch != nullptr) return "Nothing touched the touch frame. Touch it with one fingertip.";
   if (context.hands.size() > 1) return "No hand was tracked. Hold one hand where the headset's cameras see it.";
   if (of(other).tracked > 0)
-    return format("The %s hand was not tracked, but the %s one was. Use the %s one (or hrt-reach --hand %s).",
+    return format("The %s hand was not tracked, but the %s one was. Change to the %s hand (or hrt-reach --hand %s).",
                   name_of(hand), name_of(other), name_of(hand), name_of(other));
   return format("The %s hand was not tracked. Hold it where the headset's cameras see it.", name_of(hand));
 }
@@ -84,19 +85,19 @@ std::string FingerRecord::why_not_begun(const RunContext& context) const {
   const Hand hand = best_of(context);
   const Seen& seen = of(hand);
   if (seen.tracked == 0) return not_tracked(context);
-  std::string text = tracked_in_words(context, hand) + "; the finger was last " +
-                     position_in_words(context, seen.last_m) + ", and its smallest distance from the start was " +
-                     mm(seen.nearest_m) + ". ";
+  std::string text = "The finger was last " + position_in_words(context, seen.last_m) + "." +
+                     tracked_in_words(context, hand) + " [Smallest distance from the start: " + mm(seen.nearest_m) +
+                     ".] ";
   if (context.touch != nullptr)
     return text +
            "Rest one fingertip on the start. If the finger was on the start, the position of the touch frame is wrong: "
-           "correct right_mm and towards_mm of --finger.";
+           "correct it [right_mm and towards_mm of --finger].";
   if (4 * seen.tracked < seen.frames) return text + "Hold the hand where the headset's cameras see it.";
   if (seen.nearest_m > far_m)
     return text +
            "If the finger was on the plate, the assumed position of the plate is wrong: register the plate "
            "(hrt-reach: --register FILE).";
-  if (seen.nearest_m > start_radius_m) return text + "Put the finger within " + mm(start_radius_m) + " of the start.";
+  if (seen.nearest_m > start_radius_m) return text + "Put it within " + mm(start_radius_m) + " of the start.";
   return text +
          "Rest the finger on the start. If it has rested there, register the plate (hrt-reach: --register FILE).";
 }
@@ -105,9 +106,9 @@ std::string FingerRecord::why_not_ended(const RunContext& context, const TargetP
   const Hand hand = best_of(context);
   const Seen& seen = of(hand);
   if (seen.tracked == 0) return not_tracked(context);
-  std::string text = tracked_in_words(context, hand) + "; the finger was last " +
-                     position_in_words(context, seen.last_m) + ", " +
-                     mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
+  std::string text = "The finger was last " + position_in_words(context, seen.last_m) + ", " +
+                     mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target." +
+                     tracked_in_words(context, hand) + " ";
   if (!seen.tracked_now && context.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
   if (context.simulation != nullptr) return text + "Allow the simulated user more time (hrt-reach: --time-limit).";
   if (seen.farthest_m <= start_radius_m) return text + "The finger stayed at the start: slide it to the target.";
@@ -119,8 +120,8 @@ std::string FingerRecord::why_not_ended(const RunContext& context, const TargetP
 std::string FingerRecord::why_no_touch(const RunContext& context) const {
   const Hand hand = best_of(context);
   if (of(hand).tracked == 0) return not_tracked(context);
-  return tracked_in_words(context, hand) +
-         ". Move the finger to the mark, where the headset's cameras see it, and hold it still for a second.";
+  return "Move the finger to the mark, where the headset's cameras see it, and hold it still for a second." +
+         tracked_in_words(context, hand);
 }
 
 Hand await_finger_at_start(RunContext& context) {

@@ -37,7 +37,7 @@ std::string request_of(const hrt_setup_step& step, const std::vector<std::string
     request += format(" Mark %zu is \"", mark + 1) + mark_names.at(mark) + "\"";
   }
   if (step.instruction == HRT_STEP_TOUCH_MARK || step.instruction == HRT_STEP_REST_AT_START)
-    request += format(" (%u of %u).", step.done + 1, step.of);
+    request += step.of > 1 ? format(" (%u of %u).", step.done + 1, step.of) : ".";
   return request;
 }
 
@@ -68,8 +68,7 @@ void SetUp::check_dropped() const {
 
 void SetUp::ask(RunContext& context, const hrt_setup_step& step) {
   if (step.problem == HRT_PROBLEM_PLATE) throw Failure(ExitCode::plate, step.text);
-  request_ = request_of(step, mark_names_);
-  context.tell_user(request_);
+  context.tell_user(request_of(step, mark_names_));
   if (context.simulation != nullptr && step.instruction == HRT_STEP_REST_AT_START)
     instruct(context, context.hands.front(), 0.0, no_path_m);
   if (context.simulation != nullptr && step.instruction == HRT_STEP_SLIDE)
@@ -117,7 +116,7 @@ void SetUp::run_until_finish(RunContext& context, XrTime* now, std::ostream* sli
     if (step.instruction == HRT_STEP_REST_AT_START && context.hint && *now - asked_at_ > settle_ns)
       context.hint(fingers_->where(context));
     if (*now - asked_at_ > context.time_limit_ns)
-      throw Failure(ExitCode::no_hand, "no response " + within_s(context.time_limit_ns) + " to: " + request_ + " " +
+      throw Failure(ExitCode::no_hand, "no response " + within_s(context.time_limit_ns) + ". " +
                                            ((step.part & world_parts) != 0 ? fingers_->why_no_touch(context)
                                                                            : fingers_->why_not_begun(context)));
   }

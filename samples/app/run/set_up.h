@@ -48,7 +48,6 @@ class SetUp {
   std::vector<std::string> mark_names_;
   hrt_setup_result result_{};
   hrt_setup_step asked_{};
-  std::string request_;
   XrTime asked_at_ = 0;
   std::optional<FingerRecord> fingers_;  // since the last request
   std::optional<double> commanded_deg_;

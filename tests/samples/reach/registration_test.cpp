@@ -125,7 +125,7 @@ TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
 
 TEST_F(ReachRegistration, WaitForATouchHasATimeLimit) {
   const Outcome outcome = expect_exit(8, run(Path(), {"--register", file, "--time-limit", "4"}));
-  expect_said(outcome, "no response within 4 s to: Lift your finger. Then touch mark 1");
+  expect_said(outcome, "no response within 4 s. ");
 }
 
 TEST_F(ReachRegistration, TakesMarksFromAFile) {
