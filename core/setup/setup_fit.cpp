@@ -66,10 +66,11 @@ void fit_registration_of(const Setup& setup, SetupFit* fit) {
            "marks were confused, or an axis is mirrored: x must point to the right, y up and z towards the user", fit);
   else if (!(scale > 1.0 / max_unit_ratio && scale < max_unit_ratio))
     reject(SetupProblem::disagrees,
-           "the touches are " + decimal(scale, 1) + " times as far apart as their marks: positions must be in metres",
+           "the touches are " + decimal(scale, 3) + " times as far apart as their marks: positions must be in metres",
            fit);
   else
-    reject(SetupProblem::disagrees, "the touches are " + decimal(found.residual_mm, 0) + " mm from their marks", fit);
+    reject(SetupProblem::disagrees,
+           "the touches are " + decimal(found.residual_mm, 0) + " mm from their marks (root mean square)", fit);
 }
 
 // The first touch that disagrees may be a mistake of the user: the check fails only if a second touch disagrees too.

@@ -66,10 +66,9 @@ void run_one(const Options& options) {
     } catch (const app::Interrupted&) {
       end = "left";
     } catch (const app::XrFailure& failure) {
-      const std::string text = std::string("the OpenXR runtime failed: ") + failure.what() +
-                               "; restart the runtime, then run the same command again to resume the session";
-      subject.speak(text);  // main() prints the text
-      throw Refusal(text);
+      subject.speak("The OpenXR runtime failed. Restart it, then run the same command again.");
+      throw Refusal(std::string("the OpenXR runtime failed: ") + failure.what() +
+                    "; restart the runtime, then run the same command again to resume the session");
     } catch (const std::exception& error) {
       subject.speak(error.what());
       throw;

@@ -138,7 +138,9 @@ class Run {
     } catch (const std::exception& error) {
       status_.clear();
       keep_recording_as_it_is();
-      prompt_.speak(error.what());  // run_from() prints the text
+      prompt_.speak(dynamic_cast<const XrFailure*>(&error) == nullptr
+                        ? error.what()
+                        : "The OpenXR runtime failed. Restart it, then start again.");  // run_from() prints the text
       prompt_.finish();
       throw;
     }

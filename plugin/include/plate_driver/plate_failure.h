@@ -36,6 +36,6 @@ class PlateFailure : public std::runtime_error {
 inline constexpr const char* silent_text = "has not answered for half a second; check its cable and supply";
 inline constexpr const char* restarted_text =
     "has restarted: its supply or its serial line failed; check both, and open the plate again";
-inline constexpr const char* second_program_text = "receives commands from another program. Close that program";
+inline constexpr const char* second_program_text = "receives commands from another program. End that program";
 
 }  // namespace hrt::plate

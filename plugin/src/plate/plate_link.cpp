@@ -72,7 +72,7 @@ void PlateLink::start_session() {
   while (!greeting_) {
     const auto passed = now() - began;
     if (passed > greeting_limit && has_other_host_)
-      throw PlateFailure(Fault::line, "is in use by another program. Close that program");
+      throw PlateFailure(Fault::line, "is in use by another program. End that program");
     if (passed > greeting_limit)
       throw PlateFailure(Fault::no_answer,
                          "does not answer as a plate within 5 s; check the device name, cable and supply");

@@ -121,7 +121,7 @@ class SerialLine : public Line {
     // TIOCEXCL does not exclude root, or a program that has opened the line before. flock() excludes both if they also
     // call flock().
     if (flock(line_, LOCK_EX | LOCK_NB) != 0 || ioctl(line_, TIOCEXCL) != 0)
-      throw PlateFailure(Fault::line, "is in use by another program. Close that program");
+      throw PlateFailure(Fault::line, "is in use by another program. End that program");
     termios settings = before_;
     cfmakeraw(&settings);
     settings.c_cflag |= CLOCAL | CREAD;

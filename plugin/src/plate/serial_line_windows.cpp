@@ -83,7 +83,7 @@ HANDLE opened(const std::string& device) {
   if (line != INVALID_HANDLE_VALUE) return line;
   const DWORD error = GetLastError();
   if (error == ERROR_ACCESS_DENIED || error == ERROR_PIPE_BUSY)
-    throw PlateFailure(Fault::line, "is in use by another program. Close that program");
+    throw PlateFailure(Fault::line, "is in use by another program. End that program");
   throw PlateFailure(Fault::line, "cannot be opened: " + reason() + ". Check its name and cable");
 }
 

@@ -142,8 +142,8 @@ std::string request_for(const RunContext& context, const TargetPair& pair) {
   const double direction_deg = std::round(pair.virtual_direction_deg);
   std::string direction = "straight ahead";
   if (direction_deg != 0.0)
-    direction = format("%.0f degrees to the %s of straight ahead", std::abs(direction_deg),
-                       direction_deg > 0.0 ? "left" : "right");
+    direction = format("%.0f degree%s to the %s of straight ahead", std::abs(direction_deg),
+                       std::abs(direction_deg) == 1.0 ? "" : "s", direction_deg > 0.0 ? "left" : "right");
   return "Put your index finger on the start. Then slide it to \"" + pair.virtual_name + "\", " +
          format("%.0f mm away, ", 1e3 * distance_along_plate_m(pair.virtual_position_m, context.targets.start_m)) +
          direction + ", and rest it there.";

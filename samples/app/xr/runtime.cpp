@@ -65,7 +65,7 @@ void XrRuntime::create_instance(const std::vector<std::string>& optional_extensi
   for (const char* needed : {XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME}) {
     if (!contains(available, needed))
       throw Failure(ExitCode::runtime_lacks, std::string("the OpenXR runtime does not support ") + needed +
-                                                 ", which is required: use another runtime");
+                                                 ", which is required: select another runtime");
     enabled_.emplace_back(needed);
   }
   std::vector<std::string> wanted = optional_extensions;

@@ -257,8 +257,8 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
 XrTime XrHeadlessSession::time_now() const {
   if (convert_timespec_ == nullptr)
     fail(
-        "the OpenXR runtime gives its frames no time and does not support XR_KHR_convert_timespec_time: use another "
-        "runtime");
+        "the OpenXR runtime gives its frames no time and does not support XR_KHR_convert_timespec_time: select "
+        "another runtime");
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   XrTime time = 0;

@@ -33,7 +33,7 @@ void Disk::check(bool done, const std::string& what, const fs::path& file) const
   const int error = errno;
   if (!done)
     throw Refusal(file.string() + ": cannot be " + what + ": " + std::strerror(error) +
-                  "; free space, or use another folder (--data)");
+                  "; free space, or select another folder (--data)");
 }
 
 int Disk::sync(int file) const { return syncs_ ? fdatasync(file) : 0; }

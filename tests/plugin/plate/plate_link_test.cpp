@@ -155,7 +155,7 @@ TEST_F(PlateLinkTest, CannotOpenAPlateOfAnotherHost) {
   used.run_for(10ms);
   used.take_output();
   EXPECT_EQ(failure_of([&] { PlateLink(std::make_unique<EmulatedLine<PlateWithHost>>(used)); }),
-            "is in use by another program. Close that program");
+            "is in use by another program. End that program");
   EXPECT_FALSE(used.has_pulses());
 }
 

@@ -18,7 +18,7 @@ const restarted = "has restarted: its supply or its line failed; check both";
 const failures = new Map([
   ["BOOT", restarted],
   ["ERROR greeting", restarted],
-  ["ERROR session", "receives commands from another program. Close that program"],
+  ["ERROR session", "receives commands from another program. End that program"],
   ["STOPPED limit", "refused an angle beyond its limits. Connect it again, so that the page reads its limits"],
   ["STOPPED fault", "could not store its settings. Save them again (hrt-plate set); if it fails, exchange the board"],
   ["STOPPED emergency", "was stopped by its emergency stop. Release it, then connect the plate again"],
