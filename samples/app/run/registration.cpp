@@ -35,7 +35,7 @@ std::string accuracy_text(const RunContext& context) {
     if (gap.bearing_sd_deg >= worst.bearing_sd_deg) worst = gap;
   }
   return format(
-             "Errors of registration and tracker displace the ends of reaches by %.2f degrees (standard deviation). "
+             "Errors of registration and tracker displace the ends of reaches by %.2f degrees [standard deviation]. "
              "For this reason, %.1f of 100 reaches to the most affected target miss it.",
              worst.bearing_sd_deg, 100.0 * worst.miss_share) +
          (worst.miss_share > 0.05 ? " Register the plate again for a better result." : "");
@@ -120,12 +120,12 @@ RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks,
     const double(&o)[3] = plate.found.fingertip_offset_m;
     plate.hand = context.hands.front();
     const double offset_m = std::hypot(o[0], o[1], o[2]);
-    context.tell_user(format("The skin of the fingertip is %.1f mm from the tracked joint, ", millimetres * offset_m) +
-                      format("with a standard deviation of %.1f mm.", millimetres * found.fingertip_sd_m));
+    context.tell_user(format("The skin of the fingertip is %.1f mm from the tracked joint ", millimetres * offset_m) +
+                      format("[standard deviation %.1f mm].", millimetres * found.fingertip_sd_m));
   }
   context.tell_user(
-      format("The plate is registered: residual of the touches %.1f mm, standard deviation of the plate's rotation "
-             "%.2f degrees.",
+      format("The plate is registered [residual of the touches %.1f mm, standard deviation of the plate's rotation "
+             "%.2f degrees].",
              millimetres * found.registration_residual_m, found.registration_turn_sd_deg));
   place_plate(context, plate);
   context.tell_user(accuracy_text(context));
@@ -134,10 +134,11 @@ RegisteredPlate register_plate(RunContext& context, std::span<const Mark> marks,
 
 double check_plate(RunContext& context, const RegisteredPlate& plate) {
   if (plate.hand && context.hands != std::vector{*plate.hand})
-    throw Failure(ExitCode::registration,
-                  format("the plate was registered with --fingertip, which is valid for one hand only: select the %s "
-                         "hand (hrt-reach: --hand), or register the plate again (hrt-reach: --register)",
-                         hand_names[static_cast<std::size_t>(*plate.hand)]));
+    throw Failure(
+        ExitCode::registration,
+        format("the registration is valid for one hand only: select the %s hand (hrt-reach: --hand), or register "
+               "the plate again (hrt-reach: --register)",
+               hand_names[static_cast<std::size_t>(*plate.hand)]));
   hrt_session_config config = config_of(context);
   put_registration(plate, config);
   context.plugin.check(context.plugin.hrt_session_set(context.targets.session, &config));

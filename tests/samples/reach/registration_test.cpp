@@ -31,7 +31,7 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
   const std::string recording = scratch_folder() + "/contact.csv";
   const Outcome outcome = expect_exit(0, run(Path().touch(marks).reach(), {"--register", file, "--record", recording}));
   expect_said(outcome, {"touch mark 1 and hold still. Mark 1 is \"start\" (1 of 6).", "\"rim near left\"",
-                        "registered: residual of the touches 0.0 mm", "displace the ends of reaches by 0."});
+                        "registered [residual of the touches 0.0 mm", "displace the ends of reaches by 0."});
   // With a registered plate, a finger that reaches the cylinder is recorded as a contact.
   EXPECT_TRUE(has(read_file(recording), "\ntouched,0,"));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
@@ -71,7 +71,7 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   const Outcome outcome = expect_exit(0, run(touched().reach(), {"--register", file, "--fingertip"}));
   expect_said(outcome, {"touch mark 1 with the finger held tilted onto its left side",
                         "The skin of the fingertip is 20.0 mm from the tracked joint",
-                        "registered: residual of the touches 0.0 mm", "displace the ends of reaches by 0."});
+                        "registered [residual of the touches 0.0 mm", "displace the ends of reaches by 0."});
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.5);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
