@@ -29,7 +29,7 @@ const char* const keys_in_words =
 std::string spoken(std::string text) {
   static const std::pair<std::regex, const char*> words[] = {
       {std::regex("\""), ""},
-      {std::regex(" \\((or )?(hrt-|--|SHA-256)[^()]*\\)"), ""},
+      {std::regex(" \\((or )?(hrt-|HRT_|--|SHA-256)[^()]*\\)"), ""},
       {std::regex(" ?\\[[^\\]]*\\]"), ""},
       {std::regex("\\bhrt_\\w+: "), ""},
       {std::regex("( at)? /dev/[^\\s;,]*\\w"), ""},

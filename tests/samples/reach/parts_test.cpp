@@ -87,7 +87,7 @@ TEST(Spoken, HasUnitsInWordsAndNoNamesOfOptionsCallsAndFiles) {
       {"Use it (or hrt-reach --hand left). Set --finger (--data)", "Use it. Set option finger"},
       {"another design (SHA-256 3f9a); use it", "another design; use it"},
       {"Please continue. [an SD of 9 mm] Lift your finger. [98 %]", "Please continue. Lift your finger."},
-      {"hrt_reach_touched: the plate is not registered", "the plate is not registered"},
+      {"failed (HRT_ERROR_WRONG_STATE): hrt_reach_touched: no reach", "failed: no reach"},
       {"the plate at /dev/serial/by-id/usb-0:1 is unplugged; open it", "the plate is unplugged; open it"},
       {"data/sub-01/ses-02/recordings/cond-B.csv: 96 rows", "participant 1, session 2: 96 rows"}};
   for (const auto& [text, words] : texts) EXPECT_EQ(spoken(text), words);
