@@ -335,9 +335,11 @@ std::vector<nlohmann::json> XrSubject::fill_in(const Questionnaire& paper) {
   if (simulated_) return simulated_->fill_in(paper);
   std::vector<nlohmann::json> answers;
   for (const std::string& item : paper.items) {
-    prompt_.ask(paper.name + ": " + item +
-                (paper.is_text ? " (type the answer, then press Enter)"
-                               : format(" (type a number from %u to %u, then press Enter)", paper.low, paper.high)));
+    const std::string how = paper.is_text
+                                ? "type the answer, then press Enter"
+                                : format("type a number from %u to %u, then press Enter", paper.low, paper.high);
+    // A text in brackets is displayed only: `how` is spoken with the first item.
+    prompt_.ask(paper.name + ": " + item + (answers.empty() ? " (" + how + ")" : " [" + how + "]"));
     if (paper.is_text)
       answers.emplace_back(typed(""));
     else
