@@ -64,7 +64,7 @@ void require_real_time(XrHeadlessSession& session, const std::string& runtime_na
   if (frames_s <= 2.0 * passed_s + 0.02) return;
   throw Failure(ExitCode::plate, "a plate on a serial line turns in real time, but the clock of the OpenXR runtime " +
                                      runtime_name + format(" advanced by %.3f s in %.3f s", frames_s, passed_s) +
-                                     "; use a runtime with a real-time clock [mock runtime: hrtx-run --script FILE "
+                                     "; select a runtime with a real-time clock [mock runtime: hrtx-run --script FILE "
                                      "with {\"clock\": \"real-time\"}]");
 }
 
