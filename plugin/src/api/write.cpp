@@ -40,6 +40,7 @@ constexpr OutcomeFlag outcome_flags[] = {
     {HRT_COMMAND_NOT_AT_START, &PlateCommand::not_at_start, &ReachSummary::not_at_start},
     {HRT_COMMAND_MISS_UNKNOWN, &PlateCommand::miss_unknown, &ReachSummary::miss_unknown},
     {HRT_COMMAND_IMPLAUSIBLE, &PlateCommand::implausible, &ReachSummary::implausible},
+    {HRT_COMMAND_FAULT, &PlateCommand::fault, nullptr},
 };
 constexpr std::uint32_t bound_flags[] = {0, HRT_COMMAND_SATURATED, HRT_COMMAND_SATURATED, HRT_COMMAND_RATE_LIMITED,
                                          HRT_COMMAND_RATE_LIMITED};
@@ -47,26 +48,18 @@ static_assert(static_cast<int>(ActiveBound::none) == 0 && static_cast<int>(Activ
               static_cast<int>(ActiveBound::upper) == 2 && static_cast<int>(ActiveBound::rate_down) == 3 &&
               static_cast<int>(ActiveBound::rate_up) == 4);
 
-template <class Outcome>
-std::uint32_t flags_of(const Outcome& outcome, bool Outcome::* OutcomeFlag::* member) {
-  std::uint32_t flags = 0;
+// Adds the flags of `outcome` to those of `out`. Replaces infinite numbers and NaN by 0, which is a fault.
+template <class Outcome, class Struct>
+void add_flags(const Outcome& outcome, bool Outcome::* OutcomeFlag::* member, Struct* out) {
   for (const OutcomeFlag& flag : outcome_flags)
-    if (flag.*member && outcome.*(flag.*member)) flags |= flag.bit;
-  return flags;
-}
-
-// Replaces infinite numbers and NaN by 0. Returns false if there was such a number.
-template <class Struct>
-bool make_finite(Struct* values) {
-  bool finite = true;
+    if (flag.*member && outcome.*(flag.*member)) out->flags |= flag.bit;
   for_each_field<Struct>([&](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.of(*values)), double&>) {
-      if (std::isfinite(field.of(*values))) return;
-      field.of(*values) = 0.0;
-      finite = false;
+    if constexpr (std::is_same_v<decltype(field.of(*out)), double&>) {
+      if (std::isfinite(field.of(*out))) return;
+      field.of(*out) = 0.0;
+      out->flags |= HRT_COMMAND_FAULT;
     }
   });
-  return finite;
 }
 
 hrt_interval to_c(const Interval& interval) {
@@ -100,8 +93,7 @@ hrt_target_config to_c(const Target& target) {
 hrt_command to_c(const PlateCommand& command) {
   hrt_command out{
       .struct_size = sizeof out,
-      .flags = flags_of(command, &OutcomeFlag::of_command) | bound_flags[static_cast<int>(command.active)] |
-               flag_if(!command.optimal, HRT_COMMAND_APPROXIMATE),
+      .flags = bound_flags[static_cast<int>(command.active)] | flag_if(!command.optimal, HRT_COMMAND_APPROXIMATE),
       .plate_orientation_deg = command.plate_orientation_deg,
       .bearing_deg = command.bearing_deg,
       .perceived_direction_deg = command.perceived_direction_deg,
@@ -119,7 +111,8 @@ hrt_command to_c(const PlateCommand& command) {
     out.paper = {.step = command.step,
                  .finger_direction_deg = command.finger_direction_deg,
                  .aimed_direction_deg = command.aimed_direction_deg};
-  if (!make_finite(&out) || command.fault) out.flags |= HRT_COMMAND_FAULT | HRT_COMMAND_HELD;
+  add_flags(command, &OutcomeFlag::of_command, &out);
+  out.flags |= flag_if((out.flags & HRT_COMMAND_FAULT) != 0, HRT_COMMAND_HELD);
   return out;
 }
 
@@ -128,7 +121,7 @@ hrt_reach_summary to_c(const ReachSummary& summary) {
   const PersonEstimate person = summary.person.value_or(PersonEstimate{});
   hrt_reach_summary out{
       .struct_size = sizeof out,
-      .flags = flags_of(summary, &OutcomeFlag::of_summary),
+      .flags = 0,
       .bearing_deg = summary.bearing_deg,
       .miss_deg = summary.bearing_error_deg,
       .miss_sd_deg = summary.bearing_error_sd_deg,
@@ -159,7 +152,7 @@ hrt_reach_summary to_c(const ReachSummary& summary) {
                  .motor_variance_sd_deg2 = estimate.motor_variance_sd_deg2,
                  .predicted_steps = summary.predicted_steps,
                  .rate_limited_steps = summary.rate_limited_steps};
-  if (!make_finite(&out)) out.flags |= HRT_COMMAND_FAULT;
+  add_flags(summary, &OutcomeFlag::of_summary, &out);
   return out;
 }
 

@@ -62,22 +62,20 @@ void Plausibility::observe(const FingerSample& sample) {
       find(is_time ? Kind::time_too_slow : Kind::too_fast, is_time ? fast_positions_ : 1e-3 * speed_mm_s,
            static_cast<double>(passed_ns));
   }
-  if (from_centre_mm(sample.position) > max_radii * radius_mm_) {
+  const bool is_far_away = from_centre_mm(sample.position) > max_radii * radius_mm_;
+  if (is_far_away) {
     ++far_positions_;
     far_ = {Kind::far_away, from_centre_mm(sample.position), radius_mm_};
   }
-  if (!skips_directions_) check_direction(sample.position);
   last_ = sample;
-}
-
-void Plausibility::check_direction(const PlatePoint& place) {
-  const double covered = distance_mm(reach_.start, place) / reach_.real_distance_mm;
+  if (skips_directions_) return;
+  const double covered = distance_mm(reach_.start, sample.position) / reach_.real_distance_mm;
   came_from_start_ = came_from_start_ || covered < min_checked_fraction;
-  if (!came_from_start_ || covered < min_checked_fraction || from_centre_mm(place) > max_radii * radius_mm_) {
+  if (!came_from_start_ || covered < min_checked_fraction || is_far_away) {
     wrong_positions_ = turned_positions_ = 0;
     return;
   }
-  const double bearing = bearing_deg(reach_.start, place);
+  const double bearing = bearing_deg(reach_.start, sample.position);
   const double off_deg = wrap_deg(bearing - reach_.virtual_direction_deg, 360.0);
   wrong_positions_ = std::abs(off_deg) > max_off_course_deg ? wrong_positions_ + 1 : 0;
   if (wrong_positions_ >= max_in_a_row) find(Kind::wrong_way, bearing, reach_.virtual_direction_deg);

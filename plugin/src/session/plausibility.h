@@ -44,7 +44,6 @@ class Plausibility {
 
  private:
   bool is_far() const { return far_positions_ >= min_far_positions && far_positions_ == positions_; }
-  void check_direction(const PlatePoint& place);
   void find(Implausible::Kind kind, double first, double second);
 
   static constexpr std::int64_t min_far_positions = 20;
