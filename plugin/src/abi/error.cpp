@@ -1,5 +1,7 @@
 #include "plugin/src/abi/error.h"
 
+#include "plugin/src/abi/arithmetic.h"
+
 namespace hrt::plugin {
 
 thread_local constinit ThreadError thread_error;

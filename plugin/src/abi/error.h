@@ -3,13 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <exception>
-#include <new>
 #include <string_view>
-#include <system_error>
 
 #include "haptic_retargeting/base.h"
-#include "plugin/src/abi/arithmetic.h"
 #include "plugin/src/abi/text.h"
 
 namespace hrt::plugin {
@@ -42,24 +38,6 @@ inline Text<240> last_failure() {
   Text<240> parts;
   parts << text.substr(std::min(text.size(), std::string_view(thread_error.call).size() + 2));
   return parts;
-}
-
-/// Runs the body of the entry point `call`, and converts every exception to a result.
-template <class Body>
-hrt_result guarded(const char* call, Body&& body) noexcept {
-  thread_error.call = call;
-  const FloatingPointModeGuard arithmetic;
-  try {
-    return body();
-  } catch (const std::bad_alloc&) {
-    return fail(HRT_ERROR_OUT_OF_MEMORY, "memory is exhausted; release memory and call again");
-  } catch (const std::system_error& error) {
-    return fail(HRT_ERROR_SYSTEM, error.what(), "; check the file, the disk and the limits of the process");
-  } catch (const std::exception& error) {
-    return fail(HRT_ERROR_INTERNAL, error.what(), "; this is a defect of the library: report it");
-  } catch (...) {
-    return fail(HRT_ERROR_INTERNAL, "an exception of unknown type; this is a defect of the library: report it");
-  }
 }
 
 }  // namespace hrt::plugin

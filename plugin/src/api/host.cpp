@@ -10,6 +10,7 @@
 
 #include "haptic_retargeting/host.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/entry.h"
 #include "plugin/src/abi/host.h"
 #include "plugin/src/api/recorded_session.h"
 

@@ -6,6 +6,7 @@
 #include "core/simulation/simulated_hand.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/entry.h"
 #include "plugin/src/api/recorded_session.h"
 #include "plugin/src/api/write.h"
 

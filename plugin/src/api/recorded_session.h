@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "plugin/src/abi/handles.h"
+#include "plugin/src/abi/entry.h"
 #include "plugin/src/abi/host.h"
 #include "plugin/src/api/conditions.h"
 #include "plugin/src/recording/recorder.h"

@@ -6,7 +6,7 @@
 #include "generated/plate_fields.h"
 #include "haptic_retargeting/plate.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/abi/handles.h"
+#include "plugin/src/abi/entry.h"
 #include "plugin/src/plate/plate_driver.h"
 
 using namespace hrt::plugin;

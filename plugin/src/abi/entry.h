@@ -1,14 +1,37 @@
+// Entry points of the C interface: guarded() runs the body of one, and HandleTable::with() that of a call on an object.
 #pragma once
 
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <memory>
+#include <new>
+#include <system_error>
 #include <utility>
 
+#include "plugin/src/abi/arithmetic.h"
 #include "plugin/src/abi/error.h"
 
 namespace hrt::plugin {
+
+/// Runs the body of the entry point `call`, and converts every exception to a result.
+template <class Body>
+hrt_result guarded(const char* call, Body&& body) noexcept {
+  thread_error.call = call;
+  const FloatingPointModeGuard arithmetic;
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return fail(HRT_ERROR_OUT_OF_MEMORY, "memory is exhausted; release memory and call again");
+  } catch (const std::system_error& error) {
+    return fail(HRT_ERROR_SYSTEM, error.what(), "; check the file, the disk and the limits of the process");
+  } catch (const std::exception& error) {
+    return fail(HRT_ERROR_INTERNAL, error.what(), "; this is a defect of the library: report it");
+  } catch (...) {
+    return fail(HRT_ERROR_INTERNAL, "an exception of unknown type; this is a defect of the library: report it");
+  }
+}
 
 /// A table of up to `capacity` objects, which handles identify. A handle contains the index of a slot and the slot's
 /// generation, which increases with every object in the slot, so that a stale handle is invalid. Handles of tables with
