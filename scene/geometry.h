@@ -78,11 +78,14 @@ inline Vec3 coordinates_in(const Transform& frame, Vec3 point) {
   return {dot(frame.x, from_origin), dot(frame.y, from_origin), dot(frame.z, from_origin)};
 }
 
+/// Returns the directions and the centre of a plate with this pose, in the world.
+inline Transform plate_frame(const Pose& pose) { return transform_of({pose.position_m, normalized(pose.orientation)}); }
+
 /// Converts a position in the world to plate coordinates: metres from the centre of rotation, +X right, +Y up along the
 /// plate's normal, +Z towards the user. `scale` is the length in the world of 1 m on the plate.
-inline Vec3 plate_coordinates(const Pose& plate, double scale, Vec3 world_m) {
-  if (scale != 1.0) world_m = plate.position_m + (world_m - plate.position_m) * (1.0 / scale);
-  return coordinates_in(transform_of({plate.position_m, normalized(plate.orientation)}), world_m);
+inline Vec3 plate_coordinates(const Transform& plate, double scale, Vec3 world_m) {
+  if (scale != 1.0) world_m = plate.origin + (world_m - plate.origin) * (1.0 / scale);
+  return coordinates_in(plate, world_m);
 }
 
 /// Projects a position in plate coordinates onto the plate.

@@ -92,7 +92,7 @@ hrt_result read(const PlateMount& mount, const TouchedFrame& touched, const hrt_
   HRT_RETURN_IF_FAILED(check_field(given, SampleFields::flags));
   const std::uint32_t finger = given.flags & finger_flags;
   const bool in_plate = finger == HRT_SAMPLE_PLATE_POSITION;
-  Pose plate = mount.pose;
+  Transform plate = mount.frame;
   if ((finger & (finger - 1)) != 0)
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", given.flags,
                 "; allowed: at most one of DIRECTION, PLATE_POSITION and WORLD_POSITION");
@@ -113,7 +113,7 @@ hrt_result read(const PlateMount& mount, const TouchedFrame& touched, const hrt_
   if (given.flags & HRT_SAMPLE_PLATE_POSE) {
     HRT_RETURN_IF_FAILED(check_field(given, SampleFields::plate_position_m));
     HRT_RETURN_IF_FAILED(check_rotation("plate_rotation", given.plate_rotation));
-    plate = {to_vec3(given.plate_position_m), to_quaternion(given.plate_rotation)};
+    plate = plate_frame({to_vec3(given.plate_position_m), to_quaternion(given.plate_rotation)});
   }
   if (in_plate) plate = {};
   if (given.flags & HRT_SAMPLE_LIFTED) {

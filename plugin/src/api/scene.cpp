@@ -9,6 +9,7 @@
 
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/entry.h"
 #include "plugin/src/abi/file.h"
 #include "plugin/src/abi/host.h"
 #include "plugin/src/abi/text.h"
@@ -46,7 +47,7 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
   HRT_RETURN_IF_FAILED(check_value("plate_radius_m", Fields<hrt_session_config>::plate_radius_m, scene.plate.radius_m));
   SessionModel model = session.session().model();
   model.start_m = scene.start_m;
-  model.mount.pose = scene.plate.pose;
+  model.mount.set_pose(scene.plate.pose);
   model.mount.scale = 1.0;
   model.mount.surface.radius_m = scene.plate.radius_m;
   if (scene.plate.max_speed_deg_s) model.control.plate.max_speed_deg_s = *scene.plate.max_speed_deg_s;

@@ -169,6 +169,7 @@ hrt_result read(const hrt_session_config& given, SessionModel* out) {
   RetargeterConfig& control = model.control;
   visit_pairs(given, model,
               [](const auto& number, auto& copy) { copy = static_cast<std::remove_cvref_t<decltype(copy)>>(number); });
+  model.mount.set_pose(model.mount.pose);
   model.guides_to_arrival = given.guidance == HRT_GUIDANCE_ARRIVAL;
   control.mode = given.control == HRT_CONTROL_FIXED_PLATE ? ControlMode::fixed_plate
                  : model.guides_to_arrival                ? ControlMode::reach

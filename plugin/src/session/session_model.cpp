@@ -82,7 +82,7 @@ void take_contacts_of_profile(const SessionModel& session, bool has_contacts, Se
   } else {
     forget_contacts(profile);
   }
-  profile->mount.pose = session.mount.pose;
+  profile->mount.set_pose(session.mount.pose);
   profile->mount.scale = session.mount.scale;
 }
 

@@ -34,9 +34,15 @@ struct PlateSurface {
 /// Pose and surface of the plate, and position of the skin on the tracked finger. Lengths are in metres.
 struct PlateMount {
   Pose pose;           ///< pose of the plate in the engine's world; does not turn with the ridges
+  Transform frame;     ///< directions and centre of the plate in the world; set_pose() derives them from the pose
   double scale = 1.0;  ///< length in the world of 1 m on the plate, 0.5 to 2
   PlateSurface surface;
   Vec3 fingertip_offset_m;  ///< vector from the tracked joint to the skin, in the joint's axes; 0: unknown
+
+  void set_pose(const Pose& of_plate) {
+    pose = of_plate;
+    frame = plate_frame(of_plate);
+  }
 };
 
 /// Source of the plate's pose, and requirements on it.

@@ -35,8 +35,8 @@ void apply_registration(const Registration& found, std::int64_t time_ns, Session
   Eigen::Quaterniond q(found.rotation);
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
   const Eigen::Vector3d position_m = found.position_mm / mm_per_m;
-  model->mount.pose = {.position_m = {position_m.x(), position_m.y(), position_m.z()},
-                       .orientation = {q.x(), q.y(), q.z(), q.w()}};
+  model->mount.set_pose(
+      {.position_m = {position_m.x(), position_m.y(), position_m.z()}, .orientation = {q.x(), q.y(), q.z(), q.w()}});
   model->mount.scale = found.scale;
   model->control.frame = frame_of_m(frame_in_m(frame_covariance(found)));
   forget_contacts(model);

@@ -31,7 +31,7 @@ TargetView view_from(const PlatePoint& start, const PlateMount& mount, const Tar
   }
   const bool in_world = place.kind == TargetPlace::Kind::world_position;
   const PlatePoint point =
-      plate_point(in_world ? plate_coordinates(mount.pose, mount.scale, place.position_m) : place.position_m);
+      plate_point(in_world ? plate_coordinates(mount.frame, mount.scale, place.position_m) : place.position_m);
   const double far_mm = distance_mm(start, point);
   return {bearing_deg(start, point), far_mm, point, far_mm < mm_per_m * min_distance_m};
 }
