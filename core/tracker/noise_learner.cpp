@@ -25,29 +25,13 @@ constexpr double min_part_mm = 0.02;
 
 }  // namespace
 
-void StructureFunction::add(int lag, double half_square_mm2, double seconds) {
-  Sum& sum = sums[static_cast<std::size_t>(lag)];
-  sum.square_mm2 += half_square_mm2;
-  sum.time_s += seconds;
-  sum.count += 1.0;
-}
-
-void StructureFunction::add(const StructureFunction& other, double sign) {
-  for (std::size_t lag = 0; lag < sums.size(); ++lag) {
-    sums[lag].square_mm2 += sign * other.sums[lag].square_mm2;
-    sums[lag].time_s += sign * other.sums[lag].time_s;
-    sums[lag].count += sign * other.sums[lag].count;
-  }
-}
-
 NoiseParts separate(const StructureFunction& differences, double correlation_s) {
   double n = 0.0, g = 0.0, gg = 0.0, d = 0.0, gd = 0.0, dd = 0.0;
   for (int lag = 0; lag < StructureFunction::lags; ++lag) {
-    const StructureFunction::Sum& sum = differences.sums[static_cast<std::size_t>(lag)];
-    if (!(sum.count > 0.5) || !(sum.square_mm2 > 0.0)) continue;
-    const double mean_mm2 = sum.mean_mm2();
-    const double growth = 1.0 - exponential(-sum.mean_s() / correlation_s);
-    const double weight = sum.count / StructureFunction::places(lag) / square(mean_mm2);
+    if (!(differences.count(lag) > 0.5 && differences.mean_mm2(lag) > 0.0)) continue;
+    const double mean_mm2 = differences.mean_mm2(lag);
+    const double growth = 1.0 - exponential(-differences.mean_s(lag) / correlation_s);
+    const double weight = differences.count(lag) / StructureFunction::places(lag) / square(mean_mm2);
     n += weight;
     g += weight * growth;
     gg += weight * growth * growth;

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <optional>
 #include <type_traits>
 
@@ -32,24 +31,21 @@ struct TrackerNoise {
 
 inline double square_distance_mm2(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).squaredNorm(); }
 
-/// Sums for D at lags of 1, 2, 4, ... 32 positions, with the indices 0 to 5. Sums of several rests may be added.
+/// Sums for D at lags of 1, 2, 4, ... 32 positions, with the indices 0 to 5. `sums` of several rests may be added.
 struct StructureFunction {
   static constexpr int lags = 6;
   static constexpr int places(int lag) { return 1 << lag; }  ///< number of positions of a lag
 
-  struct Sum {
-    double square_mm2 = 0.0;  ///< sum of half the squared differences of a coordinate
-    double time_s = 0.0;      ///< sum of the times between the two positions
-    double count = 0.0;
+  /// One column per lag: sum of half the squared differences of a coordinate, in mm^2; sum of the times between the two
+  /// positions, in seconds; number of differences.
+  Eigen::Array<double, 3, lags> sums = Eigen::Array<double, 3, lags>::Zero();
 
-    double mean_mm2() const { return square_mm2 / count; }
-    double mean_s() const { return time_s / count; }
-  };
-  std::array<Sum, lags> sums{};
-
-  void add(int lag, double half_square_mm2, double seconds);
-  /// Adds `sign` times the sums of `other`.
-  void add(const StructureFunction& other, double sign);
+  void add(int lag, double half_square_mm2, double seconds) {
+    sums.col(lag) += Eigen::Array3d(half_square_mm2, seconds, 1.0);
+  }
+  double count(int lag) const { return sums(2, lag); }
+  double mean_mm2(int lag) const { return sums(0, lag) / sums(2, lag); }  ///< D
+  double mean_s(int lag) const { return sums(1, lag) / sums(2, lag); }
 };
 
 struct NoiseParts {
@@ -79,8 +75,8 @@ class NoiseLearner {
   const TrackerNoise& noise() const { return noise_; }
   bool known() const { return known_; }
   /// Number of differences of successive positions, and D at this lag.
-  int steps() const { return static_cast<int>(differences_.sums[0].count); }
-  double step_variance_mm2() const { return differences_.sums[0].mean_mm2(); }
+  int steps() const { return static_cast<int>(differences_.count(0)); }
+  double step_variance_mm2() const { return differences_.mean_mm2(0); }
 
  private:
   static constexpr double coordinates = std::is_same_v<Point, PlatePoint> ? 2.0 : 3.0;

@@ -139,10 +139,9 @@ void RestNoiseFit::screen() {
 bool RestNoiseFit::begin() {
   blocks_ = blocks_of(rests_);
   if (blocks_.size() < min_blocks) return false;
-  for (const StructureFunction& block : blocks_) all_.add(block, 1.0);
-  grid_start_s_ = std::max(min_correlation_s, min_periods * all_.sums[0].mean_s());
-  if (!(all_.sums[0].square_mm2 > 0.0) || grid_start_s_ >= max_correlation_s || std::isinf(quantum_mm(rests_)))
-    return false;
+  for (const StructureFunction& block : blocks_) all_.sums += block.sums;
+  grid_start_s_ = std::max(min_correlation_s, min_periods * all_.mean_s(0));
+  if (!(all_.mean_mm2(0) > 0.0) || grid_start_s_ >= max_correlation_s || std::isinf(quantum_mm(rests_))) return false;
   best_ = fit(all_);
   return true;
 }
@@ -160,7 +159,7 @@ RestNoiseFit::Parts RestNoiseFit::fit(const StructureFunction& differences) cons
 
 StructureFunction RestNoiseFit::all_but(const StructureFunction& block) const {
   StructureFunction others = all_;
-  others.add(block, -1.0);
+  others.sums -= block.sums;
   return others;
 }
 
@@ -179,24 +178,24 @@ void RestNoiseFit::describe() {
   noise_.correlation_s = {best_.correlation_s, best_.correlation_s / factor, best_.correlation_s * factor, false};
 
   bool fits = quantum_mm(rests_) <= total_mm;
-  for (std::size_t lag = 0; lag < all_.sums.size(); ++lag) {
-    const StructureFunction::Sum& sum = all_.sums[lag];
-    if (!(sum.count > 0.5)) continue;
+  for (int lag = 0; lag < StructureFunction::lags; ++lag) {
+    if (!(all_.count(lag) > 0.5)) continue;
     std::vector<double> means;
     for (const StructureFunction& block : blocks_) {
-      const double others = sum.count - block.sums[lag].count;
-      if (others > 0.5) means.push_back((sum.square_mm2 - block.sums[lag].square_mm2) / others);
+      const StructureFunction others = all_but(block);
+      if (others.count(lag) > 0.5) means.push_back(others.mean_mm2(lag));
     }
     const double expected_mm2 =
-        best_.parts.white_mm2 + best_.parts.correlated_mm2 * (1.0 - exponential(-sum.mean_s() / best_.correlation_s));
-    const double off_mm2 = std::abs(sum.mean_mm2() - expected_mm2);
+        best_.parts.white_mm2 +
+        best_.parts.correlated_mm2 * (1.0 - exponential(-all_.mean_s(lag) / best_.correlation_s));
+    const double off_mm2 = std::abs(all_.mean_mm2(lag) - expected_mm2);
     if (off_mm2 > max_misfit_share * total_mm2 + max_misfit_deviations * jackknifed(means)) fits = false;
   }
   const bool is_correlated = noise_.correlated_mm.lower > 0.0;
   const bool within = noise_.correlation_s.lower > grid_start_s_ && noise_.correlation_s.upper < max_correlation_s;
   noise_.correlation_s.known = is_correlated && within;
   if (is_correlated && !noise_.correlation_s.known) noise_.correlated_mm.known = false;
-  const double min_separate_s = min_separate_periods * all_.sums[0].mean_s();
+  const double min_separate_s = min_separate_periods * all_.mean_s(0);
   const bool separable = !is_correlated || noise_.correlation_s.lower >= min_separate_s;
   if (!fits || !separable) noise_.white_mm.known = noise_.correlated_mm.known = noise_.correlation_s.known = false;
 }
