@@ -51,9 +51,9 @@ void ReachEnd::observe(const FingerSample& sample, const FingerPhase& finger) {
 // Compares the squared cosine of the angle between the path and the line to the target with its limit.
 bool ReachEnd::is_on_course(const PlatePoint& place) const {
   const PlatePoint to_place = place - way_from_, to_target = target_ - way_from_;
-  const double product = to_place.right_mm * to_target.right_mm + to_place.away_mm * to_target.away_mm;
-  return product >= 0.0 && product * product >= min_square_cosine * square_distance_mm2(way_from_, place) *
-                                                    square_distance_mm2(way_from_, target_);
+  const double product = dot_mm2(to_place, to_target);
+  return product >= 0.0 &&
+         product * product >= min_square_cosine * dot_mm2(to_place, to_place) * dot_mm2(to_target, to_target);
 }
 
 void ReachEnd::judge_rest(const FingerPhase& finger) {

@@ -22,7 +22,7 @@ MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& o
                      double path_mm, double noise_variance_mm2, const Tuning& tuning) {
   const double seen_s = places[1].time_s;
   const PlatePoint travelled = places.mean_of_last(3) - origin;
-  const double travelled_mm = std::sqrt(square_distance_mm2(travelled, {}));
+  const double travelled_mm = std::sqrt(dot_mm2(travelled, travelled));
 
   const double log_rate_sd = trait_sd(belief, T::log_rate);
   const double evenness = std::clamp(belief.mean(T::evenness), 0.0, 1.0);
@@ -33,8 +33,7 @@ MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& o
   const auto misfit = [&](double rate, double onset_s) {
     double sum = 0.0;
     for (int back = 0; back < count && places[back].time_s > onset_s; back += stride) {
-      const PlatePoint place = places[back].position - origin;
-      const double along_mm = (place.right_mm * travelled.right_mm + place.away_mm * travelled.away_mm) / travelled_mm;
+      const double along_mm = dot_mm2(places[back].position - origin, travelled) / travelled_mm;
       const double expected_mm =
           path_mm * progress(evenness, (places[back].time_s - onset_s) * rate, tuning.pace_skew).share;
       sum += square(along_mm - expected_mm) / noise_variance_mm2;

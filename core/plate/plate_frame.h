@@ -23,9 +23,12 @@ constexpr PlatePoint operator-(const PlatePoint& a, const PlatePoint& b) {
 }
 constexpr PlatePoint operator*(double factor, const PlatePoint& a) { return {factor * a.right_mm, factor * a.away_mm}; }
 
-constexpr double square_distance_mm2(const PlatePoint& a, const PlatePoint& b) {
-  return (a.right_mm - b.right_mm) * (a.right_mm - b.right_mm) + (a.away_mm - b.away_mm) * (a.away_mm - b.away_mm);
+/// Scalar product of two vectors.
+constexpr double dot_mm2(const PlatePoint& a, const PlatePoint& b) {
+  return a.right_mm * b.right_mm + a.away_mm * b.away_mm;
 }
+
+constexpr double square_distance_mm2(const PlatePoint& a, const PlatePoint& b) { return dot_mm2(a - b, a - b); }
 
 /// A position of the finger and its time, which counts from an origin that the caller chooses.
 template <class Point>
