@@ -54,10 +54,7 @@ hrt_result read_configuration(const char* name, const Struct* given, Struct* kno
 
 template <class Struct>
 hrt_result check_output(const char* name, const Struct* out) {
-  if (!out) return fail_of_null(name);
-  std::uint32_t size;
-  std::memcpy(&size, out, sizeof size);
-  return check_struct_size<Struct>(name, size);
+  return out ? check_struct_size<Struct>(name, out->struct_size) : fail_of_null(name);
 }
 
 /// Sets the bytes after the known fields of a struct of `size` bytes to 0, and struct_size to `size`.
