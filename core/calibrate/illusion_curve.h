@@ -1,6 +1,6 @@
 // The illusion curve that slides determine: shift of the perceived direction of motion as a function of the offset t
 // from the direction of motion to the ridge normal. The curve has no assumed form; the controller uses the nearest
-// curve of its own form (core/person/illusion.h).
+// curve of its own form (core/person/person_model.h).
 #pragma once
 
 #include <array>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/math/elementary.h"
-#include "core/reach/pace.h"
+#include "core/person/person_model.h"
 
 namespace hrt {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/math/distributions.h"
-#include "core/person/illusion.h"
+#include "core/person/person_model.h"
 #include "core/person/person_state.h"
 #include "core/person/tuning.h"
 

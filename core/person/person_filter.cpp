@@ -18,9 +18,9 @@ double kept(double seconds, double time_constant_s) {
 
 }  // namespace
 
-// Quantities of one step of the motion, and its derivatives.
+// One step of the motion, and its derivatives.
 struct PersonFilter::Step {
-  double seconds, travel_mm, sine, cosine, turn_deg, phase;
+  double travel_mm, sine, cosine, turn_deg, phase;
   double wander_kept, noise_kept, displacement_kept;  // factors of decay in the step
   FeltShift felt;
   double travel_by_phase, travel_by_evenness;
@@ -28,14 +28,6 @@ struct PersonFilter::Step {
   double displacement_by_travel;
   double turn_by_felt, turn_by_steered, turn_by_own, turn_by_gain;
 };
-
-SteeringStep steer(double gain_per_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
-                   double max_slope) {
-  const double error_deg = direction_deg + felt.shift_deg - goal_deg;
-  const double decay_per_s = gain_per_s * std::clamp(1.0 - felt.by_offset, -max_slope, max_slope);
-  return {error_deg, decay_per_s,
-          -gain_per_s * error_deg * seconds / (1.0 + 0.5 * seconds * std::max(0.0, decay_per_s))};
-}
 
 PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
                            const TrackerNoise& noise, const Tuning& tuning)
@@ -100,10 +92,11 @@ double PersonFilter::own_to_come_mm() const {
 double PersonFilter::direction_deg() const { return mean_(X::steered) + own_deg(pace(mean_(X::phase)).share, 1.0); }
 
 Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
-  return illusion_at(mean_(X::weight), mean_(X::curve), mean_(X::fading), speed_mm_s, travelled_mm, tuning_);
+  return {mean_(X::weight), mean_(X::curve), mean_(X::fading), slowness(speed_mm_s, travelled_mm, tuning_)};
 }
 
-void PersonFilter::move(double seconds, double felt_plate_deg) {
+// Returns a step over `seconds`, with pace, own path and shift at its middle.
+PersonFilter::Step PersonFilter::linearised(double seconds, double felt_plate_deg) const {
   const bool arrived = mean_(X::phase) >= 1.0;
   const Progress middle = pace(mean_(X::phase) + 0.5 * rate_ * seconds);
   const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
@@ -113,41 +106,37 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const FeltShift g =
       felt_shift(illusion(travel_mm / seconds, path_mm_ * middle.share), felt_plate_deg - mean_(X::steered) - own);
   const double k = mean_(X::gain);
-  const SteeringStep steering = steer(k, mean_(X::steered), g, goal_deg(), seconds, tuning_.max_slope);
+  const double felt_error_deg = mean_(X::steered) + g.shift_deg - goal_deg();
+  const SteeringStep steering = steer(k, felt_error_deg, g.by_offset, seconds, tuning_.max_slope);
   const SinCos way = sin_cos_deg(mean_(X::steered) + own + 0.5 * steering.turn_deg);
   const double by_displacement = displacement_deg_mm(middle.share);
   const double return_deg = by_displacement * mean_(X::displacement);
-  const Step step{
-      .seconds = seconds,
-      .travel_mm = travel_mm,
-      .sine = way.sine,
-      .cosine = way.cosine,
-      .turn_deg = steering.turn_deg,
-      .phase = rate_ * seconds,
-      .wander_kept = kept(seconds, tuning_.wander_s),
-      .noise_kept = kept(seconds, noise_.correlation_s),
-      .displacement_kept = std::max(0.0, 1.0 + rad_per_deg * travel_mm * by_displacement),
-      .felt = g,
-      .travel_by_phase = travel_scale * middle.acceleration,
-      .travel_by_evenness = travel_scale * middle.by_evenness,
-      .own_by_habit = 1.0 - 2.0 * middle.share,
-      .own_by_phase = middle.rate *
-                      (return_deg / std::max(1.0 - middle.share, tuning_.min_return_fraction) - 2.0 * mean_(X::habit)),
-      .own_by_displacement = by_displacement,
-      .displacement_by_travel = rad_per_deg * (mean_(X::wander) + return_deg),
-      .turn_by_felt = k * seconds,
-      .turn_by_steered = -steering.decay_per_s * seconds,
-      .turn_by_own = (k - steering.decay_per_s) * seconds,
-      .turn_by_gain = -steering.felt_error_deg * seconds};
-  carry(step);
-  advance(step);
-  unanswered_deg_ *= turn_kept(seconds);
+  return {.travel_mm = travel_mm,
+          .sine = way.sine,
+          .cosine = way.cosine,
+          .turn_deg = steering.turn_deg,
+          .phase = rate_ * seconds,
+          .wander_kept = kept(seconds, tuning_.wander_s),
+          .noise_kept = kept(seconds, noise_.correlation_s),
+          .displacement_kept = std::max(0.0, 1.0 + rad_per_deg * travel_mm * by_displacement),
+          .felt = g,
+          .travel_by_phase = travel_scale * middle.acceleration,
+          .travel_by_evenness = travel_scale * middle.by_evenness,
+          .own_by_habit = 1.0 - 2.0 * middle.share,
+          .own_by_phase = middle.rate * (return_deg / std::max(1.0 - middle.share, tuning_.min_return_fraction) -
+                                         2.0 * mean_(X::habit)),
+          .own_by_displacement = by_displacement,
+          .displacement_by_travel = rad_per_deg * (mean_(X::wander) + return_deg),
+          .turn_by_felt = k * seconds,
+          .turn_by_steered = -steering.decay_per_s * seconds,
+          .turn_by_own = (k - steering.decay_per_s) * seconds,
+          .turn_by_gain = -felt_error_deg * seconds};
 }
 
-// P becomes F P F^T (F: Jacobian of the step), computed as (P F^T)^T F^T with one function for both products. Traits do
-// not change in a step. `f` is a copy, so that the compiler knows that writing into P does not change `f`. Traits from
-// felt_traits on are taken as independent of all other states.
-void PersonFilter::carry(Step f) {
+void PersonFilter::move(double seconds, double felt_plate_deg) {
+  const Step f = linearised(seconds, felt_plate_deg);
+  // P becomes F P F^T (F: Jacobian of the step), computed as (P F^T)^T F^T with one function for both products. Traits
+  // do not change in a step. Traits from felt_traits on are taken as independent of all other states.
   constexpr int motion = X::count - X::traits;
   // Multiplies a row by F^T. Each statement uses only elements that are not yet changed.
   const auto transform = [&f](auto&& row) {
@@ -175,30 +164,28 @@ void PersonFilter::carry(Step f) {
   covariance_.block<motion, X::felt_traits>(X::traits, 0) =
       covariance_.block<X::felt_traits, motion>(0, X::traits).transpose();
   for (int i = X::traits; i < X::count; ++i) transform(covariance_.row(i));
-}
 
-// Moves the state, and adds the process noise of random walks and of correlated quantities (of stationary variance).
-void PersonFilter::advance(const Step& step) {
-  mean_(X::right) -= step.travel_mm * step.sine;
-  mean_(X::away) += step.travel_mm * step.cosine;
-  mean_(X::steered) += step.turn_deg;
-  mean_(X::phase) = std::min(mean_(X::phase) + step.phase, 1.0);
-  mean_(X::displacement) =
-      step.displacement_kept * mean_(X::displacement) + step.travel_mm * rad_per_deg * mean_(X::wander);
-  mean_(X::wander) *= step.wander_kept;
-  mean_(X::noise_right) *= step.noise_kept;
-  mean_(X::noise_away) *= step.noise_kept;
+  mean_(X::right) -= f.travel_mm * f.sine;
+  mean_(X::away) += f.travel_mm * f.cosine;
+  mean_(X::steered) += f.turn_deg;
+  mean_(X::phase) = std::min(mean_(X::phase) + f.phase, 1.0);
+  mean_(X::displacement) = f.displacement_kept * mean_(X::displacement) + f.travel_mm * rad_per_deg * mean_(X::wander);
+  mean_(X::wander) *= f.wander_kept;
+  mean_(X::noise_right) *= f.noise_kept;
+  mean_(X::noise_away) *= f.noise_kept;
 
+  // The process noise of random walks, and of correlated quantities (of stationary variance).
   const auto add = [this](X::Index index, double variance) { covariance_(index, index) += variance; };
-  add(X::steered, tuning_.direction_density_deg2_s * step.seconds);
-  add(X::log_rate, tuning_.log_rate_density_s * step.seconds);
-  const double along_mm2 = tuning_.speed_variance_s * square(step.travel_mm) / step.seconds;
-  add(X::right, tuning_.place_density_mm2_s * step.seconds + along_mm2 * square(step.sine));
-  add(X::away, tuning_.place_density_mm2_s * step.seconds + along_mm2 * square(step.cosine));
-  add(X::wander, (1.0 - square(step.wander_kept)) * wander_deg2_);
-  const double fresh_mm2 = (1.0 - square(step.noise_kept)) * square(noise_.correlated_mm);
+  add(X::steered, tuning_.direction_density_deg2_s * seconds);
+  add(X::log_rate, tuning_.log_rate_density_s * seconds);
+  const double along_mm2 = tuning_.speed_variance_s * square(f.travel_mm) / seconds;
+  add(X::right, tuning_.place_density_mm2_s * seconds + along_mm2 * square(f.sine));
+  add(X::away, tuning_.place_density_mm2_s * seconds + along_mm2 * square(f.cosine));
+  add(X::wander, (1.0 - square(f.wander_kept)) * wander_deg2_);
+  const double fresh_mm2 = (1.0 - square(f.noise_kept)) * square(noise_.correlated_mm);
   add(X::noise_right, fresh_mm2);
   add(X::noise_away, fresh_mm2);
+  unanswered_deg_ *= turn_kept(seconds);
 }
 
 void PersonFilter::rest(double seconds) {

@@ -1,8 +1,8 @@
 // Extended Kalman filter of a finger that slides over the plate, and of the person who moves it.
 //
-// The person moves along a path of length L with the pace s(u) (reach/pace.h). The ridges shift the perceived direction
-// by g (illusion.h). The person steers the perceived direction towards the goal G, which is the virtual direction V
-// plus the bias B. In addition, the direction of the hand deviates without delay by the own path o, so that the hand
+// The person moves along a path of length L with the pace s(u). The ridges shift the perceived direction by g. The
+// person steers the perceived direction towards the goal G, which is the virtual direction V plus the bias B
+// (person_model.h). In addition, the direction of the hand deviates without delay by the own path o, so that the hand
 // leaves the line to the goal and returns to this line. With s_u = ds/du:
 //
 //   progress    v = L r s_u(u),   du/dt = r = exp(rho)
@@ -17,29 +17,14 @@
 
 #include <Eigen/Core>
 
-#include "core/person/illusion.h"
 #include "core/person/person_belief.h"
+#include "core/person/person_model.h"
 #include "core/person/person_state.h"
 #include "core/person/tuning.h"
 #include "core/plate/plate_frame.h"
-#include "core/reach/pace.h"
 #include "core/tracker/noise_learner.h"
 
 namespace hrt {
-
-/// One step of the response dpsi/dt = -k e to the perceived-direction error e = psi + g - G.
-struct SteeringStep {
-  double felt_error_deg;  ///< e at the start of the step
-  double decay_per_s;     ///< rate at which e decays with the plate at rest: -d(dpsi/dt) / dpsi
-  double turn_deg;        ///< change of psi within the step
-};
-
-/// Integrates the response over `seconds` >= 0 for a gain k. While e decays, the method is implicit in the effect of
-/// psi on e, so that it is stable for any step, and of second order. `max_slope` bounds |1 - dg/dt|, where t is the
-/// angle from the motion to the ridge normal, since g may be steep over less than a degree, for example for motions
-/// along the ridges.
-SteeringStep steer(double gain_per_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
-                   double max_slope = Tuning{}.max_slope);
 
 /// Filter for one motion. Positions are relative to the rest position before the motion. Uses no heap, lock or
 /// exception.
@@ -125,8 +110,7 @@ class PersonFilter {
 
  private:
   struct Step;
-  void carry(Step step);
-  void advance(const Step& step);
+  Step linearised(double seconds, double felt_plate_deg) const;
   double displacement_deg_mm(double path_fraction) const;
   void keep_in_range();
 

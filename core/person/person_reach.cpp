@@ -175,33 +175,29 @@ PersonReach::Decision PersonReach::decide(const PersonFilter& answered, std::int
   const double felt_plate_deg =
       felt_s < seen_s_ ? estimator_.plate().at(felt_s)
                        : plate_.orientation_at_deg(later_ns(now_ns, std::llround(1e9 * (felt_s - seen_s_))));
-  const ReachPlan plan = plan_reach(config_.control, answered,
-                                    {.target = goal_.target - origin,
-                                     .line_deg = bearing_deg(goal_.aimed_from.value_or(origin), goal_.target),
-                                     .dead_s = effective_s - estimator_.time_s(),
-                                     .felt_plate_deg = felt_plate_deg});
+  const double line_deg = bearing_deg(goal_.aimed_from.value_or(origin), goal_.target);
+  const ReachPlan plan = plan_reach(config_.control, answered, goal_.target - origin, line_deg,
+                                    effective_s - estimator_.time_s(), felt_plate_deg);
   // Converts the plan's miss, across the line from aimed_from, to a miss across the line from the start.
   const double miss_fraction = cos_deg(goal_.aimed_direction_deg - reach.real_direction_deg);
-  return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach.virtual_direction_deg, plan.active},
-                                 plate_.orientation_deg()),
-          .predicted_miss_deg = atan2_deg(miss_fraction * plan.miss_mm, reach.real_distance_mm),
-          .unreachable = !gap_is_feasible(answered)};
-}
-
-// Returns false if the gap is clearly infeasible: if the largest shift minus the gap is below min_margin_deg minus
-// margin_deviations SDs of this difference, to first order in w, b, f, B and the error of the frame. The SDs are
-// subtracted so that few feasible gaps are reported as infeasible.
-bool PersonReach::gap_is_feasible(const PersonFilter& answered) const {
-  const FeltShift largest = max_shift(answered.mean_illusion(), config_.control.bound_deg).felt;
-  const double gap_deg = goal_.reach.virtual_direction_deg + answered.mean(X::bias) - goal_.aimed_direction_deg;
+  // The gap is unreachable if it is clearly infeasible: if the largest shift minus the gap is below min_margin_deg
+  // minus margin_deviations SDs of this difference, to first order in w, b, f, B and the error of the frame. The SDs
+  // are subtracted so that few feasible gaps are reported.
+  const Illusion illusion = answered.mean_illusion();
+  const FeasibleShift largest = feasible_shift(illusion, unlimited, config_.control.bound_deg);
+  const FeltShift felt = felt_shift(illusion, largest.offset_deg);
+  const double gap_deg = reach.virtual_direction_deg + answered.mean(X::bias) - goal_.aimed_direction_deg;
   constexpr X::Index of[] = {X::weight, X::curve, X::fading, X::bias};
-  const double by[] = {largest.by_weight, largest.by_curve, largest.by_fading, gap_deg > 0.0 ? -1.0 : 1.0};
+  const double by[] = {felt.by_weight, felt.by_curve, felt.by_fading, gap_deg > 0.0 ? -1.0 : 1.0};
   double variance_deg2 = square(goal_.frame_sd_deg);
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) variance_deg2 += by[i] * by[j] * answered.covariance()(of[i], of[j]);
-  const Tuning& tuning = config_.tuning;
-  return largest.shift_deg - std::abs(gap_deg) >
-         tuning.min_margin_deg - tuning.margin_deviations * std::sqrt(std::max(0.0, variance_deg2));
+  const double min_margin_deg =
+      config_.tuning.min_margin_deg - config_.tuning.margin_deviations * std::sqrt(std::max(0.0, variance_deg2));
+  return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach.virtual_direction_deg, plan.active},
+                                 plate_.orientation_deg()),
+          .predicted_miss_deg = atan2_deg(miss_fraction * plan.miss_mm, reach.real_distance_mm),
+          .unreachable = !(largest.shift_deg - std::abs(gap_deg) > min_margin_deg)};
 }
 
 // Returns the command and its flags for the present state. `decided`: a plan was made since the last command.

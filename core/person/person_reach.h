@@ -86,7 +86,6 @@ class PersonReach {
 
   void prepare_plate();
   Decision decide(const PersonFilter& answered, std::int64_t now_ns) const;
-  bool gap_is_feasible(const PersonFilter& answered) const;
   PlateCommand command_now(const PersonFilter& answered, bool decided) const;
   void add_progress(const PersonFilter& answered, PlateCommand& command) const;
   PlatePoint on_plate(const PlatePoint& seen) const;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/math/elementary.h"
-#include "core/reach/pace.h"
 
 namespace hrt {
 namespace {
@@ -26,9 +25,9 @@ struct Motion {
 };
 
 // Predicts the motion over the dead time in one step, with pace, own path and shift at the middle of the step.
-Motion carry_over_dead_time(const PersonFilter& filter, const ReachOutlook& outlook) {
+Motion carry_over_dead_time(const PersonFilter& filter, const PlatePoint& target, double line_deg, double dead_s,
+                            double felt_plate_deg) {
   const Tuning& tuning = filter.tuning();
-  const double dead_s = outlook.dead_s;
   const double steered_deg = filter.mean(X::steered);
   const double phase = filter.mean(X::phase);
   const double end_phase = std::min(1.0, phase + filter.rate() * dead_s);
@@ -36,30 +35,31 @@ Motion carry_over_dead_time(const PersonFilter& filter, const ReachOutlook& outl
 
   const Progress middle = filter.pace(phase + 0.5 * filter.rate() * dead_s);
   const double speed_mm_s = filter.mean_speed_mm_s() * middle.rate;
-  const FeltShift felt =
-      felt_shift(filter.illusion(speed_mm_s, filter.path_mm() * middle.share),
-                 outlook.felt_plate_deg - steered_deg - filter.own_deg(middle.share, half_wander_kept));
+  const FeltShift felt = felt_shift(filter.illusion(speed_mm_s, filter.path_mm() * middle.share),
+                                    felt_plate_deg - steered_deg - filter.own_deg(middle.share, half_wander_kept));
+  const double felt_error_deg = steered_deg + felt.shift_deg - filter.goal_deg();
   const double turn_deg =
-      steer(filter.mean(X::gain), steered_deg, felt, filter.goal_deg(), dead_s, tuning.max_slope).turn_deg;
+      steer(filter.mean(X::gain), felt_error_deg, felt.by_offset, dead_s, tuning.max_slope).turn_deg;
   const double travel_mm = phase >= 1.0 ? 0.0 : speed_mm_s * dead_s;
-  const SinCos line = sin_cos_deg(outlook.line_deg);
-  const PlatePoint to_target = outlook.target - filter.position();
+  const SinCos line = sin_cos_deg(line_deg);
+  const PlatePoint to_target = target - filter.position();
   const Progress end = filter.pace(end_phase);
   return {.steered_deg = steered_deg + turn_deg,
           .own_deg = filter.own_deg(end.share, square(half_wander_kept)),
           .phase = end_phase,
           .pace = end,
           .lateral_mm = to_target.right_mm * line.cosine + to_target.away_mm * line.sine + filter.own_to_come_mm() +
-                        travel_mm * sin_deg(steered_deg + 0.5 * turn_deg - outlook.line_deg),
+                        travel_mm * sin_deg(steered_deg + 0.5 * turn_deg - line_deg),
           .turn_kept = filter.turn_kept(dead_s),
           .shift_deg = felt.shift_deg};
 }
 
 }  // namespace
 
-ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, const ReachOutlook& outlook) {
+ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, const PlatePoint& target,
+                     double line_deg, double dead_s, double felt_plate_deg) {
   const Tuning& tuning = filter.tuning();
-  const Motion motion = carry_over_dead_time(filter, outlook);
+  const Motion motion = carry_over_dead_time(filter, target, line_deg, dead_s, felt_plate_deg);
 
   // Integrates the path from there to arrival: the miss m for Gamma = 0, and its derivative M by Gamma.
   double miss_mm = motion.lateral_mm;
@@ -76,7 +76,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
     const double goal_deg = filter.goal_deg(turn_kept);
     const double middle_deg = goal_deg + (steered_deg - goal_deg) * half_kept;
     const double travel_mm = filter.path_mm() * rate * p.rate * step_s;
-    const SinCos off_line = sin_cos_deg(middle_deg - outlook.line_deg);
+    const SinCos off_line = sin_cos_deg(middle_deg - line_deg);
     miss_mm += travel_mm * off_line.sine;
     leverage_mm_deg -= travel_mm * off_line.cosine * rad_per_deg * (1.0 - unsteered * half_kept);
     steered_deg = goal_deg + (middle_deg - goal_deg) * half_kept;
@@ -105,12 +105,9 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
 
 double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const PlatePoint& target) {
   // Fixed-point iteration: the plan for a plate that already has the orientation of the previous plan.
+  const double line_deg = bearing_deg({}, target);
   double ready_deg = 0.0;
-  for (int i = 0; i < 3; ++i)
-    ready_deg =
-        plan_reach(config, resting,
-                   {.target = target, .line_deg = bearing_deg({}, target), .dead_s = 0.0, .felt_plate_deg = ready_deg})
-            .plate_deg;
+  for (int i = 0; i < 3; ++i) ready_deg = plan_reach(config, resting, target, line_deg, 0.0, ready_deg).plate_deg;
   return ready_deg;
 }
 

@@ -24,16 +24,6 @@ struct ReachControlConfig {
   double max_felt_error_deg = 5.0;
 };
 
-/// Input of a plan, in addition to the filter's state. Positions are relative to the finger's rest position.
-struct ReachOutlook {
-  PlatePoint target;  ///< the real target
-  /// direction to the target from the rest position or, after a retarget, from the position of the finger at that time;
-  /// the miss is measured across this line
-  double line_deg;
-  double dead_s;          ///< dead time: time from the state of the filter until a command given now affects the motion
-  double felt_plate_deg;  ///< plate orientation whose effect the person perceives in the middle of the dead time
-};
-
 struct ReachPlan {
   double plate_deg;       ///< direction of the ridge normal to command
   double felt_error_deg;  ///< predicted perceived-direction error when the plate has this orientation
@@ -41,8 +31,14 @@ struct ReachPlan {
   ActiveBound active;  ///< bound of the shift, `lower` or `upper`, if the plan requires more than the plate can cause
 };
 
-/// Uses no heap, lock or exception.
-ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, const ReachOutlook& outlook);
+/// Returns the plan for the real target at `target`, relative to the finger's rest position. Uses no heap, lock or
+/// exception.
+/// `line_deg`: direction to the target from the rest position or, after a retarget, from the position of the finger at
+/// that time; the miss is measured across this line.
+/// `dead_s`: dead time: time from the state of `filter` until a command given now affects the motion.
+/// `felt_plate_deg`: plate orientation whose effect the person perceives in the middle of the dead time.
+ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, const PlatePoint& target,
+                     double line_deg, double dead_s, double felt_plate_deg);
 
 /// Returns the plate orientation that the plan for `target` requires at the onset. `resting`: filter before the motion.
 double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const PlatePoint& target);

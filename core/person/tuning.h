@@ -51,7 +51,7 @@ struct Tuning {
   double given_duration_log_sd = 0.12;  ///< SD of log_rate if Reach::duration_s is given
 
   double touch_memory_s = 0.3;  ///< s: [model] time constant of the decay of the cue from touch
-  double first_ridge = 1.2;     ///< second term of A (illusion_at()) after one ridge spacing of travel
+  double first_ridge = 1.2;     ///< second term of A (slowness()) after one ridge spacing of travel
   double max_slope = 3.0;       ///< [model] bound of |1 - dg/dtheta| in steer()
 
   // Filter. A density is the variance that a state gains per second as process noise.
@@ -125,7 +125,7 @@ struct Tuning {
   double correlated_noise_fraction = 0.75;  ///< correlated part; the squares of both fractions add up to about 1
   double min_leg_mm = 10.0;                 ///< mm: in a retarget, shorter distances do not determine a direction
 
-  /// difference of log_wander between the three filters that motion_log.h compares
+  /// difference of log_wander between the three filters that MotionLog compares
   double wander_step = 0.5;
   /// factor of the log likelihood of a motion; below 1, because successive positions are correlated
   double wander_evidence = 0.8;

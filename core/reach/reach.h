@@ -129,7 +129,7 @@ struct FingerEstimate {
 
 /// Estimates of the controller for people in a reach.
 struct PersonEstimate {
-  double curve = 0.0;  ///< b of illusion.h; 0: the illusion is linear
+  double curve = 0.0;  ///< b of person_model.h; 0: the illusion is linear
   double curve_sd = 0.0;
   double gain_per_s = 0.0;  ///< k: rate at which the person corrects a perceived-direction error
   double gain_sd_per_s = 0.0;

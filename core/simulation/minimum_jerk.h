@@ -1,4 +1,4 @@
-// Minimum-jerk pace of simulated motions. Independent of the controller's core/reach/pace.h.
+// Minimum-jerk pace of simulated motions. Independent of the controller's core/person/person_model.h.
 #pragma once
 
 #include <algorithm>

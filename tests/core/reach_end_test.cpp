@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/reach/pace.h"
+#include "core/person/person_model.h"
 #include "core/simulation/tracker.h"
 #include "tests/times.h"
 

@@ -13,7 +13,7 @@ bool plans_fail = false;
 
 }  // namespace
 
-ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, const ReachOutlook&) {
+ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, const PlatePoint&, double, double, double) {
   const double value = plans_fail ? std::numeric_limits<double>::quiet_NaN() : 20.0;
   return {.plate_deg = value, .felt_error_deg = value, .miss_mm = value, .active = ActiveBound::none};
 }

@@ -7,7 +7,7 @@
 #include "core/assignment.h"
 #include "core/math/distributions.h"
 #include "core/math/elementary.h"
-#include "core/person/illusion.h"
+#include "core/person/person_model.h"
 
 namespace hrt::plugin {
 namespace {

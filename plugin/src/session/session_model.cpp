@@ -67,8 +67,9 @@ void know_person(const PersonBelief& belief, SessionModel* model) {
 Illusion illusion_of(const SessionModel& model, double distance_mm) {
   if (!model.knows_person) return {model.control.participant.tactile_weight, 0.0};
   const PersonBelief::Vector& mean = model.control.person.mean;
-  return illusion_at(mean(PersonState::weight), mean(PersonState::curve), mean(PersonState::fading),
-                     distance_mm * exponential(mean(PersonState::log_rate)), distance_mm, model.control.tuning);
+  const double speed_mm_s = distance_mm * exponential(mean(PersonState::log_rate));
+  return {mean(PersonState::weight), mean(PersonState::curve), mean(PersonState::fading),
+          slowness(speed_mm_s, distance_mm, model.control.tuning)};
 }
 
 void forget_contacts(SessionModel* model) { model->control.touched = {.home = start_of(*model)}; }

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/person/illusion.h"
+#include "core/person/person_model.h"
 #include "core/plate/plate_frame.h"
 #include "core/retargeter_config.h"
 #include "scene/geometry.h"

@@ -1,10 +1,10 @@
-#include "core/person/motion_log.h"
+#include "core/person/person_estimator.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/reach/pace.h"
+#include "core/person/person_model.h"
 
 namespace hrt {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/reach/pace.h"
+#include "core/person/person_model.h"
 #include "core/simulation/person.h"
 
 namespace hrt {

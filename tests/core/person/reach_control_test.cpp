@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "core/person/illusion.h"
-
 namespace hrt {
 namespace {
 
@@ -32,9 +30,7 @@ PersonFilter under_way(double sign) {
 // Returns a plan. `plate_deg`: plate orientation whose effect the person perceives in the dead time.
 ReachPlan plan(const ReachControlConfig& config, const PersonFilter& filter, double plate_deg,
                const PlatePoint& target = {0.0, 100.0}, double dead_s = 0.09) {
-  return plan_reach(
-      config, filter,
-      {.target = target, .line_deg = bearing_deg({}, target), .dead_s = dead_s, .felt_plate_deg = plate_deg});
+  return plan_reach(config, filter, target, bearing_deg({}, target), dead_s, plate_deg);
 }
 
 TEST(ReachControl, MirroredInput_GivesAMirroredPlan) {
@@ -111,27 +107,5 @@ TEST(ReachControl, NoGap_KeepsTheRidgesAcrossTheMotion) {
   EXPECT_NEAR(ready_orientation_deg({}, filter, {0.0, 100.0}), 0.0, 1e-9);
 }
 
-// k = 10 /s, 10 ms, 10 degrees from the goal, without a shift: 10 x 10 x 0.01 / 1.05.
-TEST(Steering, OneStep_GivesTheHandCalculatedRotation) {
-  const SteeringStep step = steer(10.0, 0.0, {}, 10.0, 0.01);
-  EXPECT_DOUBLE_EQ(step.felt_error_deg, -10.0);
-  EXPECT_DOUBLE_EQ(step.decay_per_s, 10.0);
-  EXPECT_NEAR(step.turn_deg, 0.952381, 1e-6);
-}
-
-TEST(Steering, SmallSteps_FollowTheClosedForm) {
-  const FeltShift held{.shift_deg = 4.0};
-  double direction_deg = 0.0;
-  for (int i = 0; i < 30; ++i) direction_deg += steer(17.0, direction_deg, held, 10.0, 0.01).turn_deg;
-  EXPECT_NEAR(direction_deg, 6.0 * (1.0 - std::exp(-17.0 * 0.3)), 0.01);
-}
-
-TEST(Steering, ALongStep_IsStable) {
-  EXPECT_LT(steer(20.0, 0.0, {}, 10.0, 5.0).turn_deg, 20.0);
-  // If the slope of the illusion exceeds 1, a rotation of the motion towards the goal increases the error.
-  EXPECT_DOUBLE_EQ(steer(20.0, 0.0, {.shift_deg = 0.0, .by_offset = 3.0}, 10.0, 0.1).turn_deg, 20.0);
-}
-
 }  // namespace
-
 }  // namespace hrt
