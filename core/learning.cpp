@@ -19,8 +19,8 @@ constexpr double square_variance = 2.0;
 // filter: if the estimated illusion has its maximum at a small angle, plans stay below this angle, and later reaches do
 // not observe the illusion at the angles that would correct the estimate.
 bool has_fallen(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
-  const LinearIllusion was = linear_illusion(before);
-  return was.weight - linear_illusion(learnt).weight > tuning.illusion_fall_deviations * was.weight_sd;
+  const LinearIllusion was = linear_illusion(before, tuning);
+  return was.weight - linear_illusion(learnt, tuning).weight > tuning.illusion_fall_deviations * was.weight_sd;
 }
 
 void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {

@@ -71,10 +71,9 @@ PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning) {
   return steering;
 }
 
-LinearIllusion linear_illusion(const PersonBelief& belief) {
-  const auto& p = belief.covariance;
-  return linear_illusion(belief.mean(T::weight), belief.mean(T::curve), p(T::weight, T::weight), p(T::weight, T::curve),
-                         p(T::curve, T::curve));
+LinearIllusion linear_illusion(const PersonBelief& belief, const Tuning& tuning) {
+  return linear_illusion(belief.mean(T::weight), belief.mean(T::curve),
+                         belief.covariance(linear_illusion_traits, linear_illusion_traits), tuning.hidden_bias_deg);
 }
 
 bool is_valid(const PersonBelief& belief) {

@@ -42,7 +42,8 @@ void set_variance(PersonBelief& belief, int trait, double variance);
 /// Tuning::steered_habit_sd_deg.
 PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning);
 
-LinearIllusion linear_illusion(const PersonBelief& belief);
+/// See linear_illusion() in person_model.h.
+LinearIllusion linear_illusion(const PersonBelief& belief, const Tuning& tuning);
 
 /// Returns true if each mean is in its range, and the covariance is finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);

@@ -11,10 +11,8 @@ namespace {
 
 constexpr double min_path_mm = 1.0;
 
-// e^(-seconds / time_constant_s) to second order, for the short steps of a motion.
-double kept(double seconds, double time_constant_s) {
-  return (2.0 * time_constant_s - seconds) / (2.0 * time_constant_s + seconds);
-}
+// e^(-step / constant) to second order, for the short steps of a motion.
+double kept(double step, double constant) { return (2.0 * constant - step) / (2.0 * constant + step); }
 
 }  // namespace
 
@@ -116,7 +114,7 @@ PersonFilter::Step PersonFilter::linearised(double seconds, double felt_plate_de
           .cosine = way.cosine,
           .turn_deg = steering.turn_deg,
           .phase = rate_ * seconds,
-          .wander_kept = kept(seconds, tuning_.wander_s),
+          .wander_kept = kept(rate_ * seconds, tuning_.wander_phase),
           .noise_kept = kept(seconds, noise_.correlation_s),
           .displacement_kept = std::max(0.0, 1.0 + rad_per_deg * travel_mm * by_displacement),
           .felt = g,

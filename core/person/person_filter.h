@@ -10,7 +10,7 @@
 //   motion      phi = psi + o,   dpsi/dt = -k (psi + g(T(time - sensory delay) - phi) - G),   G = V + B
 //               dx/dt = -v sin phi,   dz/dt = v cos phi
 //   measured    x + nx and z + nz, each with white noise. nx and nz are correlated noise with a time constant of 0.1 s
-//               unless another one is known. The time constant of omega is 0.3 s.
+//               unless another one is known. The time constant of omega is 0.35 of the duration.
 //
 // person_state.h lists the states. core/person/README.md has symbols and derivatives.
 #pragma once

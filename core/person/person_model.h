@@ -16,6 +16,9 @@
 //   dpsi/dt = -k e,   e = psi + g - G   (k: gain, G: goal)
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
+
 #include "core/person/tuning.h"
 #include "core/reach/reach.h"
 
@@ -76,8 +79,11 @@ struct LinearIllusion {
   double weight;
   double weight_sd;
 };
-LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
-                               double curve_variance);
+/// Traits whose covariance linear_illusion() needs, in its order.
+constexpr std::array<int, 3> linear_illusion_traits = {PersonState::weight, PersonState::curve, PersonState::bias};
+/// Returns the linear illusion for w and b. The SD contains the error that a hidden error of the bias by
+/// `hidden_bias_deg` (RMS) causes, which moves the weight along the correlation of both estimates.
+LinearIllusion linear_illusion(double weight, double curve, const Eigen::Matrix3d& covariance, double hidden_bias_deg);
 
 /// Compares the gap from the real to the goal direction with the largest feasible gap for a person with this illusion.
 /// Directions: finite. `bound_deg`: see feasible_shift().

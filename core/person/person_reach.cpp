@@ -202,9 +202,9 @@ PersonReach::Decision PersonReach::decide(const PersonFilter& answered, std::int
 
 // Returns the command and its flags for the present state. `decided`: a plan was made since the last command.
 PlateCommand PersonReach::command_now(const PersonFilter& answered, bool decided) const {
-  const auto& p = filter().covariance();
   const LinearIllusion linear = linear_illusion(filter().mean(X::weight), filter().mean(X::curve),
-                                                p(X::weight, X::weight), p(X::weight, X::curve), p(X::curve, X::curve));
+                                                filter().covariance()(linear_illusion_traits, linear_illusion_traits),
+                                                config_.tuning.hidden_bias_deg);
   const Progress pace = filter().pace(filter().mean(X::phase));
   const Illusion illusion = filter().illusion(filter().speed_mm_s(), filter().path_mm() * pace.share);
   const double direction_deg = filter().direction_deg();

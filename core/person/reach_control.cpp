@@ -31,7 +31,7 @@ Motion carry_over_dead_time(const PersonFilter& filter, const PlatePoint& target
   const double steered_deg = filter.mean(X::steered);
   const double phase = filter.mean(X::phase);
   const double end_phase = std::min(1.0, phase + filter.rate() * dead_s);
-  const double half_wander_kept = exponential(-0.5 * dead_s / tuning.wander_s);
+  const double half_wander_kept = exponential(-0.5 * filter.rate() * dead_s / tuning.wander_phase);
 
   const Progress middle = filter.pace(phase + 0.5 * filter.rate() * dead_s);
   const double speed_mm_s = filter.mean_speed_mm_s() * middle.rate;

@@ -29,7 +29,7 @@ struct Tuning {
       {0.9, 1.7, 0.004, 0.05},  // weight
       {1.1, 1.6, 0.01, 0.02},   // curve
       {14.0, 4.0, 0.0, 0.1},    // gain, 1/s
-      {0.0, 4.0, 0.5, 0.1},     // bias, deg
+      {0.0, 4.0, 0.25, 0.1},    // bias, deg
       {0.0, 9.0, 0.0, 0.1},     // habit, deg
       {0.05, 0.35, 0.0, 0.1},   // evenness
       {-0.65, 0.55, 0.0, 0.1},  // log_rate
@@ -64,8 +64,9 @@ struct Tuning {
   /// RetargetTest.SteersAPersonToTheMovedTarget.
   double speed_variance_s = 4e-4;
   double resting_density_mm2_s = 0.5;  ///< mm^2/s: density of the position while the finger pauses or is lifted
-  double wander_s = 0.3;               ///< s: [model] time constant of the wander, the random part of the own path
-  double habit_scatter = 1.0;          ///< SD of the habit from reach to reach divided by the SD of the wander
+  /// time constant of the wander, the random part of the own path, as a fraction of the duration
+  double wander_phase = 0.35;
+  double habit_scatter = 1.0;  ///< SD of the habit from reach to reach divided by the SD of the wander
   double min_return_fraction =
       0.1;                 ///< [model] smallest fraction of the path over which the finger returns to the line
   double pace_skew = 0.4;  ///< [model] skew of the pace
@@ -137,6 +138,8 @@ struct Tuning {
   double illusion_fall_deviations = 1.2;
   /// fraction by which the estimated scatter falls for each unit by which the estimate of log_wander rises
   double scatter_wander = 0.4;
+  /// deg: error of the bias (RMS) that the covariance does not contain; the SD of the linear illusion's weight has it
+  double hidden_bias_deg = 2.5;
   double min_scatter_deg = 0.2;  ///< deg: lower bound of the scatter
   /// lower bound of the SD of the tactile weight after a reach under the paper's controller, since people change
   double min_carried_weight_sd = 0.01;

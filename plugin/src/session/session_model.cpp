@@ -57,7 +57,7 @@ void forget_user(const SessionModel& defaults, SessionModel* model) {
 }
 
 void know_person(const PersonBelief& belief, SessionModel* model) {
-  const LinearIllusion linear = linear_illusion(belief);
+  const LinearIllusion linear = linear_illusion(belief, model->control.tuning);
   model->control.person = belief;
   model->knows_person = true;
   model->control.participant.tactile_weight = linear.weight;
