@@ -24,6 +24,7 @@ inline Vec3 operator*(Vec3 a, double factor) { return {a.x * factor, a.y * facto
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
+inline Vec3 unit(Vec3 a) { return a * (1.0 / length(a)); }
 
 /// A rotation, if is_unit().
 struct Quaternion {

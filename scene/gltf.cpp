@@ -37,18 +37,9 @@ std::uint32_t little_endian(std::string_view four_bytes) {
   return value;
 }
 
-// Replaces the value from `begin` to `end` by 0. Keeps line ends, so that the parser reports the right line numbers.
-void blank(std::string& json, std::size_t begin, std::size_t end) {
-  bool is_written = false;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (json[i] == '\n') continue;
-    json[i] = is_written ? ' ' : '0';
-    is_written = true;
-  }
-}
-
 // Makes one pass over the text before it is parsed. Checks the limits, because the parser could exhaust stack or
-// memory; checks for repeated keys, of which the parser would use the last; and blanks the sections that are skipped.
+// memory; checks for repeated keys, of which the parser would use the last; and replaces the value of each section that
+// is skipped by 0. Line ends are kept, so that the parser reports the right line numbers.
 void prepare(std::string& json, const std::string& file) {
   std::vector<std::set<std::string_view>> keys;  // keys of each open object; empty for an open array
   std::string_view string;                       // the last string, which is a key if ':' follows
@@ -85,8 +76,10 @@ void prepare(std::string& json, const std::string& file) {
       case '}':
       case ']':
         if (keys.size() == 1 && is_skipped) {
-          blank(json, section_begin, i);
           is_skipped = false;
+          const std::size_t value = std::min(json.find_first_not_of('\n', section_begin), i);
+          std::replace_if(&json[value], &json[i], [](char c) { return c != '\n'; }, ' ');
+          if (value < i) json[value] = '0';
         }
         if (json[i] == ',') break;
         if (!keys.empty()) keys.pop_back();

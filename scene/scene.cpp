@@ -19,13 +19,9 @@ constexpr double max_plate_coordinate_m = 1000.0;  // range of hrt_session_plate
 
 // Returns true if the transform maps space onto a plane, a line or a point, or nearly so.
 bool is_degenerate(const Transform& t) {
-  constexpr double min_length = 1e-9;
-  constexpr double min_volume = 1e-9;
-  const double x = length(t.x);
-  const double y = length(t.y);
-  const double z = length(t.z);
-  if (!(x > min_length && y > min_length && z > min_length)) return true;
-  return !(std::abs(dot(cross(t.x * (1.0 / x), t.y * (1.0 / y)), t.z * (1.0 / z))) > min_volume);
+  constexpr double min_length = 1e-9, min_volume = 1e-9;
+  const bool has_lengths = length(t.x) > min_length && length(t.y) > min_length && length(t.z) > min_length;
+  return !(has_lengths && std::abs(dot(cross(unit(t.x), unit(t.y)), unit(t.z))) > min_volume);
 }
 
 // Converts a rotation matrix to a quaternion with w >= 0. Each of 4x^2, 4y^2, 4z^2, 4w^2 is 1 plus a signed sum of the
@@ -78,7 +74,7 @@ class SceneReader {
                "the target is at the start and has no direction; move the target or the start");
     }
     for (std::size_t i = 0; i < scene_.targets.size(); ++i)
-      if (scene_.targets[i].kind == TargetKind::virtual_object) scene_.targets[i].served_by = real_target_of(i);
+      if (!scene_.targets[i].is_real) scene_.targets[i].served_by = real_target_of(i);
     return std::move(scene_);
   }
 
@@ -172,7 +168,17 @@ class SceneReader {
     check_position(path(), world.origin, "the world's origin");
     if (properties.role == HapticRole::plate) {
       check_is_first(scene_.plate.node_path);
-      take_plate(world, properties);
+      const Vec3 up = unit(world.y), back = unit(world.z);
+      if (!(std::abs(dot(up, back)) < max_shear))
+        refuse(where(),
+               "the transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular; remove the "
+               "shear");
+      const Vec3 right = unit(cross(up, back));
+      plate_frame_ = {.x = right, .y = up, .z = cross(right, up), .origin = world.origin};
+      scene_.plate = {.pose = {world.origin, quaternion_of(plate_frame_)},
+                      .radius_m = properties.radius_m.value(),
+                      .max_speed_deg_s = properties.max_speed_deg_s,
+                      .node_path = path()};
     } else if (properties.role == HapticRole::start) {
       check_is_first(scene_.start_path.value_or(""));
       scene_.start_path = path();
@@ -183,14 +189,13 @@ class SceneReader {
       if (!is_new)
         refuse(where(), "the target's name {} is also the name of {}; set another haptic property name for one of them",
                in_quotes(name), in_quotes(scene_.targets[same->second].node_path));
-      scene_.targets.push_back(
-          {.kind = properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object,
-           .name = name,
-           .world_position_m = world.origin,
-           .position_m = {},
-           .radius_m = properties.radius_m,
-           .served_by = {},
-           .node_path = path()});
+      scene_.targets.push_back({.is_real = properties.role == HapticRole::real,
+                                .name = name,
+                                .world_position_m = world.origin,
+                                .position_m = {},
+                                .radius_m = properties.radius_m,
+                                .served_by = {},
+                                .node_path = path()});
       served_by_.push_back(properties.served_by);
     }
   }
@@ -205,24 +210,6 @@ class SceneReader {
     if (!other_path.empty())
       refuse(where(), "the haptic role is the same as that of {}; remove the role of one of the two nodes",
              in_quotes(other_path));
-  }
-
-  void take_plate(const Transform& world, const HapticProperties& properties) {
-    const Vec3 up = world.y * (1.0 / length(world.y));
-    const Vec3 back = world.z * (1.0 / length(world.z));
-    if (!(std::abs(dot(up, back)) < max_shear))
-      refuse(where(),
-             "the transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular; remove the "
-             "shear");
-    const Vec3 sideways = cross(up, back);
-    plate_frame_.x = sideways * (1.0 / length(sideways));
-    plate_frame_.y = up;
-    plate_frame_.z = cross(plate_frame_.x, up);
-    plate_frame_.origin = world.origin;
-    scene_.plate = {.pose = {world.origin, quaternion_of(plate_frame_)},
-                    .radius_m = properties.radius_m.value(),
-                    .max_speed_deg_s = properties.max_speed_deg_s,
-                    .node_path = path()};
   }
 
   void locate_start() {
@@ -245,7 +232,7 @@ class SceneReader {
     const SceneTarget& target = targets[virtual_index];
     if (const std::optional<std::string>& wanted = served_by_[virtual_index]) {
       const auto found = index_of_.find(*wanted);
-      if (found == index_of_.end() || targets[found->second].kind != TargetKind::real_object)
+      if (found == index_of_.end() || !targets[found->second].is_real)
         refuse(where(target.node_path), "the haptic property served_by is {}; allowed: the name of a real target",
                in_quotes(*wanted));
       return found->second;
@@ -254,7 +241,7 @@ class SceneReader {
     std::optional<std::size_t> nearest;
     double min_gap_deg = 0.0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-      if (targets[i].kind != TargetKind::real_object) continue;
+      if (!targets[i].is_real) continue;
       const double gap_deg =
           std::abs(wrap_deg(direction_deg(scene_, targets[i]) - direction_deg(scene_, target), 360.0));
       if (!nearest || gap_deg < min_gap_deg) {
@@ -313,11 +300,9 @@ Scene load_scene(const std::filesystem::path& path) {
   return scene_of(std::move(json), file);
 }
 
-Scene load_scene(std::span<const std::byte> bytes, std::string_view name) {
-  const std::string file(name);
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const JsonExtent extent = find_json(text.substr(0, glb_header_bytes), bytes.size(), file);
-  return scene_of(std::string(text.substr(extent.offset, extent.size)), file);
+Scene load_scene(std::string_view bytes, const std::string& name) {
+  const JsonExtent extent = find_json(bytes.substr(0, glb_header_bytes), bytes.size(), name);
+  return scene_of(std::string(bytes.substr(extent.offset, extent.size)), name);
 }
 
 }  // namespace hrt

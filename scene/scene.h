@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,14 +22,9 @@ struct ScenePlate {
   std::string node_path;
 };
 
-enum class TargetKind {
-  real_object,     ///< the hand is steered to it
-  virtual_object,  ///< the user sees it, and reaches for it
-};
-
 struct SceneTarget {
-  TargetKind kind;
-  std::string name;                      ///< unique among the targets
+  bool is_real;      ///< true: the hand is steered to it; false: a virtual target, which the user sees and reaches for
+  std::string name;  ///< unique among the targets
   Vec3 world_position_m;                 ///< origin of the node
   Vec3 position_m;                       ///< origin of the node in plate coordinates; y is the height above the plate
   std::optional<double> radius_m;        ///< unset: not in the file
@@ -55,6 +49,6 @@ double distance_m(const Scene& scene, const SceneTarget& target);
 Scene load_scene(const std::filesystem::path& file);
 
 /// Reads the content of a file. `name` is the file's name in error texts.
-Scene load_scene(std::span<const std::byte> bytes, std::string_view name);
+Scene load_scene(std::string_view bytes, const std::string& name);
 
 }  // namespace hrt

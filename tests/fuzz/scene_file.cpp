@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <span>
 #include <string_view>
 
 #include "scene/scene.h"
@@ -24,8 +23,8 @@ void check_scene(const hrt::Scene& scene) {
     require(std::abs(hrt::direction_deg(scene, target)) <= 180.0);
     require(hrt::distance_m(scene, target) >= hrt::min_distance_m && std::isfinite(hrt::distance_m(scene, target)));
     require(std::isfinite(target.position_m.y));
-    require(target.served_by.has_value() == (target.kind == hrt::TargetKind::virtual_object));
-    if (target.served_by) require(scene.targets.at(*target.served_by).kind == hrt::TargetKind::real_object);
+    require(target.served_by.has_value() != target.is_real);
+    if (target.served_by) require(scene.targets.at(*target.served_by).is_real);
   }
 }
 
@@ -38,7 +37,7 @@ void check_message(std::string_view message) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    check_scene(hrt::load_scene(std::as_bytes(std::span(data, size)), "file"));
+    check_scene(hrt::load_scene({reinterpret_cast<const char*>(data), size}, "file"));
   } catch (const hrt::SceneError& error) {
     check_message(error.what());
   }

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -53,9 +52,7 @@ inline Json real(Json more = {{"translation", {0.0, 0.0, -0.05}}}) {
 /// Returns a virtual target 100 mm to the left of the default start.
 inline Json virtual_on_the_left() { return node("Left", haptic("virtual"), {{"translation", {-0.1, 0.0, 0.05}}}); }
 
-inline Scene load(const std::string& bytes, const char* name = "test.gltf") {
-  return load_scene(std::as_bytes(std::span(bytes)), name);
-}
+inline Scene load(const std::string& bytes, const char* name = "test.gltf") { return load_scene(bytes, name); }
 inline Scene load(const Json& document) { return load(document.dump()); }
 
 /// Loads a file and returns the error text; empty if the file is accepted.

@@ -20,23 +20,21 @@ TEST(DeskScene, HasThePlateStartAndTargetsOfItsReadme) {
   struct Expected {
     const char* name;
     double direction_deg;
-    TargetKind kind;
+    bool is_real;
   };
-  const std::vector<Expected> expected{{"cylinder", 0.0, TargetKind::real_object},
-                                       {"bottle", 6.0, TargetKind::virtual_object},
-                                       {"goblet", -8.0, TargetKind::virtual_object},
-                                       {"pawn", 12.0, TargetKind::virtual_object}};
+  const std::vector<Expected> expected{
+      {"cylinder", 0.0, true}, {"bottle", 6.0, false}, {"goblet", -8.0, false}, {"pawn", 12.0, false}};
   ASSERT_EQ(scene.targets.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     SCOPED_TRACE(expected[i].name);
     const SceneTarget& target = scene.targets[i];
     EXPECT_EQ(target.name, expected[i].name);
-    EXPECT_EQ(target.kind, expected[i].kind);
+    EXPECT_EQ(target.is_real, expected[i].is_real);
     EXPECT_NEAR(direction_deg(scene, target), expected[i].direction_deg, 1e-8);
     EXPECT_NEAR(distance_m(scene, target), 0.1, 1e-9);
     EXPECT_NEAR(target.position_m.y, 0.0, 1e-12);
     EXPECT_EQ(target.radius_m, 0.005);
-    EXPECT_EQ(target.served_by.has_value(), target.kind == TargetKind::virtual_object);
+    EXPECT_EQ(target.served_by.has_value(), !target.is_real);
     EXPECT_EQ(target.served_by.value_or(0), 0u);
   }
 }
@@ -77,7 +75,7 @@ TEST(BlenderScene, LoadsFlatAndNestedPropertiesOfAnExport) {
   EXPECT_EQ(bottle.radius_m, 0.005);
   EXPECT_NEAR(direction_deg(scene, bottle), 10.0, 1e-3);
   EXPECT_EQ(cylinder.name, "cylinder");
-  EXPECT_EQ(cylinder.kind, TargetKind::real_object);
+  EXPECT_TRUE(cylinder.is_real);
   EXPECT_NEAR(direction_deg(scene, cylinder), 0.0, 1e-3);
   EXPECT_NEAR(direction_deg(scene, mirrored), -8.0, 1e-3);
   EXPECT_NEAR(mirrored.position_m.y, 0.01, 1e-7);

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
-#include <span>
+#include <string_view>
 #include <vector>
 
 #include "generated/fields.h"
@@ -61,7 +61,7 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
     name << "target \"" << Shown{from.name} << "\"";
     HRT_RETURN_IF_FAILED(check_distance_from_plate(name.c_str(), from.position_m));
     targets.push_back(
-        {.role = from.kind == TargetKind::real_object ? TargetRole::real : TargetRole::virtual_target,
+        {.role = from.is_real ? TargetRole::real : TargetRole::virtual_target,
          .place = {.kind = TargetPlace::Kind::plate_position,
                    .position_m = from.position_m,
                    .radius_m = std::min(from.radius_m.value_or(0.0), Fields<hrt_target_config>::radius_m.high)},
@@ -84,7 +84,7 @@ hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length, 
     File readable;  // a file that cannot be read is an error of the operating system, not of the format
     if (!bytes) HRT_RETURN_IF_FAILED(File::open(path, std::numeric_limits<std::uint64_t>::max(), &readable));
     try {
-      const std::span file(static_cast<const std::byte*>(bytes), bytes ? static_cast<std::size_t>(length) : 0);
+      const std::string_view file(static_cast<const char*>(bytes), bytes ? static_cast<std::size_t>(length) : 0);
       auto scene = std::make_unique<hrt::Scene>(bytes ? hrt::load_scene(file, path) : hrt::load_scene(path_of(path)));
       for (const hrt::SceneTarget& target : scene->targets) {
         if (target.name.size() >= HRT_NAME_SIZE)
@@ -134,7 +134,7 @@ hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index, hrt_scene_targe
                   ", the number of targets");
     const hrt::SceneTarget& from = s.targets[index];
     hrt_scene_target target{};
-    target.role = from.kind == hrt::TargetKind::real_object ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
+    target.role = from.is_real ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
     target.served_by = from.served_by ? static_cast<std::int32_t>(*from.served_by) : -1;
     write(from.position_m, target.position_m);
     write(from.world_position_m, target.world_position_m);
