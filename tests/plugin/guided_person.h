@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "core/plate/plate_model.h"
@@ -107,21 +108,32 @@ inline GuidedPerson quiet_person(bool in_plate = false) {
   return person;
 }
 
-inline hrt_setup_result set_up(hrt_session session, std::uint32_t what, GuidedPerson* person,
-                               const hrt_setup_config& config = hrt_setup_config_init()) {
-  EXPECT_OK(hrt_setup_begin(session, what, &config));
+/// Runs a set-up that was begun until it is over, or until `watch` returns false for a step; `left` is then not 0.
+/// `mistake` changes the samples.
+inline hrt_setup_result run_setup(
+    hrt_session session, GuidedPerson* person,
+    const std::function<bool(const hrt_setup_step&)>& watch = [](const auto&) { return true; },
+    const std::function<void(hrt_sample&)>& mistake = [](auto&) {}) {
   auto step = output<hrt_setup_step>();
   auto result = output<hrt_setup_result>();
-  result.left = what;
+  result.left = ~0u;
   for (int frame = 0; result.left != 0 && frame < 40'000; ++frame) {
-    const hrt_sample sample = person->follow(step);
+    hrt_sample sample = person->follow(step);
+    mistake(sample);
     EXPECT_OK(hrt_setup_update(session, &sample, &step));
     EXPECT_NE(step.text[0], '\0');
+    if (!watch(step)) return result;
     if (step.instruction != HRT_STEP_FINISH) continue;
     EXPECT_OK(hrt_setup_finish(session, &result));
   }
   EXPECT_EQ(result.left, 0u) << step.text;
   return result;
+}
+
+inline hrt_setup_result set_up(hrt_session session, std::uint32_t what, GuidedPerson* person,
+                               const hrt_setup_config& config = hrt_setup_config_init()) {
+  EXPECT_OK(hrt_setup_begin(session, what, &config));
+  return run_setup(session, person);
 }
 
 }  // namespace hrt::test

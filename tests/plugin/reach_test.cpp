@@ -64,21 +64,6 @@ TEST_F(ReachTest, EndWithoutASampleIsRejected) {
   EXPECT_NE(summary.miss_deg, 0.0);
 }
 
-TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
-  begin_reach();
-  double forward_m = -0.05;
-  hrt_command command{};
-  for (int i = -50; i <= 28; ++i) {  // the finger rests until i is 0
-    command = update(position_sample((i + 50) * 10 * ms, 0.0, forward_m));
-    if (i >= 0) forward_m += 0.001;
-  }
-  // Estimates differ from the true values, because the tracker's noise is not known to be 0 yet.
-  EXPECT_NEAR(command.paper.finger_direction_deg, 0.0, 2.0);
-  EXPECT_GE(command.paper.step, 1);
-  // The real target is 0.1 m from the start, 5 degrees to the right; the finger has gone 0.028 m ahead.
-  EXPECT_NEAR(command.distance_to_go_m, std::hypot(0.1 * sin_deg(5.0), 0.1 * cos_deg(5.0) - 0.028), 1e-4);
-}
-
 // The plate is at (1, 2, 3) in the world, rotated by 90 degrees to the left about the upward axis, so that its
 // mid-line, -z, is the world's -x. A motion along the world's -x is straight ahead.
 TEST_F(ReachTest, WorldPositionsGiveTheCommandsOfPlatePositions) {

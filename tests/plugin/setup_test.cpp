@@ -9,12 +9,6 @@ namespace {
 
 constexpr std::uint32_t everything = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION | HRT_SETUP_CALIBRATION;
 
-hrt_setup_result cancelled_result() {
-  auto result = output<hrt_setup_result>();
-  result.left = ~0u;
-  return result;
-}
-
 class SetupTest : public RecordingTest {
  protected:
   void SetUp() override {
@@ -22,33 +16,22 @@ class SetupTest : public RecordingTest {
     create(session_config());
   }
 
-  hrt_setup_step update(
-      GuidedPerson& person, const hrt_setup_step& step,
-      const std::function<void(hrt_sample&)>& mistake = [](auto&) {}) {
-    hrt_sample sample = person.follow(step);
-    mistake(sample);
+  hrt_setup_step update(GuidedPerson& person, const hrt_setup_step& step) {
+    const hrt_sample sample = person.follow(step);
     auto next = output<hrt_setup_step>();
     EXPECT_OK(hrt_setup_update(session, &sample, &next));
     problems |= 1u << next.problem;
     return next;
   }
 
-  /// Runs the set-up until it is over, or until `watch` returns false. `mistake` changes the samples.
   hrt_setup_result run(
       GuidedPerson& person, const std::function<bool(const hrt_setup_step&)>& watch = [](const auto&) { return true; },
       const std::function<void(hrt_sample&)>& mistake = [](auto&) {}) {
-    auto step = output<hrt_setup_step>();
-    for (int frame = 0; frame < 40'000; ++frame) {
-      step = update(person, step, mistake);
-      EXPECT_NE(step.text[0], '\0');
-      if (!watch(step)) return cancelled_result();
-      if (step.instruction != HRT_STEP_FINISH) continue;
-      auto result = output<hrt_setup_result>();
-      EXPECT_OK(hrt_setup_finish(session, &result));
-      if (result.left == 0) return result;
-    }
-    ADD_FAILURE() << "the set-up does not end: " << step.text;
-    return cancelled_result();
+    const auto note = [&](const hrt_setup_step& step) {
+      problems |= 1u << step.problem;
+      return watch(step);
+    };
+    return run_setup(session, &person, note, mistake);
   }
 
   void begin_setup(std::uint32_t what, const hrt_setup_config* config = nullptr) {
@@ -210,7 +193,7 @@ TEST_P(SetupMistake, IsReportedAndTheSetupEnds) {
   const hrt_setup_result result = run(person, watch, mistake.make);
   EXPECT_EQ(observed != 0, mistake.observed != 0) << last.text;
   EXPECT_EQ(observed & 1u << mistake.observed, mistake.observed ? 1u << mistake.observed : 0u) << last.text;
-  EXPECT_EQ(result.left, mistake.dropped ? 0u : cancelled_result().left) << "the set-up waits for the user";
+  EXPECT_EQ(result.left == 0, mistake.dropped != 0) << "the set-up waits for the user";
   EXPECT_EQ(result.dropped, mistake.dropped);
   EXPECT_EQ(result.done, 0u);
   EXPECT_NE(std::string(mistake.dropped ? result.reason : last.text).find(mistake.reason), std::string::npos)
