@@ -16,10 +16,11 @@ namespace {
 // Largest absolute cosine of the angle between a plate's +Y and -Z, for rounding errors of single-precision files.
 constexpr double max_shear = 1e-4;
 constexpr double max_plate_coordinate_m = 1000.0;  // range of hrt_session_plate::position_m
+// Smallest length of an axis of a transform, and smallest volume between the directions of its axes.
+constexpr double min_length = 1e-9, min_volume = 1e-9;
 
 // Returns true if the transform maps space onto a plane, a line or a point, or nearly so.
 bool is_degenerate(const Transform& t) {
-  constexpr double min_length = 1e-9, min_volume = 1e-9;
   const bool has_lengths = length(t.x) > min_length && length(t.y) > min_length && length(t.z) > min_length;
   return !(has_lengths && std::abs(dot(cross(unit(t.x), unit(t.y)), unit(t.z))) > min_volume);
 }
