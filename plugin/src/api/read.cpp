@@ -49,9 +49,10 @@ hrt_result check_rotation(const char* field, const double (&q)[4]) {
               "); allowed: a quaternion of length 1, within 0.001");
 }
 
-hrt_result check_distance_from_plate(const char* target, Vec3 position_m) {
+hrt_result check_distance_from_plate(Vec3 position_m, std::string_view target) {
   if (const double far_m = length(position_m); far_m > max_from_plate_m)
-    return fail(HRT_ERROR_OUT_OF_RANGE, target, " is ", far_m, " m from the centre of the plate; allowed: up to ",
+    return fail(HRT_ERROR_OUT_OF_RANGE, target.empty() ? "position_m" : "target \"", Shown{target},
+                target.empty() ? "" : "\"", " is ", far_m, " m from the centre of the plate; allowed: up to ",
                 max_from_plate_m, ". Give positions in metres");
   return HRT_OK;
 }
@@ -67,7 +68,7 @@ hrt_result read(const hrt_target_config& given, Target* out) {
   } else {
     HRT_RETURN_IF_FAILED(check_field(given, F::position_m));
     if (given.place == HRT_PLACE_PLATE_POSITION)
-      HRT_RETURN_IF_FAILED(check_distance_from_plate("position_m", to_vec3(given.position_m)));
+      HRT_RETURN_IF_FAILED(check_distance_from_plate(to_vec3(given.position_m)));
   }
   HRT_RETURN_IF_FAILED(check_field(given, F::radius_m));
   if (given.role == HRT_TARGET_REAL && given.served_by.value != 0)

@@ -57,9 +57,7 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
   model.registration.time_ns = 0;
   std::vector<Target> targets;
   for (const SceneTarget& from : scene.targets) {
-    Text<HRT_NAME_SIZE + 16> name;
-    name << "target \"" << Shown{from.name} << "\"";
-    HRT_RETURN_IF_FAILED(check_distance_from_plate(name.c_str(), from.position_m));
+    HRT_RETURN_IF_FAILED(check_distance_from_plate(from.position_m, from.name));
     targets.push_back(
         {.role = from.is_real ? TargetRole::real : TargetRole::virtual_target,
          .place = {.kind = TargetPlace::Kind::plate_position,
