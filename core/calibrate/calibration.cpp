@@ -178,12 +178,6 @@ std::vector<std::string> Calibration::advice() const {
   return sentences;
 }
 
-CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
-  CalibrationSlides slides;
-  for (std::size_t i = 0; i < trials.size(); ++i) add_slide(trials[i], i, goal_direction_deg, &slides);
-  return slides;
-}
-
 CalibrationFit::CalibrationFit(std::vector<CalibrationTrial> trials, double goal_direction_deg)
     : trials_(std::move(trials)), goal_direction_deg_(goal_direction_deg) {}
 

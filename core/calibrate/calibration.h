@@ -60,7 +60,6 @@ struct CalibrationSlides {
   std::vector<double> order;
   std::size_t turned = 0;  ///< number of slides that are excluded because the plate turned
 };
-CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg);
 
 /// A rejected calibration; `reason` states the mistake, the requirement and what to do, in at most 160 characters.
 struct CalibrationRefusal {

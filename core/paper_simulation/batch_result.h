@@ -35,7 +35,6 @@ struct BatchResult {
   AngleSums felt_error;               ///< theta_hat - theta_V in the last step of each trial
 
   double hit_percent() const { return 100.0 * static_cast<double>(hits) / static_cast<double>(trials); }
-  double saturated_share() const { return static_cast<double>(saturated_steps) / static_cast<double>(steps); }
   double mean_miss_deg() const { return miss.mean_deg(trials); }
   double rms_miss_deg() const { return miss.rms_deg(trials); }
   /// Root mean square of theta_hat - theta_V in the last step.

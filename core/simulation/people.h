@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "core/plate/plate_model.h"
@@ -11,13 +10,6 @@
 #include "core/simulation/tracker.h"
 
 namespace hrt {
-
-/// A move of both targets during a reach.
-struct TargetMove {
-  /// the targets move when the finger is at this fraction of PersonCondition::distance_mm from the start
-  double at_share = 1.0;
-  PlatePoint by;
-};
 
 struct PersonCondition {
   Person person;
@@ -27,7 +19,6 @@ struct PersonCondition {
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
   double distance_mm = 100.0;
-  std::optional<TargetMove> move;
   /// SD of the error of the position at which an object is touched after each reach; 0: no contacts.
   double contact_sd_mm = 0.0;
   bool random_side = false;  ///< the real target of each reach is on a random side of the virtual one

@@ -78,7 +78,7 @@ double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double
 }
 
 SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
-                             double distance_mm, Draws draws, bool feels_place)
+                             double distance_mm, Draws draws)
     : person_(person),
       virtual_direction_deg_(virtual_direction_deg),
       distance_mm_(distance_mm * person.path_scale),
@@ -87,7 +87,6 @@ SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, doub
       draws_(draws),
       position_(start),
       felt_position_(start),
-      feels_place_(feels_place || seeks_place()),
       delay_ms_(std::clamp(static_cast<int>(std::lround(person.delay_s / tick_s)), 0, history_size - 1)),
       noise_sd_deg_(std::sqrt(person.noise_deg2_per_s * tick_s)),
       direction_deg_(person.start_direction_deg),
@@ -194,11 +193,9 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   felt_deg_ = motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_mm);
 
   goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s) + own_deg_;
-  if (feels_place_) {
-    const SinCos felt = sin_cos_deg(felt_deg_);
-    felt_position_.right_mm -= travel_mm * felt.sine;
-    felt_position_.away_mm += travel_mm * felt.cosine;
-  }
+  const SinCos felt = sin_cos_deg(felt_deg_);
+  felt_position_.right_mm -= travel_mm * felt.sine;
+  felt_position_.away_mm += travel_mm * felt.cosine;
   if (seeks_place() && hrt::distance_mm(felt_position_, virtual_place_) > 0.15 * distance_mm_) {
     goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   }

@@ -98,10 +98,9 @@ inline constexpr double reaction_s = 0.2;
 /// One reach of a simulated person, in steps of a millisecond.
 class SlidingPerson {
  public:
-  /// Begins at rest at `start`, before a motion over `distance_mm` towards `virtual_direction_deg`. `feels_place`:
-  /// computes felt_position(), which retarget() requires; steering to a position computes it in any case.
+  /// Begins at rest at `start`, before a motion over `distance_mm` towards `virtual_direction_deg`.
   SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg, double distance_mm,
-                Draws draws, bool feels_place = true);
+                Draws draws);
 
   /// Moves the virtual target to `place`. After `reaction_s` the person aims from the perceived position at the new
   /// target. If more than 10 % of the path remains, the rest of the path is rescaled; otherwise another motion begins.
@@ -118,8 +117,6 @@ class SlidingPerson {
   double direction_deg() const { return direction_deg_; }
   /// Perceived direction minus the sum of virtual direction and own path's direction.
   double felt_error_deg() const { return felt_deg_ - virtual_direction_deg_ - own_deg_; }
-  /// Perceived minus intended direction.
-  double intended_error_deg() const { return felt_deg_ - goal_deg_; }
   double elapsed_s() const { return time_s_; }
 
  private:
@@ -142,7 +139,6 @@ class SlidingPerson {
   Draws draws_;
   PlatePoint position_;
   PlatePoint felt_position_;
-  bool feels_place_;
   int delay_ms_;
   double noise_sd_deg_;  // SD of the noise that each step of 1 ms adds to the direction
   double direction_deg_;

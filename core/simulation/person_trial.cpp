@@ -14,35 +14,6 @@ constexpr std::int64_t tick_ns = 1'000'000;
 constexpr double reach_tail_s = 0.3;  // time of tracking at rest after the motion
 constexpr PlatePoint start{0.0, 0.0};
 
-// Targets of a reach, which may move once.
-class Targets {
- public:
-  explicit Targets(const PersonCondition& condition)
-      : condition_(condition),
-        real_(point_ahead(start, condition.real_direction_deg, condition.distance_mm)),
-        moves_(condition.move.has_value()) {}
-
-  void follow(SlidingPerson& person, Retargeter* controller) {
-    if (!moves_ || distance_mm(start, person.position()) < condition_.move->at_share * condition_.distance_mm) return;
-    moves_ = false;
-    const PlatePoint& by = condition_.move->by;
-    const PlatePoint virtual_place = point_ahead(start, condition_.virtual_direction_deg, condition_.distance_mm);
-    const PlatePoint virtual_now = virtual_place + by;
-    real_ = real_ + by;
-    person.retarget(virtual_now);
-    if (controller) controller->retarget(real_, virtual_now);
-  }
-
-  double real_direction_deg() const {
-    return condition_.move && !moves_ ? bearing_deg(start, real_) : condition_.real_direction_deg;
-  }
-
- private:
-  const PersonCondition& condition_;
-  PlatePoint real_;
-  bool moves_;
-};
-
 PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, const TouchedFrame& frame,
                              std::uint64_t seed, std::uint32_t index, std::uint32_t reach_number,
                              const PersonWatch& watch) {
@@ -50,7 +21,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
   const double rest_s = 0.4 + 0.4 * draws.uniform();
   Tracker tracker(condition.tracker, start, draws);
   SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_mm,
-                       Draws(seed, PersonStream::steering, index, reach_number), watch || condition.move);
+                       Draws(seed, PersonStream::steering, index, reach_number));
   PlateModel plate(condition.plate, 0.0);
   plate.advance(0);
   if (controller) {
@@ -61,7 +32,6 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
                        .real_distance_mm = condition.distance_mm});
     plate.command(controller->command().plate_orientation_deg);
   }
-  Targets targets(condition);
   double peak_deg = 0.0;
   double ended_s = -1.0;
   for (std::int64_t now_ns = 0;; now_ns += tick_ns) {
@@ -72,7 +42,6 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
       if (person.elapsed_s() > 0.05 && person.speed_mm_s() > 10.0)
         peak_deg = std::max(peak_deg, std::abs(person.felt_error_deg()));
     }
-    targets.follow(person, controller);
     if (person.done() && ended_s < 0.0) ended_s = now_s;
     if (ended_s >= 0.0 &&
         (!controller || now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s))
@@ -88,7 +57,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
                                                plate.orientation_deg(), command, controller->person_filter()});
     }
   }
-  const double error_deg = bearing_deg(start, person.position()) - targets.real_direction_deg();
+  const double error_deg = bearing_deg(start, person.position()) - condition.real_direction_deg;
   return {.bearing_error_deg = error_deg,
           .miss_mm = distance_mm(start, person.position()) * sin_deg(error_deg),
           .finger = person.position(),

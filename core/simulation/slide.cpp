@@ -23,7 +23,7 @@ CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_o
   Person sliding = condition.person;
   sliding.start_direction_deg += start_deviation_deg * draws.normal();
   Tracker tracker(condition.tracker, start, draws);
-  SlidingPerson finger(sliding, start, 0.0, condition.distance_mm, Draws(seed, steering_stream, person, slide), false);
+  SlidingPerson finger(sliding, start, 0.0, condition.distance_mm, Draws(seed, steering_stream, person, slide));
   CalibrationTrial trial{.plate_orientation_deg = plate_orientation_deg, .samples = {}, .plate_deg = {}};
   double ended_s = -1.0;
   for (std::int64_t now_ns = 0;; now_ns += 1'000'000) {

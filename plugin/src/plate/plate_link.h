@@ -30,7 +30,6 @@ class PlateLink : public Device, public BoardSettings {
   std::string description() const override;
   DeviceLimits limits() const override;
   bool is_measured() const override { return greeting_->is_measured; }
-  const PlateGreeting& greeting() const { return *greeting_; }
   std::optional<double> orientation_deg() const override { return orientation_deg_; }
   Line::Time reported() const override { return reported_; }
   /// Median time from a line to the report that echoes its sequence number.

@@ -1,7 +1,6 @@
 #include "core/simulation/people.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
-#include "core/simulation/sliding_finger.h"
 
 #include <gtest/gtest.h>
 
@@ -299,28 +298,6 @@ TEST(SimulationPeople, Contacts_CorrectARotatedFrame) {
   };
   EXPECT_GT(mean_miss_deg(0.0), 3.0);
   EXPECT_LT(mean_miss_deg(1.0), 1.0);
-}
-
-TEST(SlidingFinger, TimesOutsideThePath_LeaveTheFingerAtRest) {
-  SlidingFinger finger({0.01, -0.05}, 0.1, 2.0);
-  finger.slide(-1.0, 45.0);
-  EXPECT_EQ(finger.place().right_mm, 0.01);
-  EXPECT_EQ(finger.place().away_mm, -0.05);
-  finger.slide(1.0, 0.0);
-  EXPECT_DOUBLE_EQ(finger.place().away_mm, 0.0);
-  finger.slide(2.0, 90.0);
-  finger.slide(3.0, 90.0);
-  EXPECT_DOUBLE_EQ(finger.place().right_mm, -0.04);
-  EXPECT_NEAR(finger.place().away_mm, 0.0, 1e-15);
-}
-
-// 10 / 64 - 15 / 256 + 6 / 1024 = 0.103515625 of the path in a quarter of the time, half in half of the time.
-TEST(SlidingFinger, MinimumJerk_StartsSlowly) {
-  SlidingFinger finger({}, 0.1, 2.0, SpeedProfile::minimum_jerk);
-  finger.slide(0.5, 0.0);
-  EXPECT_DOUBLE_EQ(finger.place().away_mm, 0.0103515625);
-  finger.slide(1.0, 0.0);
-  EXPECT_DOUBLE_EQ(finger.place().away_mm, 0.05);
 }
 
 }  // namespace
