@@ -161,26 +161,6 @@ TEST(Retargeter, AGapThatGrowsTooLarge_IsReportedUnreachable) {
   }
 }
 
-TEST(Retargeter, AnyTargets_GiveFiniteCommands) {
-  for (const ControlMode mode : both_modes) {
-    Retargeter retargeter(config_of(mode));
-    retargeter.begin(gap_of_ten);
-    Draws draws(3, 0, 0, 0);
-    for (std::int64_t time_ns = 0; time_ns < 4000 * ms; time_ns += 10 * ms) {
-      const auto place = [&] { return PlatePoint{200.0 * draws.uniform() - 100.0, 200.0 * draws.uniform() - 100.0}; };
-      const Reach aimed = retargeter.retarget(draws.uniform() < 0.1 ? slid(time_ns) : place(), place());
-      ASSERT_LT(std::abs(aimed.real_direction_deg - aimed.virtual_direction_deg), 90.0);
-      const PlateCommand command = retargeter.update(seen(time_ns, slid(time_ns)));
-      for (const double value :
-           {command.plate_orientation_deg, command.felt_error_deg, command.predicted_miss_deg, command.time_to_go_s,
-            command.distance_to_go_mm, command.aimed_direction_deg, command.nis})
-        ASSERT_TRUE(std::isfinite(value));
-      const ReachSummary summary = retargeter.summary();
-      ASSERT_TRUE(std::isfinite(summary.bearing_error_deg) && std::isfinite(summary.distance_to_target_mm));
-    }
-  }
-}
-
 // Returns the covariance of a pose that may be rotated about the plate's centre, where simulated people start.
 FrameCovariance turn_of(double sd_deg) {
   FrameCovariance covariance = FrameCovariance::Zero();

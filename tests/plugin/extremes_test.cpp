@@ -154,6 +154,10 @@ class Extremes : public SessionTest {
     std::memcpy(sample.finger_position_m, config_of(session).start_position_m, sizeof sample.finger_position_m);
     for (int i = 0; i < 60; ++i) {
       move(&sample);
+      if (below(20) == 0) {
+        const hrt_target real = place(HRT_TARGET_REAL), seen = place(HRT_TARGET_VIRTUAL);
+        (void)hrt_reach_retarget(session, real, seen);
+      }
       hrt_command command = update(sample);
       ASSERT_EQ(command.flags & HRT_COMMAND_FAULT, 0u) << "in sample " << i;
       command.paper.step = 0;  // the only field that is not a double

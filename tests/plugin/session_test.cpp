@@ -1,9 +1,7 @@
 #include <limits>
 #include <thread>
 
-#include "core/retargeter_config.h"
 #include "fixture.h"
-#include "plugin/src/session/session_model.h"
 
 namespace hrt::test {
 namespace {
@@ -41,29 +39,6 @@ TEST(Results, LastErrorBelongsToTheThread) {
   std::thread([] { EXPECT_STREQ(hrt_last_error(), ""); }).join();
 }
 #endif
-
-TEST(SessionConfig, DefaultsAreThoseOfTheCore) {
-  const hrt_session_config config = session_config();
-  const RetargeterConfig core;
-  EXPECT_EQ(config.paper.horizon, static_cast<unsigned>(core.mpc.horizon));
-  EXPECT_EQ(config.paper.step_period_ns, core.step_period_ns);
-  EXPECT_EQ(config.paper.perceived_weight, core.mpc.perceived_weight);
-  EXPECT_EQ(config.paper.actual_weight, core.mpc.actual_weight);
-  EXPECT_EQ(config.paper.plate_bound_deg, core.mpc.plate_bound_deg);
-  EXPECT_EQ(config.fixed_plate_orientation_deg, core.fixed_plate_orientation_deg);
-  EXPECT_EQ(config.person.tactile_weight, 0.2);
-  EXPECT_EQ(config.person.tactile_weight_sd, core.estimator.tactile_weight_sd);
-  EXPECT_EQ(config.paper.motor_variance_deg2, core.participant.motor_variance_deg2);
-  EXPECT_EQ(config.paper.motor_variance_sd_deg2, core.estimator.motor_variance_sd_deg2);
-  EXPECT_EQ(config.paper.sensory_variance_deg2, core.participant.sensory_variance_deg2);
-  EXPECT_EQ(config.paper.initial_variance_deg2, core.participant.initial_variance_deg2);
-  EXPECT_EQ(mm_per_m * config.tracker.noise_m, core.estimator.tracker_noise_mm);
-  EXPECT_EQ(config.lift_height_m, plugin::PlateSurface().lift_height_m);
-  EXPECT_EQ(config.person.max_felt_error_deg, core.reach.max_felt_error_deg);
-  EXPECT_EQ(config.person.motion_bound_deg, core.reach.bound_deg);
-  EXPECT_EQ(mm_per_m * config.tracker.correlated_noise_m, core.estimator.correlated_noise_mm);
-  EXPECT_EQ(config.tracker.correlation_s, core.estimator.correlation_s);
-}
 
 // Plate, tracker and registration are kept, because they do not belong to the user.
 TEST_F(SessionTest, ProfileResetMakesThePersonUnknownAndKeepsThePlate) {

@@ -111,25 +111,6 @@ TEST(PersonFit, TwoDistortedSlides_AreReportedAsOutliers) {
   EXPECT_NEAR(after.tactile_weight.value, before.tactile_weight.value, 0.01);
 }
 
-TEST(PersonFit, AWeightThatFallsOverTheSession_IsReportedAsUnknown) {
-  int found = 0;
-  for (std::uint32_t index = 0; index < 3; ++index) {
-    std::vector<CalibrationTrial> trials;
-    const std::vector<double> angles = grid(4);
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      PersonCondition now = drawn("linear", index);
-      now.person.illusion.tactile_weight -= 0.08 * (static_cast<double>(i) / static_cast<double>(angles.size()) - 0.5);
-      trials.push_back(simulate_slide(now, angles[i], 1, index, static_cast<std::uint32_t>(i)));
-    }
-    const Calibration calibration = calibrated(trials);
-    if (calibration.lack_of_fit.order_p >= min_fit_p) continue;
-    ++found;
-    EXPECT_FALSE(calibration.tactile_weight.known);
-    EXPECT_FALSE(calibration.advice().empty());
-  }
-  EXPECT_EQ(found, 3);
-}
-
 // The gain is high for the delay, so that the direction oscillates, also across the direction of the ridges.
 TEST(PersonFit, AnUnstablePerson_IsReportedAsUnknown) {
   PersonCondition condition = drawn("linear", 3);

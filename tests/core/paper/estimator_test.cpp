@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/math/elementary.h"
 #include "core/math/time.h"
 #include "core/paper/participant.h"
 #include "core/paper_simulation/participant.h"
@@ -52,42 +51,6 @@ TEST(Estimator, ValuesBeyondTheirLimits_AreInvalid) {
   EXPECT_FALSE(is_valid(EstimatorConfig{.tracker_noise_mm = 101.0}));
   EXPECT_FALSE(is_valid(EstimatorConfig{.correlated_noise_mm = 101.0}));
   EXPECT_FALSE(is_valid(EstimatorConfig{.correlation_s = 0.009}));
-}
-
-TEST(Estimator, WithoutAdaptation_TheWeightIsConstant) {
-  Estimator estimator({.adapt = false}, Participant{}, 0.0, {});
-  for (int k = 0; k < 30; ++k) {
-    estimator.observe_direction(10.0 * k);
-    estimator.end_step(80.0, 0.85, 0.5);
-  }
-  EXPECT_EQ(estimator.estimate().tactile_weight, 0.15);
-  EXPECT_EQ(estimator.estimate().tactile_weight_sd, 0.0);
-}
-
-TEST(Estimator, ExtremeDirections_KeepTheWeightInItsRange) {
-  Estimator estimator({.adapt = true, .tactile_weight_sd = 0.4}, Participant{}, 0.0, {});
-  for (int k = 0; k < 200; ++k) {
-    estimator.observe_direction(k % 2 ? 90.0 : -90.0);
-    const FingerEstimate estimate = estimator.estimate();
-    EXPECT_GE(estimate.tactile_weight, Estimator::min_tactile_weight);
-    EXPECT_LE(estimate.tactile_weight, Estimator::max_tactile_weight);
-    EXPECT_TRUE(std::isfinite(estimate.tactile_weight_sd));
-    estimator.end_step(k % 3 ? 84.0 : -84.0, 0.85, 0.5);
-  }
-}
-
-// A straight motion at 33 mm/s without noise.
-TEST(Estimator, ExactPositions_GiveSpeedAndDirection) {
-  Estimator estimator({.tracker_noise_mm = 0.1}, Participant{}, 0.0, {});
-  for (int i = 1; i <= 90; ++i) {
-    const double travel_mm = 33.0 * i / 90.0;
-    const PlatePoint place{-travel_mm * sin_deg(12.0), travel_mm * cos_deg(12.0)};
-    estimator.move(1.0 / 90.0);
-    EXPECT_TRUE(estimator.observe_position(place));
-  }
-  const FingerEstimate estimate = estimator.estimate();
-  EXPECT_NEAR(estimate.direction_deg, 12.0, 0.1);
-  EXPECT_NEAR(estimate.speed_mm_s, 33.0, 0.5);
 }
 
 TEST(Estimator, AnOutlierIsRejected_AndARunOfThemIsAccepted) {

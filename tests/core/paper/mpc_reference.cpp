@@ -1,10 +1,18 @@
 #include "tests/core/paper/mpc_reference.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+// This file widens double to long double on purpose.
+#pragma GCC diagnostic ignored "-Wdouble-promotion"
 
 namespace hrt {
 namespace {
+
+using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 // Returns the largest entry of |columns y + target| for the least-squares solution y >= 0 (Lawson and Hanson, Solving
 // Least Squares Problems, chapter 23).
@@ -44,7 +52,13 @@ long double min_nonnegative_residual(const LongMatrix& columns, const LongVector
   return (columns * y + target).cwiseAbs().maxCoeff();
 }
 
-}  // namespace
+// Minimise t^T hessian t / 2 + gradient^T t over the plate offsets t, subject to rows t <= limits.
+struct DenseProblem {
+  LongMatrix hessian;
+  LongVector gradient;
+  LongMatrix rows;
+  LongVector limits;
+};
 
 DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem) {
   const int n = config.horizon;
@@ -89,7 +103,11 @@ DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem) {
   return dense;
 }
 
-KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate) {
+}  // namespace
+
+KktResidual kkt_residual(const MpcConfig& config, const MpcProblem& of, const MpcPlan& plan) {
+  const DenseProblem problem = dense_problem(config, of);
+  const LongVector plate = Eigen::VectorXd::Map(plan.plate_offset_deg.data(), config.horizon).cast<long double>();
   const LongVector slack = problem.limits - problem.rows * plate;
   std::vector<int> active;
   for (int i = 0; i < slack.size(); ++i)

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -63,31 +62,6 @@ TEST(Perception, ConditionOne_GivesTheHandCalculatedGains) {
   const FilterGain second = next_gain(participant, first.variance_deg2);
   EXPECT_DOUBLE_EQ(second.gain, 35.0 / 41.0);
   EXPECT_DOUBLE_EQ(second.variance_deg2, 7.0 / 82.0);
-}
-
-TEST(Perception, AWindow_HasTheGainsOfTheNextSteps) {
-  const Participant participant;
-  GainWindow window(participant, 3);
-  std::array<double, 20> gains{};
-  FilterGain step{0.0, participant.initial_variance_deg2};
-  for (double& gain : gains) gain = (step = next_gain(participant, step.variance_deg2)).gain;
-  for (std::size_t k = 0; k + 3 <= gains.size(); ++k, window.advance()) {
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(window.data()[i], gains[k + i]) << k << ' ' << i;
-  }
-}
-
-// L w / (1 - w): 90 * 0.15 / 0.85 = 15.88, and 84.5 * 0.1 / 0.9 = 9.389.
-TEST(GapFeasibility, WeightsAndBounds_GiveTheHandCalculatedLargestGap) {
-  EXPECT_NEAR(max_gap_deg(0.15, 90.0), 15.882, 1e-3);
-  EXPECT_NEAR(max_gap_deg(0.10, 84.5), 9.389, 1e-3);
-}
-
-TEST(GapFeasibility, AnInfeasibleGap_SettlesAtTheBound) {
-  const GapFeasibility feasibility = paper_gap_feasibility(0.0, 10.0, 0.10, 84.5);
-  EXPECT_FALSE(feasibility.reachable);
-  EXPECT_DOUBLE_EQ(feasibility.plate_orientation_deg, 94.5);
-  EXPECT_NEAR(feasibility.settling_direction_deg, 10.0 - 84.5 / 9.0, 1e-12);
-  EXPECT_LT(feasibility.margin_deg, 0.0);
 }
 
 TEST(GapFeasibility, TheLargestGap_IsFeasibleWithZeroMargin) {

@@ -72,26 +72,6 @@ TEST(Batch, ResultsOfParts_AddUpToTheWhole) {
   }
 }
 
-TEST(Batch, ABatch_CountsTheOutcomesOfItsTrials) {
-  const BatchJob job{.condition = {}, .condition_id = 5, .first_trial = 20, .last_trial = 90};
-  const BatchResult result = run_batch({&job, 1}, 9)[0];
-  std::uint64_t hits = 0;
-  std::uint64_t saturated = 0;
-  double miss_sum_deg = 0.0;
-  double felt_squares_deg2 = 0.0;
-  for (std::uint32_t trial = 20; trial < 90; ++trial) {
-    const TrialOutcome outcome = simulate_trial(job.condition, {9, 5, trial});
-    hits += outcome.hit;
-    saturated += static_cast<std::uint64_t>(outcome.saturated_steps);
-    miss_sum_deg += outcome.final_direction_deg + 5.0;
-    felt_squares_deg2 += std::pow(outcome.perceived_direction_deg - 5.0, 2);
-  }
-  EXPECT_EQ(result.hits, hits);
-  EXPECT_EQ(result.saturated_steps, saturated);
-  EXPECT_NEAR(result.mean_miss_deg(), miss_sum_deg / 70.0, 1e-6);
-  EXPECT_NEAR(result.rms_felt_error_deg(), std::sqrt(felt_squares_deg2 / 70.0), 1e-6);
-}
-
 class Hash {  // FNV-1a of 64-bit words
  public:
   void add(std::uint64_t word) { value_ = (value_ ^ word) * 0x100000001b3; }
@@ -152,35 +132,6 @@ TEST(Batch, ACancelledBatch_EndsEarlyAndExceptionsAreThrown) {
   EXPECT_LT(results[0].trials, 1'000'000u);
   EXPECT_THROW(run_batch(jobs, 1, {.threads = 2, .progress = [](auto, auto) { throw std::runtime_error("full"); }}),
                std::runtime_error);
-}
-
-TEST(SimulationTrial, ARecordedTrial_FollowsTheEquationsOfThePaper) {
-  const Condition condition;
-  std::vector<TrialStep> steps;
-  const TrialOutcome outcome = simulate_trial(condition, {.seed = 7, .condition = 0, .trial = 3}, &steps);
-  ASSERT_EQ(steps.size(), 30u);
-  double variance_deg2 = 0.0;
-  double finger_deg = 0.0;
-  int saturated = 0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const TrialStep& step = steps[k];
-    EXPECT_EQ(step.step, static_cast<int>(k));
-    EXPECT_DOUBLE_EQ(step.finger_direction_deg, finger_deg);
-    const double prior_variance_deg2 = variance_deg2 + 0.5;
-    EXPECT_DOUBLE_EQ(step.gain, prior_variance_deg2 / (prior_variance_deg2 + 0.1));
-    EXPECT_DOUBLE_EQ(step.variance_deg2, (1.0 - step.gain) * prior_variance_deg2);
-    EXPECT_DOUBLE_EQ(step.felt_direction_deg, 0.15 * step.plate_orientation_deg + 0.85 * finger_deg);
-    EXPECT_NEAR(step.perceived_direction_deg, 5.0 + step.gain * (step.felt_direction_deg - 5.0), 1e-13);
-    EXPECT_DOUBLE_EQ(step.motor_command_deg, 5.0 - step.perceived_direction_deg);
-    EXPECT_LE(std::abs(step.plate_orientation_deg - 5.0), 84.5);
-    saturated += step.active != ActiveBound::none;
-    variance_deg2 = step.variance_deg2;
-    finger_deg += step.motor_command_deg + step.noise_deg;
-  }
-  EXPECT_DOUBLE_EQ(outcome.final_direction_deg, finger_deg);
-  EXPECT_EQ(outcome.perceived_direction_deg, steps.back().perceived_direction_deg);
-  EXPECT_EQ(outcome.saturated_steps, saturated);
-  EXPECT_EQ(outcome.hit, std::abs(finger_deg + 5.0) <= 1.5);
 }
 
 TEST(SimulationTrial, ConditionsOutOfRange_AreInvalid) {

@@ -35,13 +35,6 @@ MotionLog motion(double bend_deg, int rate_hz = 100) {
 
 double learnt_log_wander(const MotionLog& log) { return log.belief(unknown_person()).mean(X::log_wander); }
 
-TEST(MotionLog, AStraightMotion_LowersTheWanderAndACurvedOneRaisesIt) {
-  const double prior = unknown_person().mean(X::log_wander);
-  EXPECT_LT(learnt_log_wander(motion(0.0)), prior - 0.3);
-  EXPECT_GT(learnt_log_wander(motion(25.0)), prior + 0.2);
-  EXPECT_LT(learnt_log_wander(motion(5.0)), learnt_log_wander(motion(15.0)));
-}
-
 TEST(MotionLog, NoPositions_LeaveTheEstimateUnchanged) {
   const PersonBelief prior = unknown_person();
   const PersonBelief learnt = MotionLog{}.belief(prior);

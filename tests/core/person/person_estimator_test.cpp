@@ -64,15 +64,6 @@ TEST_F(PersonEstimatorTest, PrecisePositions_DateTheOnsetWithin40Ms) {
   }
 }
 
-TEST_F(PersonEstimatorTest, NoisyPositions_GiveThePositionWithin2Mm) {
-  noise_mm_ = 1.2;
-  const Finger finger;
-  watch(finger, 0.0, 1.2);
-  EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.2).away_mm, 2.0);
-  EXPECT_NEAR(estimator_.place().right_mm, 0.0, 2.0);
-  EXPECT_TRUE(estimator_.model_fits());
-}
-
 TEST_F(PersonEstimatorTest, APause_IsDetectedAndEnds) {
   noise_mm_ = 0.5;
   const Finger finger{.pause_from_s = 0.7, .pause_s = 0.8};
@@ -106,23 +97,6 @@ TEST_F(PersonEstimatorTest, ALiftedFinger_MayBeSetDownElsewhere) {
   EXPECT_NEAR(estimator_.place().right_mm, -30.0, 1.0);
   watch(finger, 1.25, 1.5);
   EXPECT_TRUE(estimator_.moving());
-}
-
-TEST_F(PersonEstimatorTest, ADropout_IsPredicted) {
-  const Finger finger;
-  watch(finger, 0.0, 0.9);
-  for (double t = 0.9; t < 1.2; t += 0.01) estimator_.predict(t);
-  EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.19).away_mm, 6.0);
-  watch(finger, 1.2, 1.4);
-  EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.4).away_mm, 2.0);
-}
-
-TEST_F(PersonEstimatorTest, AGapOfCenturies_KeepsTheStateFinite) {
-  watch({}, 0.0, 0.9);
-  estimator_.predict(1.8e10);
-  estimator_.observe(1.8e10 + 1.0, {0.0, 50.0});
-  EXPECT_TRUE(estimator_.filter().mean().allFinite());
-  EXPECT_TRUE(estimator_.filter().covariance().allFinite());
 }
 
 }  // namespace

@@ -190,19 +190,6 @@ TEST(PersonFilter, LongRuns_KeepTheCovariancePositive) {
   }
 }
 
-TEST(PersonFilter, ExtremePositions_KeepEachTraitInItsRange) {
-  PersonFilter filter = moving_filter();
-  for (int i = 0; i < 50; ++i) {
-    filter.move(0.012, 60.0);
-    observe(filter, {1e4 * (i % 2), -1e4}, 1e300);
-  }
-  const PersonBelief belief = filter.belief();
-  for (int i = 0; i < X::traits; ++i) {
-    EXPECT_GE(belief.mean(i), person_state[i].min) << i;
-    EXPECT_LE(belief.mean(i), person_state[i].max) << i;
-  }
-}
-
 TEST(PersonBelief, AnyConfiguration_GivesAValidPrior) {
   for (const double weight : {0.01, 0.2, 0.49})
     for (const double weight_sd : {0.001, 0.05, 0.49})

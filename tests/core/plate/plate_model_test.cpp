@@ -17,21 +17,6 @@ TEST(PlateModel, DefaultDynamics_FollowImmediately) {
   EXPECT_EQ(plate.orientation_deg(), 30.0);
 }
 
-// 400 deg/s after a latency of 30 ms: 28 degrees after 100 ms, 60 degrees after 180 ms.
-TEST(PlateModel, ACommand_RotatesAtFullSpeedAfterTheLatency) {
-  PlateModel plate({.max_speed_deg_s = 400.0, .latency_ns = 30 * ms}, 0.0);
-  plate.advance(0);
-  plate.command(60.0);
-  EXPECT_NEAR(plate.orientation_at_deg(30 * ms), 0.0, 1e-9);
-  EXPECT_NEAR(plate.orientation_at_deg(100 * ms), 28.0, 1e-9);
-  plate.advance(100 * ms);
-  EXPECT_NEAR(plate.orientation_deg(), 28.0, 1e-9);
-  plate.advance(179 * ms);
-  EXPECT_NEAR(plate.orientation_deg(), 59.6, 1e-9);
-  plate.advance(181 * ms);
-  EXPECT_EQ(plate.orientation_deg(), 60.0);
-}
-
 TEST(PlateModel, LaterCommands_ReplaceEarlierOnesInOrder) {
   PlateModel plate({.max_speed_deg_s = 100.0, .latency_ns = 50 * ms}, 0.0);
   plate.advance(0);
@@ -64,16 +49,6 @@ TEST(PlateModel, AnAccelerationLimit_GivesTheHandCalculatedRotation) {
     EXPECT_LE(last_deg, 20.0 + 0.2);
   }
   EXPECT_NEAR(last_deg, 20.0, 1e-6);
-}
-
-TEST(PlateModel, AReport_ReplacesTheModelledOrientation) {
-  PlateModel plate({.max_speed_deg_s = 100.0}, 0.0);
-  plate.advance(0);
-  plate.command(50.0);
-  plate.advance(100 * ms);
-  plate.report(4.0);
-  plate.advance(200 * ms);
-  EXPECT_NEAR(plate.orientation_deg(), 14.0, 1e-9);
 }
 
 // With one command per millisecond and a latency of 100 ms, more commands are pending than the model stores.

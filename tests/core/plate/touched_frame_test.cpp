@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "core/math/elementary.h"
-
 namespace hrt {
 namespace {
 
@@ -14,20 +10,6 @@ constexpr PlatePoint ahead{10.0, 50.0};  // 100 mm straight ahead
 const FrameCovariance exact = FrameCovariance::Zero();
 
 TouchedFrame frame() { return {.home = home}; }
-
-// At 100 mm from home, the prior SD of 0.02 is 2 mm. A contact of 2 mm (SD) therefore moves the position half of the
-// way to the contact, in each coordinate, and halves the variance. At half of the distance, the correction is halved.
-TEST(TouchedFrame, AContact_IsDividedByVariance) {
-  const PlatePoint true_place{ahead.right_mm + 4.0, ahead.away_mm - 2.0};
-  const TouchedFrame after = after_contact(frame(), exact, {ahead, true_place, 4.0});
-  const PlatePoint moved = corrected(after, ahead);
-  EXPECT_NEAR(moved.right_mm, ahead.right_mm + 2.0, 1e-9);
-  EXPECT_NEAR(moved.away_mm, ahead.away_mm - 1.0, 1e-9);
-  EXPECT_NEAR(corrected(after, {home.right_mm, 0.0}).right_mm, home.right_mm + 1.0, 1e-9);
-  EXPECT_NEAR(corrected(after, home).right_mm, home.right_mm, 1e-12);
-  EXPECT_NEAR(bearing_sd_deg(after, exact, home, ahead), deg_per_rad * 0.02 / std::sqrt(2.0), 1e-9);
-  EXPECT_TRUE(is_valid(after));
-}
 
 // The prior variance of the second contact is (2 mm)^2 / 2 + (0.2 mm)^2.
 TEST(TouchedFrame, TimeBetweenContacts_WidensTheCovariance) {
@@ -48,13 +30,6 @@ TEST(TouchedFrame, TheFirstContact_UsesTheUncertaintyOfTheRegistration) {
   EXPECT_NEAR(corrected(after_contact(central, exact, contact), contact.finger).right_mm, 4.0 / 3.0, 1e-2);
   EXPECT_EQ(bearing_sd_deg(central, registered, central.home, contact.finger),
             frame_bearing_sd_deg(registered, central.home, contact.finger));
-}
-
-TEST(TouchedFrame, ACorrection_RotatesTheBearing) {
-  const PlatePoint left{ahead.right_mm - 100.0 * std::tan(2.0 / deg_per_rad), ahead.away_mm};
-  const TouchedFrame after = after_contact(frame(), exact, {ahead, left, 1e-6});
-  EXPECT_NEAR(turned_deg(frame(), after, ahead), 2.0, 1e-4);
-  EXPECT_NEAR(turned_deg(after, after, left), 0.0, 1e-12);
 }
 
 // Exact contacts at two positions determine a frame that is rotated by 2 degrees and stretched by 5 % to the right.

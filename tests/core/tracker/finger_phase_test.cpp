@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "core/person/person_model.h"
 #include "core/simulation/random.h"
 
 namespace hrt {
@@ -140,31 +140,6 @@ TEST(FingerPhase, NoiseAtRest_IsNoMotion) {
           left += finger.phase() == Phase::moving;
         }
         EXPECT_LE(left, 1) << rate_hz << ' ' << noise_mm << ' ' << known;
-      }
-    }
-  }
-}
-
-// Minimum-jerk motions over 100 mm, after a rest of 0.5 s. The last sample is 0.7 s after the stop.
-TEST(FingerPhase, AnySpeedAndNoise_GivesMotionAndPause) {
-  for (const double rate_hz : {30.0, 90.0, 1000.0}) {
-    for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {
-      for (const double duration_s : {0.6, 1.5, 3.0}) {
-        int early = 0, found = 0;
-        for (std::uint32_t person = 0; person < 40; ++person) {
-          Draws draws(5, person, 0, 0);
-          FingerPhase finger(PlatePoint{}, {});
-          for (int i = 0; i < (duration_s + 1.2) * rate_hz; ++i) {
-            const double t = i / rate_hz;
-            const double u = (t - 0.5) / duration_s;
-            finger.process(t, {noise_mm * draws.normal(), 100.0 * progress(0.0, u).share + noise_mm * draws.normal()});
-            const bool paused = finger.find_pause();
-            early += paused && u > 0.3 && u < 0.85;
-          }
-          found += finger.phase() == Phase::paused;
-        }
-        EXPECT_LE(early, 2) << rate_hz << ' ' << noise_mm << ' ' << duration_s;
-        EXPECT_GE(found, 38) << rate_hz << ' ' << noise_mm << ' ' << duration_s;
       }
     }
   }
