@@ -19,12 +19,6 @@ struct ReachOutcome {
   double bearing_error_deg = 0.0;  ///< true final bearing of the finger, minus that of the real target
   std::vector<hrt_command> commands;
   hrt_reach_summary summary{};
-
-  std::uint32_t flags() const {
-    std::uint32_t all = 0;
-    for (const hrt_command& command : commands) all |= command.flags;
-    return all;
-  }
 };
 
 class PersonTest : public SessionTest {
