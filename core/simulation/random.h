@@ -1,5 +1,5 @@
 // Random numbers of simulations. Each number is a function of a seed and a counter, so that results do not depend on
-// threads, order or the split of a batch.
+// threads or their order.
 #pragma once
 
 #include <array>

@@ -5,6 +5,7 @@
 
 #include "core/paper/participant.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/numbers/parallel.h"
 #include "samples/study/paper/paper.h"
 
 namespace hrt::study {
@@ -125,7 +126,7 @@ void judge_horizons(const std::vector<CellGroup*>& horizons) {
 
 void judge_uncontrolled(CellGroup& claim) {
   const Condition& first = claim.cells.front().condition;
-  const BatchResult& result = claim.cells.front().result;
+  const TrialSums& result = claim.cells.front().result;
   const double final_deg = first.real_direction_deg + result.mean_miss_deg();
   claim.reproduced = result.hit_percent() < 5.0 &&
                      std::abs(final_deg - first.virtual_direction_deg) < std::abs(final_deg - first.real_direction_deg);
@@ -168,6 +169,24 @@ void judge_claims(std::vector<CellGroup>& claims) {
 
 }  // namespace
 
+void TrialSums::add(const Condition& condition, const TrialOutcome& outcome) {
+  const double miss = outcome.final_direction_deg - condition.real_direction_deg;
+  const double felt_error = outcome.perceived_direction_deg - condition.virtual_direction_deg;
+  add({.trials = 1,
+       .hits = outcome.hit ? 1U : 0U,
+       .miss_deg = miss,
+       .miss_deg2 = miss * miss,
+       .felt_error_deg2 = felt_error * felt_error});
+}
+
+void TrialSums::add(const TrialSums& other) {
+  trials += other.trials;
+  hits += other.hits;
+  miss_deg += other.miss_deg;
+  miss_deg2 += other.miss_deg2;
+  felt_error_deg2 += other.felt_error_deg2;
+}
+
 double CellGroup::mean_percent() const {
   double sum = 0.0;
   for (const Cell& cell : cells) sum += cell.result.hit_percent();
@@ -205,18 +224,21 @@ Table1 simulate_table1(const Table1Options& options) {
   for (auto* groups : {&table.conditions, &table.claims, &table.amplitudes})
     for (CellGroup& group : *groups)
       for (Cell& cell : group.cells) cells.push_back(&cell);
-  std::vector<BatchJob> jobs;
-  for (const Cell* cell : cells)
-    jobs.push_back({.condition = cell->condition,
-                    .condition_id = static_cast<std::uint32_t>(jobs.size()),
-                    .first_trial = 0,
-                    .last_trial = static_cast<std::uint32_t>(options.trials)});
+  // The trials of a cell in parts, whose sums are added in order, so that no result depends on the number of threads.
+  constexpr std::uint64_t parts = 100;
+  std::vector<TrialSums> sums(cells.size() * parts);
   Progress progress;
-  const std::vector<BatchResult> results =
-      run_batch(jobs, options.seed,
-                {.threads = static_cast<int>(options.threads),
-                 .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
-  for (std::size_t i = 0; i < cells.size(); ++i) cells[i]->result = results[i];
+  const auto work = [&](std::uint64_t i) {
+    const Condition& condition = cells[i / parts]->condition;
+    const std::uint64_t part = i % parts;
+    for (std::uint64_t trial = part * options.trials / parts; trial < (part + 1) * options.trials / parts; ++trial)
+      sums[i].add(condition, simulate_trial(condition, {.seed = options.seed,
+                                                        .condition = static_cast<std::uint32_t>(i / parts),
+                                                        .trial = static_cast<std::uint32_t>(trial)}));
+  };
+  for_each_part(sums.size(), options.threads, work,
+                [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); });
+  for (std::size_t i = 0; i < sums.size(); ++i) cells[i / parts]->result.add(sums[i]);
 
   for (CellGroup& group : table.conditions) {
     judge(group);

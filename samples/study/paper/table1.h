@@ -1,11 +1,13 @@
 // Comparison of the paper's Table I and its other claims with the model.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/paper_simulation/batch.h"
+#include "core/paper_simulation/trial.h"
 #include "samples/study/numbers/results.h"
 #include "samples/study/numbers/statistics.h"
 
@@ -21,10 +23,25 @@ struct Table1Options {
   std::uint64_t threads = 1;
 };
 
+/// Sums over trials. The miss is the direction after the last step minus that of the real target; the felt error is the
+/// perceived direction in the last step minus that of the virtual target.
+struct TrialSums {
+  std::uint64_t trials = 0;
+  std::uint64_t hits = 0;
+  double miss_deg = 0.0, miss_deg2 = 0.0, felt_error_deg2 = 0.0;
+
+  void add(const Condition& condition, const TrialOutcome& outcome);
+  void add(const TrialSums& other);
+  double hit_percent() const { return 100.0 * static_cast<double>(hits) / static_cast<double>(trials); }
+  double mean_miss_deg() const { return miss_deg / static_cast<double>(trials); }
+  double rms_miss_deg() const { return std::sqrt(miss_deg2 / static_cast<double>(trials)); }
+  double rms_felt_error_deg() const { return std::sqrt(felt_error_deg2 / static_cast<double>(trials)); }
+};
+
 /// One pair of targets under one condition.
 struct Cell {
   Condition condition;
-  BatchResult result;
+  TrialSums result;
   std::optional<double> paper_percent;  ///< nullopt: the paper has no value for this cell
 };
 
