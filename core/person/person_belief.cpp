@@ -72,8 +72,7 @@ PersonBelief steering_belief(const PersonBelief& belief, const Tuning& tuning) {
 }
 
 LinearIllusion linear_illusion(const PersonBelief& belief, const Tuning& tuning) {
-  return linear_illusion(belief.mean(T::weight), belief.mean(T::curve),
-                         belief.covariance(linear_illusion_traits, linear_illusion_traits), tuning.hidden_bias_deg);
+  return linear_illusion(belief.mean(T::weight), belief.mean(T::curve), belief.covariance, tuning.hidden_bias_deg);
 }
 
 bool is_valid(const PersonBelief& belief) {

@@ -93,14 +93,6 @@ FeasibleShift feasible_shift(const Illusion& illusion, double shift_deg, double 
   return {shift_deg, std::copysign(offset_deg, shift_deg)};
 }
 
-LinearIllusion linear_illusion(double weight, double curve, const Eigen::Matrix3d& covariance, double hidden_bias_deg) {
-  constexpr double fraction = (60.0 / scale_deg) * (60.0 / scale_deg);  // (t / 75)^2 at 60 degrees
-  const Eigen::Vector3d linear(1.0, -fraction, 0.0);
-  const Eigen::Vector3d with = covariance * linear;
-  const double variance = linear.dot(with) + square(hidden_bias_deg * with(2) / covariance(2, 2));
-  return {std::clamp(weight - fraction * curve, 0.001, 0.499), std::sqrt(variance > 0.0 ? variance : 0.0)};
-}
-
 GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
                                double bound_deg) {
   const double gap_deg = goal_direction_deg - real_direction_deg;

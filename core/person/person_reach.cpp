@@ -203,8 +203,7 @@ PersonReach::Decision PersonReach::decide(const PersonFilter& answered, std::int
 // Returns the command and its flags for the present state. `decided`: a plan was made since the last command.
 PlateCommand PersonReach::command_now(const PersonFilter& answered, bool decided) const {
   const LinearIllusion linear = linear_illusion(filter().mean(X::weight), filter().mean(X::curve),
-                                                filter().covariance()(linear_illusion_traits, linear_illusion_traits),
-                                                config_.tuning.hidden_bias_deg);
+                                                filter().covariance(), config_.tuning.hidden_bias_deg);
   const Progress pace = filter().pace(filter().mean(X::phase));
   const Illusion illusion = filter().illusion(filter().speed_mm_s(), filter().path_mm() * pace.share);
   const double direction_deg = filter().direction_deg();

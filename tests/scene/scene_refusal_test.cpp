@@ -194,7 +194,7 @@ TEST(SceneRefusal, RejectsInvalidBinaryHeaders) {
 TEST(SceneRefusal, RejectsMissingAndRepeatedRoles) {
   expect_refused(document(Json::array({node("Cube", {})})).dump(), "extras.haptic.role");
   expect_refused(document({plate(), node("A", haptic("start")), node("B", haptic("start"))}).dump(),
-                 "node \"B\": extras.haptic.role");
+                 "node \"B\": the haptic role is the same as that of \"A\"");
   expect_refused(document({plate({{"translation", {900, 0, 0}}}), real({{"translation", {-900, 0, 0}}})}).dump(),
                  "node \"Real\": ");
 }
@@ -249,7 +249,7 @@ TEST(SceneRefusal, RejectsFilesBeyondEachLimit) {
     return R"({"asset":{"version":"2.0"},")" + section + "\":" + zeros + "]}";
   };
   expect_refused(file("nodes"), "up to 1000000");
-  expect_refused(file("accessors"), "0 scenes");
+  expect_refused(file("accessors"), "the file has no scene");
   expect_refused(std::string((std::size_t{64} << 20) + 1, ' '), "up to 67108864");
 
   Json nodes = Json::array({plate()});

@@ -142,7 +142,7 @@ TEST(TouchFrame, ErrorsNameTheMistakeAndTheRemedy) {
   expect_refused(name, ExitCode::tracker, "Join the group input");
   device.error = 0;
   device.axes[ABS_MT_POSITION_Y].resolution = 0;
-  expect_refused(name, ExitCode::tracker, "?height_mm=...");
+  expect_refused(name, ExitCode::tracker, "height_mm=H");
   device.axes.erase(ABS_MT_SLOT);
   expect_refused(name, ExitCode::tracker, "is not a multitouch device");
 }

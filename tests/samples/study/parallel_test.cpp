@@ -17,7 +17,9 @@ TEST(StudyParallel, EachIterationRunsOnceAndProgressReachesTheTotal) {
           last = done;
         });
     EXPECT_EQ(runs, std::vector<int>(1000, 1));
-    if (threads == 1) EXPECT_EQ(last, runs.size());
+    if (threads == 1) {
+      EXPECT_EQ(last, runs.size());
+    }
   }
 }
 
