@@ -41,8 +41,9 @@ struct SetupConfig {
 inline constexpr int first_slides = 16;
 inline constexpr int more_slides = 8;
 
-/// Fingertip, registration and guides are dropped after max_rejected_fits rejected fits; guides, calibration and retest
-/// after max_failed_slides successive rejected slides.
+/// Fingertip, registration and guides are dropped after max_rejected_fits rejected fits. Guides are also dropped after
+/// max_failed_slides failed attempts at the slides to one object; calibration and retest after that number of
+/// successive rejected slides.
 inline constexpr int max_rejected_fits = 3;
 inline constexpr int max_failed_slides = 6;
 

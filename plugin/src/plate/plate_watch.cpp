@@ -17,7 +17,9 @@ constexpr auto report_limit = 500ms;
 constexpr double limit_slack_deg = 3.0;  // tolerance of a sensor
 constexpr double moving_deg = 10.0;      // a plate that is farther from its command has to move
 constexpr auto stuck_limit = 1000ms;
-constexpr double moved_deg = 1.0;  // least motion within stuck_limit of a plate that is faster than 4 deg/s
+// A plate that has to move is stuck if it moves by less than this within stuck_limit. If its maximum speed is below
+// 4 deg/s, the limit is the distance that it moves in 0.25 s at that speed.
+constexpr double moved_deg = 1.0;
 constexpr auto max_pause = 250ms;  // motion between two reports further apart is not evaluated
 // A speed is measured over at least min_run_deg and min_motion of a motion, or over max_motion.
 constexpr double min_run_deg = 20.0;

@@ -134,8 +134,8 @@ struct RobustnessStudy {
   std::vector<RobustnessRow> rows;
 };
 
-/// Returns the name of the people with its mark: + systematic error of tracker or plate, ~ recorded paths, or else *
-/// not used to tune the controller.
+/// Returns the name of the people with a mark: + for FamilyKind::misplaced, ~ for recorded, * for invented people that
+/// were not used to tune the controller.
 std::string label(const SimulatedPeople& people);
 
 std::string robustness_text(const RobustnessStudy& study);

@@ -161,7 +161,7 @@ public:
 	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
 	 *  commission` writes. Some seconds later, the device is ready: from then on, it receives each command, and
 	 *  UpdateFinger, UpdateJoint and BeginReach set bPlateIsMeasured and MeasuredPlateYaw by its report. Its speed,
-	 *  acceleration, latency and stops are copied to Settings once, between reaches. */
+	 *  acceleration, latency and stops are copied to Settings once, outside of reaches and set-ups. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool OpenPlate(const FString& Device);
 
