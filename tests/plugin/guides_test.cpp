@@ -223,8 +223,13 @@ TEST_F(GuidesTest, RequiresARegistrationAndARealTarget) {
   hrt_target_config near = target_config(HRT_TARGET_REAL, 0.0);
   near.distance_m = 0.045;
   near.radius_m = 0.01;
+  const std::string id = std::to_string(add(near).value);
+  expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_OUT_OF_RANGE,
+               "real target " + id + " is ");
+  make_session();
+  std::snprintf(near.name, sizeof near.name, "cup");
   add(near);
-  expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_OUT_OF_RANGE, "for a guide");
+  expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_OUT_OF_RANGE, "real target \"cup\" is ");
   create(session_config(), [](auto& c) { c.flags = HRT_SESSION_REGISTERED; });
   expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE);
 }

@@ -58,10 +58,15 @@ hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupC
     if (target.role != TargetRole::real) continue;
     const TargetView seen = view(model, target.place);
     const double length_mm = seen.distance_mm - mm_per_m * target.place.radius_m;
-    if (length_mm < GuidedSlides::min_guide_mm)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "the near side of real target \"", target.name.data(), "\" is ",
-                  length_mm / mm_per_m, " m from start_position_m; allowed for a guide: at least ",
-                  GuidedSlides::min_guide_mm / mm_per_m, ". Move the target or the start");
+    if (length_mm < GuidedSlides::min_guide_mm) {
+      const auto too_near = [&](const auto&... name_or_id) {
+        return fail(HRT_ERROR_OUT_OF_RANGE, "the near side of real target ", name_or_id..., " is ",
+                    length_mm / mm_per_m, " m from start_position_m; allowed for a guide: at least ",
+                    GuidedSlides::min_guide_mm / mm_per_m, ". Move the target or the start");
+      };
+      const std::string_view name = target.name.data();
+      return name.empty() ? too_near(id) : too_near("\"", name, "\"");
+    }
     config->guides[static_cast<std::size_t>(config->guide_count++)] = point_ahead(start, seen.direction_deg, length_mm);
   }
   if (config->guide_count > 0) return HRT_OK;

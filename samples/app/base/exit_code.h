@@ -17,7 +17,7 @@ namespace hrt::app {
   X(no_runtime,      5, "there is no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or it does not start") \
   X(runtime_lacks,   6, "the runtime has no headless sessions, no hand tracking or no headset") \
   X(runtime_failed,  7, "the runtime failed, was lost too often, ended the session, or did not start or stop it in time") \
-  X(no_hand,         8, "a reach did not begin or end in time (the summary has the other reaches), or a set-up was not completed") \
+  X(no_hand,         8, "a reach did not begin or end in time, or a set-up was not completed") \
   X(plate,           9, "the plate cannot be opened or simulated, or it failed") \
   X(output,         10, "a file, or the standard output, cannot be written") \
   X(runtime_blocked, 11, "the runtime did not return from a call in time") \

@@ -111,7 +111,7 @@ their default):
          '\n' + tuning_names() +
          R"(
 Families (*: held out of the search for our controller's parameters; +: systematic error of tracker
-or plate; ~: paths and speeds of recorded reaches; w: tactile weight; t: angle from the motion to the
+or plate, except placed-touch3; ~: paths and speeds of recorded reaches; w: tactile weight; t: angle from the motion to the
 ridge normal):
 )" + family_list();
 }

@@ -211,7 +211,8 @@ std::string robustness_text(const RobustnessStudy& study) {
       "1, {}: our controller (the plugin's default) in a person's first reach, and in reach {}, with its estimates\n"
       "from the reaches before.\n{}\n"
       "*: family that was not used to tune our controller. ~: paths and speeds of recorded reaches.\n"
-      "+: systematic error of the tracker or of the plate, which no controller can detect within a reach.\n\n",
+      "+: systematic error of the tracker or of the plate, which no controller can detect within a reach\n"
+      "(placed-touch3: no error, for comparison).\n\n",
       wrapped("Simulated reaches; there was no human trial. " + condition_words(study), 110),
       wrapped(fmt::format(
                   "The table has the percentage of reaches that end within 1.5 deg of the real target's bearing, of "
