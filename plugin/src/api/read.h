@@ -12,7 +12,8 @@ namespace hrt::plugin {
 /// Fails, naming `field`, unless `rotation` is a quaternion (x, y, z, w) of length 1, within 0.001.
 hrt_result check_rotation(const char* field, const double (&rotation)[4]);
 
-/// Fails, naming `target` or else position_m, unless `position_m`, in plate coordinates, is within 10 m of the plate's centre.
+/// Fails, naming `target` or else position_m, unless `position_m`, in plate coordinates, is within 10 m of the plate's
+/// centre.
 hrt_result check_distance_from_plate(Vec3 position_m, std::string_view target = {});
 
 hrt_result read(const hrt_session_config& given, SessionModel* out);
