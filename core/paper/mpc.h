@@ -26,7 +26,8 @@ struct MpcProblem {
 /// Plate offsets over the window: the first `horizon` elements, or none if the plate returns from beyond its bound.
 struct MpcPlan {
   std::array<double, max_horizon> plate_offset_deg;  ///< t_k .. t_k+N-1
-  std::array<ActiveBound, max_horizon> active;       ///< bound that limits each offset; the plate bound, if both do
+  /// Bound that limits each offset; the plate bound, if both do; `none` in a step in which the plate is not perceived.
+  std::array<ActiveBound, max_horizon> active;
 };
 
 /// Uses no heap, lock or exception, and takes bounded time. Any thread.
@@ -37,7 +38,7 @@ class Mpc {
 
   struct Command {
     double plate_offset_deg;  ///< t_k; within both bounds, unless the plate returns from beyond the plate bound
-    ActiveBound active;       ///< bound that limits t_k
+    ActiveBound active;       ///< bound that limits t_k; may be `none` if the plate is not perceived
     bool optimal;             ///< false: the solver reached its iteration limit, and a better t_k may exist
   };
 

@@ -44,7 +44,7 @@ struct TrialStep {
   double variance_deg2;            ///< var_k of the perceived direction
   double motor_command_deg;        ///< u_k
   double noise_deg;                ///< eps_u + eps_theta: P_k+1 = P_k + u_k + noise
-  ActiveBound active;              ///< bound that limits T_k
+  ActiveBound active;              ///< see Mpc::Command
 };
 
 struct TrialOutcome {

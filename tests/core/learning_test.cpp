@@ -128,8 +128,10 @@ TEST(Learning, AHabitOfAReach_GivesTheSdOfItsErrorAndASmallerOneForSteering) {
   EXPECT_EQ(steering_belief(next, {}).mean, next.mean);
 }
 
-// Prior and contact have SDs of 2 mm. Half of 4 mm at 100 mm, that is, 1.146 degrees to the right, is attributed to the
-// frame and removed from the bias. A bias that was not estimated in reaches is unchanged.
+// The contact is 4 mm to the right of the tracked finger, 100 mm from the start. The unknown frame (SD 0.02, that is,
+// 2 mm at 100 mm) and the contact (SD 2 mm) are equally uncertain. So half of the 4 mm is attributed to the frame,
+// which turns by -1.146 degrees, and the bias changes by the same angle. A bias that was not estimated in reaches is
+// unchanged.
 TEST(Learning, AContact_MovesPartOfTheBiasToTheFrame) {
   RetargeterConfig config;
   config.person.mean(PersonState::bias) = 2.0;
