@@ -121,7 +121,7 @@ typedef uint32_t hrt_plate_report_flags;
 #define HRT_PLATE_REPORT_COMMANDED 8u    /**< the plate turns to a command, or holds it; otherwise, it is stopped */
 #define HRT_PLATE_REPORT_HOST_SILENT 16u /**< hrt_plate_options::host_timeout_ns has stopped the plate */
 /** The plate orientation is unknown (not homed): the plate has no sensor, and was switched on, reset, or stopped by its
- *  emergency stop since the orientation was last known. */
+ *  emergency stop or a loss of its servo's supply since the orientation was last known. */
 #define HRT_PLATE_REPORT_UNHOMED 32u
 #define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< the plate has reached no command since opening: keep fingers off */
 #define HRT_PLATE_REPORT_COMMISSIONED 128u /**< speed, acceleration and latency are from the plate's file */
@@ -167,8 +167,8 @@ typedef struct hrt_plate_report {
 
 /** Starts to open a plate, and returns without waiting for the device; hrt_plate_get() reports when the plate is ready,
  *  or why it failed.
- *  Opening does not move the plate: until the first hrt_plate_set(), a hobby servo gets no pulse and exerts no force,
- *  and a Dynamixel holds its position.
+ *  Opening does not move the plate. Until the first hrt_plate_set(), a Dynamixel holds its position. A hobby servo gets
+ *  no pulse and exerts no force, or holds its orientation if the board still sends the pulses of an earlier session.
  *
  *  @param device     Name of the plate; see the beginning of this file.
  *  @param options    Options, copied. Null: the defaults.

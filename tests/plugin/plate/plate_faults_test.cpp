@@ -257,11 +257,11 @@ bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& report
          words.empty() || phase < kind.first_phase || phase == close || (phase == home && words.front() == "is stuck");
 }
 
-// The serial line of an XL330 is unplugged while the servo moves, and a second controller on its bus sends a goal. No
+// The serial line of an XL330 is unplugged while the servo moves, and a second host on its bus sends a goal. No
 // driver can prevent that the servo executes the goal until 300 ms after the last packet. On the same computer, the
 // lock of the serial line excludes a second program (PlateApi.ASecondProgramCannotUseTheLine).
 template <class Plate>
-bool has_only_another_controller(Phase phase, const char* first, const char* second) {
+bool has_only_second_host(Phase phase, const char* first, const char* second) {
   return !Plate::refuses_second_host && phase == move && std::string_view(first) == "unplug" &&
          std::string_view(second) == "second host";
 }
@@ -286,7 +286,7 @@ std::string run_all_pairs() {
                     phases[phase], operation.before_first_set_deg, operation.after_stop_deg, operation.max_deg_s,
                     operation.max_n, reported.c_str());
         before_deg = std::max(before_deg, operation.before_first_set_deg);
-        const bool is_other = has_only_another_controller<Plate>(phase, kinds[a].name, kinds[b].name);
+        const bool is_other = has_only_second_host<Plate>(phase, kinds[a].name, kinds[b].name);
         (is_other ? other_deg : after_deg) = std::max(is_other ? other_deg : after_deg, operation.after_stop_deg);
         runs += is_other ? 0 : 1;
         max_deg_s = std::max(max_deg_s, operation.max_deg_s);
@@ -307,8 +307,8 @@ std::string run_all_pairs() {
                 max_n > 0.0 ? (std::to_string(max_n).substr(0, 4) + " N (set to 4)").c_str() : "not limited");
   std::string rows = row.data();
   if (!Plate::refuses_second_host) {
-    std::snprintf(row.data(), row.size(), "| %s, only another controller | 1 | | %.1f° | | |\n", Plate::name,
-                  other_deg);
+    std::snprintf(row.data(), row.size(), "| %s, unplugged, with a second host on its bus | 1 | | %.1f° | | |\n",
+                  Plate::name, other_deg);
     rows += row.data();
   }
   std::printf("%s", rows.c_str());
