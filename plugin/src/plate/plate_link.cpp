@@ -23,7 +23,8 @@ constexpr auto probe_limit = 100ms;
 constexpr auto first_failure = static_cast<std::size_t>(StopReason::limit);
 constexpr std::pair<Fault, const char*> stop_failures[] = {
     {Fault::limits, "has refused an angle beyond its limits. Open the plate again, to read its present limits"},
-    {Fault::device, "could not store its settings. Save them again (hrt-plate set); if it fails, exchange the board"},
+    {Fault::device,
+     "is defective or could not store its settings. Save them again (hrt-plate set); if it fails, exchange the board"},
     {Fault::emergency, "was stopped by its emergency stop. Release the emergency stop, and open the plate again"},
     {Fault::stuck, "reports that its servo is stuck. Switch the supply off and remove the obstacle"},
     {Fault::device, "reports that its sensor turns against its servo. Exchange the settings adc_least and adc_most"},

@@ -20,7 +20,10 @@ const failures = new Map([
   ["ERROR greeting", restarted],
   ["ERROR session", "receives commands from another program. End that program"],
   ["STOPPED limit", "refused an angle beyond its limits. Connect it again, so that the page reads its limits"],
-  ["STOPPED fault", "could not store its settings. Save them again (hrt-plate set); if it fails, exchange the board"],
+  [
+    "STOPPED fault",
+    "is defective or could not store its settings. Save them again (hrt-plate set); if it fails, exchange the board",
+  ],
   ["STOPPED emergency", "was stopped by its emergency stop. Release it, then connect the plate again"],
   ["STOPPED stuck", "reports that its servo is stuck. Switch it off, and remove the obstacle"],
   ["STOPPED sensor", "reports that its sensor and its servo count in opposite directions. Run hrt-plate commission"],
