@@ -84,11 +84,15 @@ TouchFrame::TouchFrame(const std::string& text)
 std::string TouchFrame::description() const {
   std::string text = format("Finger by %s, %.0f x %.0f mm", libevdev_get_name(device_.get()), settings_.at("width_mm"),
                             settings_.at("height_mm"));
-  for (const Contact& object : objects_)
+  for (const Contact& object : objects_) {
+    const double right_m = object.place_m[0];
+    const double nearer_m = object.place_m[2];
     text += format(
-        "; ignores the contact that was there at the start, %.0f mm right of the plate's centre and %.0f mm beyond "
-        "it (lift a finger that rested there, and start again)",
-        1e3 * object.place_m[0], -1e3 * object.place_m[2]);
+        "; ignores the contact that was there at the start, %.0f mm further %s and %.0f mm %s you than the plate's "
+        "centre (lift a finger that rested there, and start again)",
+        1e3 * std::abs(right_m), right_m < 0.0 ? "left" : "right", 1e3 * std::abs(nearer_m),
+        nearer_m < 0.0 ? "further from" : "nearer to");
+  }
   return text + ".";
 }
 

@@ -103,7 +103,8 @@ TEST(TouchFrame, LocatesTheFingerAmongContacts) {
   EXPECT_EQ(device.clock, CLOCK_MONOTONIC);
   EXPECT_TRUE(has(
       frame.description(),
-      "400 x 300 mm; ignores the contact that was there at the start, -90 mm right of the plate's centre and 20 mm"));
+      "400 x 300 mm; ignores the contact that was there at the start, 90 mm further left and 20 mm further from you "
+      "than the plate's centre (lift"));
   EXPECT_EQ(at(900), "lifted");
   for (int i = 0; i <= 2; ++i) device.report((1000 + 10 * i) * ms, 1, 4, 200, 150 + 10 * i);
   EXPECT_EQ(at(1015), "25.00 -20.00");

@@ -19,7 +19,7 @@ const pointRadius_m = 0.012,
   hold_ms = 1500,
   count_ms = 500;
 const pinch =
-  "Pinch your thumb and index finger where slides should start, and hold. The plate will lie in front of that point.";
+  "Pinch your thumb and index finger where slides should start, and hold. The plate's centre will be 5 cm further away.";
 
 export class RestDetector {
   /** Position at which the rest began. */
