@@ -1,5 +1,6 @@
 // Actions ("Input and Haptics" of the specification): creation, suggested bindings, attachment, states and haptics. The
-// functions check handles, types of actions and the order of calls, but neither names nor the paths of a profile.
+// functions check handles, types of actions and the order of calls. They do not check the names of actions and action
+// sets, or whether a suggested path exists in its interaction profile.
 #include "samples/mock_runtime/api/actions.h"
 
 #include "samples/mock_runtime/abi/structure.h"

@@ -81,7 +81,8 @@ class World {
 
   Origins origins;
 
-  /// Advances the simulation to `now`. Commands that the caller gives later take effect at `now`.
+  /// Advances the simulation to `now`, which is also the time of commands that the caller gives later. The plate
+  /// follows a command after the latency of its servo.
   void advance(XrTime now);
 
   /// Returns the state that the tracker reports for `time`; nullopt while the hand is not tracked. A future state is

@@ -163,7 +163,8 @@ void EmulatedBoard::take_byte(avr_irq_t*, std::uint32_t value, void* board) {
 
 void EmulatedBoard::start_line() {
   avr_->run_cycle_limit = free_cycles;
-  // Edge mode, because in low-level mode simavr checks pin D2 every cycle, also without an interrupt.
+  // Sets the external interrupt of pin D2 to falling edges. In its initial mode, low level, simavr checks the pin in
+  // every cycle even if the interrupt is off, which is slow.
   avr_->data[eicra] = 2;
   avr_cycle_timer_register(avr_, byte_cycles, deliver_byte, this);
   avr_cycle_timer_register(avr_, millisecond_cycles, pass_millisecond, this);

@@ -61,7 +61,7 @@ Outcome run_with(Emulated& device, const std::vector<std::string>& arguments, co
   return {code, out.str(), err.str()};
 }
 
-// Answers of the operator: Enter, then twice the angle on the scale, to a degree.
+// Answers of the operator: Enter, then two readings of the scale, to a degree.
 template <class Board>
 Answers scale_readings(Board& board) {
   const auto seen = [&board] { return std::to_string(std::lround(board.servo.plate_deg())); };
