@@ -162,6 +162,7 @@ TEST_F(SetupTest, ConfusedMarksAreReportedAndTouchedAgain) {
   EXPECT_NEAR(result.check_distance_m, 0.03, 0.002);
   EXPECT_NE(problems & 1u << HRT_PROBLEM_DISAGREES, 0u) << "a second touch decides";
   EXPECT_EQ(result.dropped, HRT_SETUP_CHECK | HRT_SETUP_GUIDES);
+  EXPECT_NE(std::string(result.reason).find("Please register it again."), std::string::npos) << result.reason;
   EXPECT_EQ(config_of(session).flags & HRT_SESSION_REGISTERED, 0u);
   expect_error(hrt_setup_begin(session, HRT_SETUP_CHECK, nullptr), HRT_ERROR_WRONG_STATE, "HRT_SETUP_REGISTRATION");
 }

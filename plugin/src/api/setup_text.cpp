@@ -130,8 +130,11 @@ void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]) {
   for (const auto& [part, name] : part_texts)
     if (part == report.drop.part) text << name;
   const bool lacks_data = report.drop.problem == SetupProblem::undetermined;
+  const bool has_moved = report.drop.part == setup_check && report.drop.problem == SetupProblem::disagrees;
   if (lacks_data) text << "The measurements are not sufficient. Please repeat this part. ";
-  write_problem(lacks_data ? SetupProblem::none : report.drop.problem, report.drop_reason, report.drop.observed, text);
+  if (has_moved) text << "The plate does not seem to be where it was registered. Please register it again. ";
+  write_problem(lacks_data || has_moved ? SetupProblem::none : report.drop.problem, report.drop_reason,
+                report.drop.observed, text);
   std::memcpy(out, text.c_str(), text.view().size() + 1);
 }
 
