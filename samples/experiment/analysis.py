@@ -1,4 +1,4 @@
-"""Readers of a study's files, and its registered tests. Needs python3-statsmodels and, for mixed models, r-cran-lmertest."""
+"""Readers of a study's files, and its preregistered tests. Needs python3-statsmodels and, for mixed models, r-cran-lmertest."""
 import io
 import json
 import math
@@ -109,7 +109,7 @@ def holm(values):
 
 
 def registered(study):
-    """Returns the registered analysis of a design, with defaults."""
+    """Returns the preregistered analysis of a design, with defaults."""
     return {"measure": "abs_miss_deg", "test": "t", "hypothesis": "difference", "direction": "two-sided", "alpha": 0.05, "margin": 1.0, "within_deg": 1.5,
             "reference": study["conditions"][-1]["name"], "noticed": study.get("answers", ["yes"])[0], **study.get("analysis", {})}
 
@@ -133,7 +133,7 @@ def noticed_share(trials, noticed):
 
 
 def outcomes(trials, plan):
-    """Returns the registered outcome of each participant (row) and condition (column). `trials`: all exported trials, or the valid ones only."""
+    """Returns the preregistered outcome of each participant (row) and condition (column). `trials`: all exported trials, or the valid ones only."""
     reaches, measure = counted(trials) if "kind" in trials else trials, plan["measure"]
     groups = reaches.groupby(["participant", "condition"])
     if measure == "percent_within":
@@ -149,7 +149,7 @@ def outcomes(trials, plan):
 
 
 def registered_p(plan):
-    """Returns the name of the column of compare() that has p of the registered test."""
+    """Returns the name of the column of compare() that has p of the preregistered test."""
     return plan["test"] if plan.get("hypothesis", "difference") == "difference" else "equivalence"
 
 
@@ -212,8 +212,8 @@ def threshold_ratios(trials, people, study):
 
 def compare(trials, plan, seed):
     """Compares each condition with the reference, or with 0 for below_margin. Returns a row for each: number of people, estimate, interval, p of
-    Student's t, of the sign flip and of equivalence, and p of the registered test corrected by Holm's method. If a mixed model is registered, estimate
-    and interval are those of the model, and the row also has its p and its name. The level of the interval is 1 - alpha / comparisons, or
+    Student's t, of the sign flip and of equivalence, and p of the preregistered test corrected by Holm's method. If that test is a mixed model,
+    estimate and interval are those of the model, and the row also has its p and its name. The level of the interval is 1 - alpha / comparisons, or
     1 - 2 alpha / comparisons for equivalence."""
     differences, way = contrasts(outcomes(trials, plan), plan), plan.get("direction", "two-sided")
     level = 1 - (2 if registered_p(plan) == "equivalence" else 1) * plan["alpha"] / max(1, len(differences))

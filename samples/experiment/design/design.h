@@ -98,7 +98,7 @@ struct Design {
   std::vector<Questionnaire> questionnaires;
   std::string start_text, block_text;        ///< instructions at the start and before each block; empty: none
   std::map<std::string, std::string> texts;  ///< texts of the program, and those that replace them
-  std::string measure;                       ///< registered outcome
+  std::string measure;                       ///< outcome that the analysis compares
   std::string test;
   std::string hypothesis;
   std::string direction;

@@ -299,7 +299,8 @@ char XrSubject::wait_for_key(const std::string& allowed) {
   return key;
 }
 
-// Returns a typed line. `keys`: allowed characters in addition to Enter and backspace; empty: all except Escape.
+// Returns a typed line. `keys`: allowed characters in addition to Enter and backspace; empty: all except control
+// characters.
 std::string XrSubject::typed(const std::string& keys) {
   expect_keys(keys.empty() ? keys : keys + "\r\n" + erase, true);
   std::string text;

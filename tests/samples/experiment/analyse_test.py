@@ -1,4 +1,4 @@
-"""Checks the registered tests on small data whose results are derived by hand, on simulated studies with and without an effect (HRT_EXPERIMENT_STUDIES
+"""Checks the preregistered tests on small data whose results are derived by hand, on simulated studies with and without an effect (HRT_EXPERIMENT_STUDIES
 sets their number), and on complete studies of simulated people, from the design to the report.
 
     analyse_test.py samples/experiment PROGRAM [statistics] [studies]    default: both
@@ -174,7 +174,7 @@ def test_mixed_model():
 
 
 def test_own_data():
-    """Tests false positive rates and coverages of the tests and outcomes that can be registered, in studies drawn from simulated people."""
+    """Tests false positive rates and coverages of the tests and outcomes that can be preregistered, in studies drawn from simulated people."""
     reach = {"virtual_deg": 6, "real_deg": 0}
     design = {"title": "own data", "participants": 12, "question": "Bent?", "catch_share": 0.5, "practice_trials": 0, "repeats": 4, "set_up": "none",
               "pairs": [{"name": "left", **reach}, {"name": "right", **reach, "virtual_deg": -6}],
@@ -324,7 +324,7 @@ def test_report():
             report = (data / "export/report.html").read_text()
             assert "Simulation: no person took part." in report
             assert ("Conditions are blinded" in report) != unblinded
-            assert ("<td>paper</td>" in report) == unblinded and ("Registered test: t test" in report) == unblinded
+            assert ("<td>paper</td>" in report) == unblinded and ("Preregistered test: t test" in report) == unblinded
             assert "% of catch trials" in report, report
             assert (hashlib.sha256((data / "export/trials.csv").read_bytes()).hexdigest()) in report
 
