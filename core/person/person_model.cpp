@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/elementary.h"
+#include "core/person/person_belief.h"
 
 namespace hrt {
 namespace {
@@ -92,6 +93,20 @@ FeasibleShift feasible_shift(const Illusion& illusion, double shift_deg, double 
   }
   return {shift_deg, std::copysign(offset_deg, shift_deg)};
 }
+
+template <typename Covariance>
+LinearIllusion linear_illusion(double weight, double curve, const Covariance& covariance, double hidden_bias_deg) {
+  using X = PersonState;
+  constexpr double fraction = (60.0 / 75.0) * (60.0 / 75.0);  // (t / 75)^2 at 60 degrees
+  const double with_bias = covariance(X::weight, X::bias) - fraction * covariance(X::curve, X::bias);
+  const double variance = covariance(X::weight, X::weight) - 2.0 * fraction * covariance(X::weight, X::curve) +
+                          fraction * fraction * covariance(X::curve, X::curve) +
+                          square(hidden_bias_deg * with_bias / covariance(X::bias, X::bias));
+  return {std::clamp(weight - fraction * curve, 0.001, 0.499), std::sqrt(std::max(variance, 0.0))};
+}
+template LinearIllusion linear_illusion(double, double, const PersonBelief::Matrix&, double);
+template LinearIllusion linear_illusion(double, double,
+                                        const Eigen::Matrix<double, PersonState::count, PersonState::count>&, double);
 
 GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
                                double bound_deg) {

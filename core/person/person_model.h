@@ -16,10 +16,6 @@
 //   dpsi/dt = -k e,   e = psi + g - G   (k: gain, G: goal)
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "core/math/elementary.h"
 #include "core/person/tuning.h"
 #include "core/reach/reach.h"
 
@@ -83,15 +79,7 @@ struct LinearIllusion {
 /// Returns the linear illusion for w and b. `covariance`: a matrix with the indices of PersonState. The SD contains the
 /// error that a hidden error of the bias by `hidden_bias_deg` (RMS) causes, along the correlation of weight and bias.
 template <typename Covariance>
-LinearIllusion linear_illusion(double weight, double curve, const Covariance& covariance, double hidden_bias_deg) {
-  using X = PersonState;
-  constexpr double fraction = (60.0 / 75.0) * (60.0 / 75.0);  // (t / 75)^2 at 60 degrees
-  const double with_bias = covariance(X::weight, X::bias) - fraction * covariance(X::curve, X::bias);
-  const double variance = covariance(X::weight, X::weight) - 2.0 * fraction * covariance(X::weight, X::curve) +
-                          fraction * fraction * covariance(X::curve, X::curve) +
-                          square(hidden_bias_deg * with_bias / covariance(X::bias, X::bias));
-  return {std::clamp(weight - fraction * curve, 0.001, 0.499), std::sqrt(std::max(variance, 0.0))};
-}
+LinearIllusion linear_illusion(double weight, double curve, const Covariance& covariance, double hidden_bias_deg);
 
 /// Compares the gap from the real to the goal direction with the largest feasible gap for a person with this illusion.
 /// Directions: finite. `bound_deg`: see feasible_shift().

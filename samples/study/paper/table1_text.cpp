@@ -77,8 +77,8 @@ std::string claims_text(const Table1& table) {
 
 std::string best_words(const BestAmplitude& best) {
   if (best.gap_deg == amplitudes_deg[paper_amplitude]) return "best at 10 deg";
-  return fmt::format("best at {} deg, {:.1f} points above 10 deg{}", best.gap_deg,
-                     best.percent - best.paper_amplitude_percent, best.by_chance ? " (not significant)" : "");
+  return fmt::format("best at {} deg, by {:.1f} points{}", best.gap_deg, best.percent - best.paper_amplitude_percent,
+                     best.by_chance ? ", not significant" : "");
 }
 
 std::string amplitudes_text(const Table1& table) {

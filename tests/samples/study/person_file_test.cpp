@@ -49,12 +49,12 @@ TEST(StudyPersonFile, WordsSelectTheValueOfTheirName) {
 }
 
 TEST(StudyPersonFile, ErrorsNameParameterAndAllowedValues) {
-  expect_refusal("", {"me", "not JSON"});
+  expect_refusal("", {"me", "not valid JSON"});
   expect_refusal("{}", {"no parameter", "tactile_weight"});
   expect_refusal("[1]", {"no parameter"});
-  expect_refusal("{\"gain_per_s\": 9} {", {"not JSON"});
-  expect_refusal("{\"\xff\": 1}", {"not JSON"});
-  expect_refusal(R"({"gain_per_s": 1e999})", {"not JSON"});
+  expect_refusal("{\"gain_per_s\": 9} {", {"not valid JSON"});
+  expect_refusal("{\"\xff\": 1}", {"not valid JSON"});
+  expect_refusal(R"({"gain_per_s": 1e999})", {"not valid JSON"});
   expect_refusal(R"({"tactile_weight": 0.7})", {"me, tactile_weight: '0.7'", "(0, 0.5)"});
   expect_refusal(R"({"tactile_weight": "0.2"})", {"me, tactile_weight", "(0, 0.5)"});
   expect_refusal(R"({"illusion": "cosine"})", {"illusion: 'cosine'", "one of linear, saturating"});
