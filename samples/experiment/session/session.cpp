@@ -442,7 +442,7 @@ class SessionRun {
     reach["counts"] = reach["reason"] == "";
     show_noise(outcome.summary.learnt.tracker_noise_m);
     const std::string validity = reach["counts"] ? "valid" : "invalid: " + reach["reason"].get<std::string>();
-    const std::string& reason = reach["reason"].get_ref<const std::string&>();
+    const auto& reason = reach["reason"].get_ref<const std::string&>();
     if (!reach["counts"]) subject_.say("This reach is not counted: " + reason + (reason.ends_with('.') ? "" : "."));
     subject_.show({{"measured",
                     {format("miss %.1f mm", found["miss_mm"].get<double>()),

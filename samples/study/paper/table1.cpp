@@ -225,7 +225,7 @@ Table1 simulate_table1(const Table1Options& options) {
     for (CellGroup& group : *groups)
       for (Cell& cell : group.cells) cells.push_back(&cell);
   // The trials of a cell in parts, whose sums are added in order, so that no result depends on the number of threads.
-  constexpr std::uint64_t parts = 100;
+  constexpr std::uint64_t parts = 1000;
   std::vector<TrialSums> sums(cells.size() * parts);
   Progress progress;
   const auto work = [&](std::uint64_t i) {
