@@ -1,16 +1,15 @@
 #include "core/person/person_model.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "core/math/elementary.h"
-#include "core/person/person_belief.h"
 
 namespace hrt {
 namespace {
 
 constexpr double scale_deg = 75.0;
-
 constexpr double ridge_spacing_mm = 10.0;
 // Newton's method converges quadratically: after a change below this limit, the error is far below the limit.
 constexpr double max_newton_change_deg = 0.05;
@@ -97,16 +96,19 @@ FeasibleShift feasible_shift(const Illusion& illusion, double shift_deg, double 
 template <typename Covariance>
 LinearIllusion linear_illusion(double weight, double curve, const Covariance& covariance, double hidden_bias_deg) {
   using X = PersonState;
-  constexpr double fraction = (60.0 / 75.0) * (60.0 / 75.0);  // (t / 75)^2 at 60 degrees
+  constexpr double fraction = (60.0 / scale_deg) * (60.0 / scale_deg);  // (t / 75)^2 at 60 degrees
   const double with_bias = covariance(X::weight, X::bias) - fraction * covariance(X::curve, X::bias);
   const double variance = covariance(X::weight, X::weight) - 2.0 * fraction * covariance(X::weight, X::curve) +
                           fraction * fraction * covariance(X::curve, X::curve) +
                           square(hidden_bias_deg * with_bias / covariance(X::bias, X::bias));
   return {std::clamp(weight - fraction * curve, 0.001, 0.499), std::sqrt(std::max(variance, 0.0))};
 }
-template LinearIllusion linear_illusion(double, double, const PersonBelief::Matrix&, double);
-template LinearIllusion linear_illusion(double, double,
-                                        const Eigen::Matrix<double, PersonState::count, PersonState::count>&, double);
+
+// The covariances of PersonBelief and of PersonFilter.
+template <int size>
+using Square = Eigen::Matrix<double, size, size>;
+template LinearIllusion linear_illusion(double, double, const Square<PersonState::traits>&, double);
+template LinearIllusion linear_illusion(double, double, const Square<PersonState::count>&, double);
 
 GapFeasibility gap_feasibility(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
                                double bound_deg) {
