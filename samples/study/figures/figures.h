@@ -60,7 +60,7 @@ class StagingFolder {
   bool was_made_;
 };
 
-/// Returns the SVG of a figure, which is drawn in a temporary folder beside the file `path`. Throws like StagingFolder.
+/// Returns the SVG of a figure. Draws it in a temporary folder next to the file `path`. Throws like StagingFolder.
 std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure);
 
 }  // namespace hrt::study
