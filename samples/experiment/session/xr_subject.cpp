@@ -21,8 +21,7 @@ namespace {
 constexpr const char* keys_text =
     "Keys: S or Escape stops the plate; X marks the reach as invalid; B begins a break after this step; N begins a "
     "note; U pressed twice marks you as unblinded; R repeats the last request; H lists the keys; Q pressed twice "
-    "quits, "
-    "and the session can be resumed.";
+    "quits, and the session can be resumed.";
 constexpr char erase = 0x7f, escape = 0x1b;
 
 // Applies a key to a typed text. Returns true if the key is Enter, which ends the text.
